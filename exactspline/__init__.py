@@ -1,0 +1,44 @@
+"""exactspline: B-splines and NURBS in exact rational arithmetic, and the proofs that go with them.
+
+>>> from exactspline import BSpline
+>>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
+>>> (f * f - f**2).is_zero
+True
+"""
+
+from importlib import import_module
+from typing import Any
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "BSpline": "spline",
+    "KnotVector": "knots",
+    "Nurbs": "nurbs",
+    "Vector": "language",
+    "Rational": "quotients",
+    "formula": "language",
+    "dot": "language",
+    "cross": "language",
+    "det": "language",
+    "perp": "language",
+    "norm2": "language",
+    "triple": "language",
+    "generalized_cross": "language",
+    "wronskian": "language",
+    "rational": "exact",
+    "from_float": "exact",
+}
+
+__all__ = [*_HOMES, "__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first used, so that importing the package costs next to nothing."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'exactspline' has no attribute {name!r}")
+    return getattr(import_module(f"exactspline.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

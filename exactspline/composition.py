@@ -1,0 +1,105 @@
+"""Composition of splines, exact or refused."""
+
+from __future__ import annotations
+
+from flint import fmpz_poly
+from gmpy2 import mpq
+
+from exactspline import form as forms
+from exactspline.errors import DomainError, ReductionError
+from exactspline.exact import text, to_fmpz
+from exactspline.knots import Mesh
+from exactspline.spline import BSpline
+
+
+def composed(outer: BSpline, inner: BSpline) -> BSpline:
+    """``t ↦ outer(inner(t))``, of the product of the degrees.
+
+    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when `inner` leaves the domain of `outer`
+    and `ReductionError` when a crossing is irrational: the composition is then no spline with rational knots.
+    """
+    _check_range(outer, inner)
+    crossings = {t: c for c, knot in zip(outer.continuity, outer.mesh.breaks[1:-1], strict=True) for t in _preimages(inner, knot)}
+    own = dict(zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True))
+    a, b = inner.domain
+    mesh = Mesh([a, *sorted(t for t in {*own, *crossings} if a < t < b), b])
+    n = outer.degree * inner.degree
+    continuity = tuple(min(own.get(t, n), crossings.get(t, n)) for t in mesh.breaks[1:-1])
+    parts = []
+    for low, high in zip(mesh.breaks, mesh.breaks[1:], strict=False):
+        i = inner.mesh.locate(low)
+        piece = forms.restrict(inner.forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
+        j = outer.mesh.locate(inner((low + high) / 2))
+        parts.append(forms.compose(outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree))
+    return BSpline.from_forms(n, mesh, continuity, parts)
+
+
+def _localized(piece: forms.Form, degree: int, mesh: Mesh, j: int) -> forms.Form:
+    """The inner form in the local parameter of segment j of the outer mesh."""
+    start, width = mesh.breaks[j], mesh.breaks[j + 1] - mesh.breaks[j]
+    c, m = forms.add(piece, _constant(-start, degree))
+    return c * to_fmpz(width.denominator), m * to_fmpz(width.numerator)
+
+
+def _constant(value: mpq, degree: int) -> forms.Form:
+    return int(value.numerator) * forms.raiser(degree), to_fmpz(value.denominator)
+
+
+def _check_range(outer: BSpline, inner: BSpline) -> None:
+    low, high = outer.domain
+    for i, piece in enumerate(inner.forms):
+        below = forms.add(piece, _constant(-low, inner.degree))[0]
+        above = forms.add((-piece[0], piece[1]), _constant(high, inner.degree))[0]
+        for c in (below, above):
+            if not _stays_nonnegative(c, inner.degree):
+                a, b = inner.mesh.breaks[i : i + 2]
+                raise DomainError(
+                    f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]", remedy="restrict it first", segment=i
+                )
+
+
+def _stays_nonnegative(c: fmpz_poly, n: int) -> bool:
+    """Whether the form is ≥ 0 on its segment: no odd root inside, and a non-negative value somewhere that is no root."""
+    if not c:
+        return True
+    if any(_crosses(p) for p in _odd_factors(c)):
+        return False
+    return all(forms.value((c, forms.ONE), n, mpq(k, n + 2)) >= 0 for k in range(1, n + 2))
+
+
+def _odd_factors(c: fmpz_poly) -> list[fmpz_poly]:
+    """Square-free factors of odd multiplicity; roots at the ends of the segment (z = 0 and z = ∞) left out."""
+    _, factors = c.factor_squarefree()
+    return [p for p, multiplicity in factors if multiplicity % 2 and p.degree() > 0]
+
+
+def _crosses(p: fmpz_poly) -> bool:
+    """Whether a square-free form has a root strictly inside the segment (z > 0)."""
+    while p[0] == 0:
+        p = p.right_shift(1)
+    return p.degree() > 0 and forms.zero_on_segment(p, p.degree()) is not None
+
+
+def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
+    """Parameters strictly inside segments where `inner` crosses `knot`; all rational, or an error."""
+    found = []
+    for i, piece in enumerate(inner.forms):
+        c, _ = forms.add(piece, _constant(-knot, inner.degree))
+        if not c:
+            continue
+        for p in _odd_factors(c):
+            for q, _ in p.factor()[1]:
+                if q.degree() == 1:
+                    z = mpq(-int(q[0]), int(q[1]))
+                    if z > 0:
+                        a, b = inner.mesh.breaks[i : i + 2]
+                        found.append(a + (b - a) * z / (1 + z))
+                elif _crosses(q):
+                    a, b = inner.mesh.breaks[i : i + 2]
+                    raise ReductionError(
+                        f"the knot {text(knot)} of the outer spline has an irrational preimage on [{text(a)}, {text(b)}]",
+                        remedy="the composition is no spline with rational knots; split the outer spline there or approximate the inner one",
+                        knot=knot,
+                        polynomial=[int(x) for x in q.coeffs()],
+                    )
+    return found

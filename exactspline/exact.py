@@ -1,0 +1,153 @@
+"""The only gate between other numbers and ``gmpy2.mpq``, and between gmpy2 and FLINT both ways.
+
+gmpy2 takes floats without a word (``mpq(0.1)`` is a 55-bit number nobody wrote, ``mpq(1, 3) + 0.5`` is an ``mpfr``), so
+every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from foreign data.
+"""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+from math import isfinite
+from typing import Any
+
+import flint
+from gmpy2 import mpq, mpz
+
+from exactspline.errors import NumberError
+
+_TYPES = {type(mpq()), type(mpz()), int, Fraction}
+#: Largest decimal or binary exponent read from text: beyond it a few characters would fill the memory.
+MAX_EXPONENT = 100_000
+#: Longest text read as one number.
+MAX_TEXT = 4_000_000
+
+_FRACTION = re.compile(r"\s*([+-]?\d+)\s*/\s*([+-]?\d+)\s*", re.ASCII)
+_DECIMAL = re.compile(r"\s*([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d{1,9}))?\s*", re.ASCII)
+_HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?\d{1,9}))?\s*", re.ASCII)
+
+
+def rational(value: Any) -> mpq:
+    """The exact value of a number as ``gmpy2.mpq``.
+
+    Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, and text: ``"3/4"``, ``"0.1"``,
+    ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
+
+    >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
+    (mpq(1,10), mpq(3,4), mpq(3,16))
+
+    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy scalar is refused, since its decimal
+    look is not its value.
+
+    >>> rational(0.1)
+    Traceback (most recent call last):
+    exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" for the decimal, or from_float(0.1) for the binary value
+    """
+    kind = type(value)
+    if kind in _TYPES:
+        return mpq(value)
+    if kind is str:
+        return _from_text(value)
+    if kind is Decimal:
+        if not value.is_finite():
+            raise NumberError(f"{value} is not a number", remedy="write a finite number")
+        return _from_text(str(value))
+    if kind is flint.fmpq:
+        return mpq(int(value.p), int(value.q))
+    if kind is flint.fmpz:
+        return mpq(int(value))
+    if kind is float:
+        raise _refuse_float(value)
+    name = f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
+    raise NumberError(
+        f"{str(value)[:40]} is of type {name}, which is not taken as an exact number",
+        remedy='pass an int, a Fraction, an mpq, a Decimal or text such as "3/4" or "0.1" (for floats see from_float)',
+    )
+
+
+def from_float(value: float) -> mpq:
+    """The exact binary value of a float: the one door through which a float enters.
+
+    >>> from_float(0.5), from_float(0.1) == rational("0.1")
+    (mpq(1,2), False)
+
+    Raises `NumberError` for NaN, infinities and anything that is not a float.
+    """
+    if not isinstance(value, float):
+        raise NumberError(f"{value!r} is not a float", remedy="exact numbers go through rational()")
+    if not isfinite(value):
+        raise NumberError(f"{float(value)} has no exact value", remedy="write a finite number")
+    return mpq(*float(value).as_integer_ratio())
+
+
+def to_fmpq(value: mpq) -> flint.fmpq:
+    """An ``mpq`` (or int, ``mpz``) as FLINT's ``fmpq``.
+
+    >>> to_fmpq(mpq(-3, 4))
+    -3/4
+    """
+    return flint.fmpq(int(value.numerator), int(value.denominator))
+
+
+def to_fmpz(value: Any) -> flint.fmpz:
+    """An ``mpz`` (or int) as FLINT's ``fmpz``.
+
+    >>> to_fmpz(mpz(7))
+    7
+    """
+    return flint.fmpz(int(value))
+
+
+def ratio(numerator: flint.fmpz, denominator: flint.fmpz) -> mpq:
+    """The quotient of two FLINT integers as an ``mpq``.
+
+    >>> ratio(flint.fmpz(6), flint.fmpz(-4))
+    mpq(-3,2)
+    """
+    return mpq(int(numerator), int(denominator))
+
+
+def text(value: mpq) -> str:
+    """Shortest exact text of an ``mpq``, read back by :func:`rational`.
+
+    >>> text(mpq(3, 4)), text(mpq(-2))
+    ('3/4', '-2')
+    """
+    return str(value)
+
+
+def _refuse_float(value: float) -> NumberError:
+    if not isfinite(value):
+        return NumberError(f"{value} is not a number", remedy="write a finite number")
+    return NumberError(
+        f"{value} is a float, whose exact value is not what it shows",
+        remedy=f'write "{value}" for the decimal, or from_float({value}) for the binary value',
+    )
+
+
+def _from_text(value: str) -> mpq:
+    if len(value) > MAX_TEXT:
+        raise NumberError(f"a number of {len(value)} characters", remedy=f"at most {MAX_TEXT} are read")
+    if match := _FRACTION.fullmatch(value):
+        numerator, denominator = mpz(match[1].lstrip("+")), mpz(match[2].lstrip("+"))
+        if denominator == 0:
+            raise NumberError(f"{value.strip()[:40]!r} has a zero denominator", remedy="write a fraction with a non-zero denominator")
+        return mpq(numerator, denominator)
+    for pattern, radix, per_digit in ((_DECIMAL, 10, 1), (_HEX, 16, 4)):
+        match = pattern.fullmatch(value)
+        if match and (match[2] or match[3]):
+            return _positional(match, radix, per_digit, value)
+    raise NumberError(f"{value[:40]!r} is not a number", remedy='write for example "3/4", "-0.1", "1e-6" or "0x1.8p-3"')
+
+
+def _positional(match: re.Match[str], radix: int, per_digit: int, value: str) -> mpq:
+    whole, part = match[2] or "", match[3] or ""
+    exponent = int(match[4] or 0)
+    if abs(exponent) > MAX_EXPONENT:
+        raise NumberError(f"{value.strip()[:40]!r} has an exponent beyond {MAX_EXPONENT}", remedy="scale the data")
+    mantissa = mpz(whole + part, radix) * (-1 if match[1] == "-" else 1)
+    exponent -= per_digit * len(part)
+    base = 10 if radix == 10 else 2
+    scale = mpz(base) ** abs(exponent)
+    return mpq(mantissa * scale) if exponent >= 0 else mpq(mantissa, scale)

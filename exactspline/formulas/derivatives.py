@@ -1,0 +1,107 @@
+"""§3: derivatives of a rational curve γ = p/w."""
+
+from exactspline.language import det, formula
+
+
+@formula("eq. (4)", symbol="D_1")
+def D1(c):
+    """``p′w − pw′``."""
+    return c.p.d(1) * c.w - c.p * c.w.d(1)
+
+
+@formula("eq. (4)", symbol="D_2")
+def D2(c):
+    """``p″w − pw″``."""
+    return c.p.d(2) * c.w - c.p * c.w.d(2)
+
+
+@formula("eq. (4)", symbol="D_3")
+def D3(c):
+    """``p‴w − pw‴``."""
+    return c.p.d(3) * c.w - c.p * c.w.d(3)
+
+
+@formula("eq. (4)", symbol="D_{21}")
+def D21(c):
+    """``p″w′ − p′w″``."""
+    return c.p.d(2) * c.w.d(1) - c.p.d(1) * c.w.d(2)
+
+
+@formula("§3", symbol=r"\gamma'")
+def velocity(c):
+    """First derivative by the quotient rule."""
+    return c.gamma.d(1)
+
+
+@formula("§3", symbol=r"\gamma''")
+def acceleration(c):
+    """Second derivative by the quotient rule, twice."""
+    return c.gamma.d(2)
+
+
+@formula("§3", symbol=r"\gamma'''")
+def jerk(c):
+    """Third derivative by the quotient rule, three times."""
+    return c.gamma.d(3)
+
+
+@formula("eq. (1)", symbol=r"\gamma'")
+def velocity_shared(c):
+    """First derivative over w²."""
+    return D1(c) / c.w**2
+
+
+@formula("eq. (2)", symbol=r"\gamma''")
+def acceleration_shared(c):
+    """Second derivative, its terms over w³."""
+    return (D2(c) * c.w - D1(c) * (2 * c.w.d(1))) / c.w**3
+
+
+@formula("eq. (3)", symbol=r"\gamma'''")
+def jerk_shared(c):
+    """Third derivative, its terms over w⁴."""
+    w = c.w
+    return ((D3(c) + D21(c)) * w**2 - D2(c) * (4 * w.d(1) * w) + D1(c) * (6 * w.d(1) ** 2 - 2 * w * w.d(2))) / w**4
+
+
+@formula("eq. (5)", symbol=r"\gamma''")
+def acceleration_terms(c):
+    """Second derivative as the paper prints it: a sum of terms over powers of w."""
+    return D2(c) / c.w**2 - (2 * c.w.d(1) / c.w**3) * D1(c)
+
+
+@formula("eq. (5)", symbol=r"\gamma'''")
+def jerk_terms(c):
+    """Third derivative as the paper prints it: a sum of terms over powers of w."""
+    w = c.w
+    return D3(c) / w**2 + D21(c) / w**2 - (4 * w.d(1) / w**3) * D2(c) + ((6 * w.d(1) ** 2 - 2 * w * w.d(2)) / w**4) * D1(c)
+
+
+@formula("Remark 3.1", curve="plane", symbol="[D_1\\ D_2]")
+def D1_D2(c):
+    """``[D1 D2]`` in the plane."""
+    return det(D1(c), D2(c))
+
+
+@formula("Remark 3.1", curve="space", symbol="[D_1\\ D_2\\ D_3]")
+def D1_D2_D3(c):
+    """``[D1 D2 D3]`` in space."""
+    return det(D1(c), D2(c), D3(c))
+
+
+@formula("§3", curve="space", symbol="[D_1\\ D_2\\ D_{21}]")
+def D1_D2_D21(c):
+    """``[D1 D2 D21]``: zero when D21 lies in the span of D1 and D2."""
+    return det(D1(c), D2(c), D21(c))
+
+
+@formula("Remark 3.2", curve="plane", symbol="[\\gamma'\\ \\gamma'']")
+def velocity_acceleration(c):
+    """``[γ′ γ″]``, naive."""
+    return det(c.gamma.d(1), c.gamma.d(2))
+
+
+@formula("Remark 3.2", curve="space", symbol="[\\gamma'\\ \\gamma''\\ \\gamma''']")
+def velocity_acceleration_jerk(c):
+    """``[γ′ γ″ γ‴]``, naive."""
+    return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))

@@ -1,0 +1,1 @@
+"""Printers: LaTeX and text. They walk trees and know nothing else."""

@@ -1,0 +1,61 @@
+"""Formulas as LaTeX."""
+
+from __future__ import annotations
+
+from exactspline.printers.walk import ATOM, PRODUCT, Printer, number
+from exactspline.readings.tree import Node
+
+_GREEK = {"gamma": r"\gamma"}
+
+
+class LatexPrinter(Printer):
+    r"""``[p'\ p'']\,w - [p\ p'']\,w'``."""
+
+    minus, cross, dot, between = "-", r"\times", r"\cdot", r"\,"
+
+    def atom(self, n: Node) -> tuple[str, int]:
+        """A name or a number."""
+        if n.op == "number":
+            text, binding = number(n.value)
+            top, slash, bottom = text.partition("/")
+            return (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else text), binding
+        return (n.value.symbol if n.op == "named" else _GREEK.get(n.value, n.value)), ATOM
+
+    def quotient(self, a: Node, b: Node) -> tuple[str, int]:
+        """A fraction."""
+        return rf"\frac{{{self(a)}}}{{{self(b)}}}", PRODUCT
+
+    def power(self, base: str, exponent: int) -> str:
+        """A power."""
+        return rf"{base}^{{{exponent}}}"
+
+    def derivative(self, base: str, order: int) -> str:
+        """Primes."""
+        return base + ("'" * order if order < 4 else rf"^{{({order})}}")
+
+    def component(self, base: str, index: int) -> str:
+        """An index."""
+        return rf"{base}_{{[{index}]}}"
+
+    def parentheses(self, text: str) -> str:
+        """Parentheses that grow."""
+        return rf"\left({text}\right)"
+
+    def norm2(self, text: str) -> str:
+        """A squared length."""
+        return rf"\|{text}\|^2"
+
+    def bracket(self, parts: list[str]) -> str:
+        """A determinant."""
+        return "[" + r"\ ".join(parts) + "]"
+
+    def perp(self, text: str) -> str:
+        """A vector turned by a right angle."""
+        return rf"{text}^\perp"
+
+    def wedge(self, parts: list[str]) -> str:
+        """A generalized cross product."""
+        return rf"\textstyle\bigwedge({', '.join(parts)})"
+
+
+print_latex = LatexPrinter()

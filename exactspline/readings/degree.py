@@ -1,0 +1,222 @@
+"""The degree reading: max-plus expressions in named degrees, ``9d − 6`` or ``max(2d − 1, d1 + d2)``.
+
+The degree of a product is the sum, of a sum the maximum, of a derivative one less. Constants have degree 0. This is the counting of Table 1.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
+from typing import Any
+
+from exactspline import structure
+from exactspline.errors import FormulaError
+from exactspline.language import CONSTANTS, Curve, Operand, Vector
+
+#: One affine form: coefficients by name in alphabetical order, and the constant.
+Term = tuple[tuple[tuple[str, int], ...], int]
+
+
+def _plus(a: Term, b: Term) -> Term:
+    coefficients = dict(a[0])
+    for name, k in b[0]:
+        coefficients[name] = coefficients.get(name, 0) + k
+    return tuple(sorted((name, k) for name, k in coefficients.items() if k)), a[1] + b[1]
+
+
+def _dominates(a: Term, b: Term, start: int = 1) -> bool:
+    """Whether a ≥ b for all degrees ≥ `start`: slopes not smaller, and not smaller at the corner."""
+    difference = _plus(a, (tuple((name, -k) for name, k in b[0]), -b[1]))
+    return all(k >= 0 for _, k in difference[0]) and sum(k for _, k in difference[0]) * start + difference[1] >= 0
+
+
+class Degree(Operand):
+    """A maximum of affine forms in named degrees, which are at least 1.
+
+    >>> d = Degree.named("d")
+    >>> (d + d).raised_to(d), d * d, (d * d).d(3)
+    (d, 2d, 2d − 3)
+    """
+
+    __slots__ = ("tag", "terms")
+
+    def __init__(self, terms: Iterable[Term], tag: int | None = None) -> None:
+        terms = set(terms)
+        self.tag = structure.leaf() if tag is None else tag
+        self.terms = frozenset(t for t in terms if not any(s != t and _dominates(s, t) for s in terms))
+
+    @classmethod
+    def named(cls, name: str) -> Degree:
+        """The degree with this name."""
+        return cls([(((name, 1),), 0)])
+
+    @classmethod
+    def number(cls, n: int) -> Degree:
+        """A fixed degree."""
+        return cls([((), n)])
+
+    @property
+    def degree(self) -> Degree:
+        """Itself."""
+        return self
+
+    def max(self, other: Degree) -> Degree:
+        """The larger of two degrees."""
+        return Degree(self.terms | other.terms)
+
+    def raised_to(self, other: Degree) -> Degree:
+        """The degree after elevation: the larger of the two."""
+        return Degree(self.terms | other.terms, self.tag)
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            other = self.constant(other)
+        if not isinstance(other, Degree):
+            return NotImplemented
+        return Degree(self.terms | other.terms, structure.total(structure.SUM, self.tag, other.tag))
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            return self.scaled(other)
+        if not isinstance(other, Degree):
+            return NotImplemented
+        return Degree((_plus(a, b) for a in self.terms for b in other.terms), structure.product(self.tag, other.tag))
+
+    def scaled(self, constant: Any) -> Degree:
+        """A constant factor leaves the degree."""
+        return Degree(self.terms, structure.scaled(self.tag, constant))
+
+    def constant(self, value: Any) -> Degree:
+        """A constant has degree 0."""
+        return Degree([((), 0)], structure.scaled(1, value))
+
+    def d(self, order: int = 1) -> Degree:
+        """One less for every derivative, below 0 if need be."""
+        tag = self.tag
+        for _ in range(order):
+            tag = structure.total(structure.DERIVATIVE, tag, 1)
+        return Degree(((coefficients, constant - order) for coefficients, constant in self.terms), tag)
+
+    @property
+    def is_zero(self) -> bool:
+        """A degree never tells that something vanishes."""
+        return False
+
+    def at(self, values: Mapping[str, int]) -> int:
+        """The number for given degrees.
+
+        >>> parse("9d - 6").at({"d": 3})
+        21
+        """
+        return max(sum(k * values[name] for name, k in coefficients) + constant for coefficients, constant in self.terms)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names of the degrees in it."""
+        return frozenset(name for coefficients, _ in self.terms for name, _ in coefficients)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are equal for all degrees ≥ 1; `equal_from` also tells of later agreement."""
+        return isinstance(other, Degree) and equal_from(self, other) == 1
+
+    def __hash__(self) -> int:
+        return hash(self.at(dict.fromkeys(sorted(self.names), 1_000_003)))
+
+    def __repr__(self) -> str:
+        parts = [_term_text(t) for t in sorted(self.terms, reverse=True)]
+        return parts[0] if len(parts) == 1 else f"max({', '.join(parts)})"
+
+
+def _term_text(term: Term) -> str:
+    coefficients, constant = term
+    text = ""
+    for name, k in coefficients:
+        sign = " − " if k < 0 else " + " if text else ""
+        text += (sign if text or k > 0 else "−") + (f"{abs(k)}" if abs(k) != 1 else "") + name
+    if constant or not text:
+        text += f"{' − ' if constant < 0 else ' + '}{abs(constant)}" if text else str(constant).replace("-", "−")
+    return text
+
+
+def equal_from(a: Degree, b: Degree, limit: int = 1000) -> int | None:
+    """The least d₀ ≥ 1 such that both are equal whenever all named degrees are ≥ d₀; None when there is none up to `limit`.
+
+    >>> d = Degree.named("d")
+    >>> equal_from(d.max(Degree.number(4)), d)
+    4
+    >>> equal_from(d, d * d) is None
+    True
+    """
+    if not (_below(a, b, limit) and _below(b, a, limit)):
+        return None
+    low, high = 0, limit
+    while high - low > 1:
+        middle = (low + high) // 2
+        if _below(a, b, middle) and _below(b, a, middle):
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def _below(a: Degree, b: Degree, start: int) -> bool:
+    """Whether a ≤ b wherever all degrees are ≥ start."""
+    return all(any(_dominates(s, t, start) for s in b.terms) or _in_hull(t, b, start) for t in a.terms)
+
+
+def _in_hull(term: Term, b: Degree, start: int) -> bool:
+    """Whether a convex combination of the terms of b dominates the term (exact linear programming; LP duality makes this the whole truth)."""
+    if len(b.terms) == 1:
+        return False
+    from sympy.solvers.simplex import InfeasibleLPError, linprog
+
+    terms, names = sorted(b.terms), sorted(b.names | {name for name, _ in term[0]})
+    slopes = [[-dict(t[0]).get(name, 0) for t in terms] for name in names]
+    wanted = [-dict(term[0]).get(name, 0) for name in names]
+    corner = [-sum(k for _, k in t[0]) * start - t[1] for t in terms]
+    try:
+        linprog([0] * len(terms), [*slopes, corner], [*wanted, -sum(k for _, k in term[0]) * start - term[1]], [[1] * len(terms)], [1])
+    except InfeasibleLPError:
+        return False
+    return True
+
+
+@cache
+def parse(text: str) -> Degree:
+    """Read a degree as people write it: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
+
+    >>> parse("12(d-1)"), parse("max(d1, d2)")
+    (12d − 12, max(d2, d1))
+
+    Raises `FormulaError` when it cannot be read.
+    """
+    source = text.replace("−", "-").replace(" ", "")
+    if source.startswith("max(") and source.endswith(")"):
+        parts = [parse(part) for part in source[4:-1].split(",")]
+        result = parts[0]
+        for part in parts[1:]:
+            result = result.max(part)
+        return result
+    if match := re.fullmatch(r"(\d+)\((.+)\)", source):
+        inner = parse(match[2])
+        return Degree((tuple((n, k * int(match[1])) for n, k in c), m * int(match[1])) for c, m in inner.terms)
+    term: Term = ((), 0)
+    for sign, number, name in re.findall(r"([+-]?)(\d*)([a-zA-Z]\w*)?", source):
+        if number or name:
+            k = int(number or 1) * (-1 if sign == "-" else 1)
+            term = _plus(term, (((name, k),), 0) if name else ((), k))
+    if not source or re.sub(r"[+-]?(\d+[a-zA-Z]\w*|\d+|[a-zA-Z]\w*)", "", source):
+        raise FormulaError(f"{text!r} is no degree", remedy='write for example "9d - 6" or "max(d1, d2)"')
+    return Degree([term])
+
+
+def degree_curve(dimension: int, *, polynomial: bool = False, name: str = "d") -> Curve:
+    """A curve of that many coordinates whose degree is the name.
+
+    >>> degree_curve(2).gamma.d(2).degree
+    4d
+    """
+    d = Degree.named(name)
+    p = Vector(*[Degree.named(name) for _ in range(dimension)])
+    return Curve(p, Degree.number(0) if polynomial else d, polynomial=polynomial)

@@ -1,0 +1,166 @@
+"""The jet reading: the curve is indeterminate, its derivatives are the variables x, x′, x″, …, w, w′, ….
+
+What a formula returns is a differential polynomial over the rationals. Two that agree agree for every curve of every degree, so an equality here is a
+proof for all curves. A polynomial homogeneous of degree k and of weight m (number of primes) has nominal B-spline degree ``kd − m``.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from gmpy2 import mpq
+
+from exactspline import structure
+from exactspline.errors import FormulaError
+from exactspline.exact import rational, to_fmpq
+from exactspline.language import CONSTANTS, Curve, Operand, Vector
+
+PRIMES = ("", "′", "″", "‴")
+COORDINATES = "xyzuvst"
+
+
+class JetRing:
+    """Polynomials in the derivatives up to `order` of the functions with the given names.
+
+    >>> ring = JetRing(("x", "w"), 2)
+    >>> (ring["x"].d() * ring["w"] - ring["x"] * ring["w"].d()).d()
+    x″·w − x·w″
+    """
+
+    def __init__(self, names: tuple[str, ...], order: int) -> None:
+        self.names, self.order = names, order
+        self.variables = [(name, i) for name in names for i in range(order + 1)]
+        self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
+        self.gens = self.context.gens()
+        self.index = {variable: i for i, variable in enumerate(self.variables)}
+
+    def __getitem__(self, name: str) -> Jet:
+        return Jet(self, self.gens[self.index[name, 0]])
+
+    def number(self, value: Any) -> Jet:
+        """An exact constant."""
+        return Jet(self, self.context.constant(to_fmpq(rational(value))), structure.scaled(1, value))
+
+    def primes(self, i: int) -> str:
+        """The i-th variable as people write it."""
+        name, order = self.variables[i]
+        return name + (PRIMES[order] if order < len(PRIMES) else f"⁽{str(order).translate(SUPERSCRIPTS)}⁾")
+
+
+SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+class Jet(Operand):
+    """A differential polynomial."""
+
+    __slots__ = ("polynomial", "ring", "tag")
+
+    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, tag: int | None = None) -> None:
+        self.ring, self.polynomial, self.tag = ring, polynomial, structure.leaf() if tag is None else tag
+
+    def constant(self, value: Any) -> Jet:
+        """An exact constant of the ring."""
+        return self.ring.number(value)
+
+    def _other(self, other: Any) -> Jet | None:
+        if isinstance(other, Jet):
+            return other
+        return self.constant(other) if isinstance(other, CONSTANTS) else None
+
+    def __add__(self, other: Any) -> Any:
+        right = self._other(other)
+        if right is None:
+            return NotImplemented
+        return Jet(self.ring, self.polynomial + right.polynomial, structure.total(structure.SUM, self.tag, right.tag))
+
+    def __sub__(self, other: Any) -> Any:
+        right = self._other(other)
+        if right is None:
+            return NotImplemented
+        return Jet(self.ring, self.polynomial - right.polynomial, structure.total(structure.DIFFERENCE, self.tag, right.tag))
+
+    def __mul__(self, other: Any) -> Any:
+        right = self._other(other)
+        if right is None:
+            return NotImplemented
+        return Jet(self.ring, self.polynomial * right.polynomial, structure.product(self.tag, right.tag))
+
+    def scaled(self, constant: Any) -> Jet:
+        """The polynomial times an exact constant."""
+        return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), structure.scaled(self.tag, constant))
+
+    def raised_to(self, other: Any) -> Jet:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1) -> Jet:
+        """The total derivative; `FormulaError` when the ring lacks the variable it leads to."""
+        ring, result, tag = self.ring, self.polynomial, self.tag
+        for _ in range(order):
+            total = ring.context.constant(0)
+            for i, used in enumerate(result.degrees()):
+                if used:
+                    name, k = ring.variables[i]
+                    if k == ring.order:
+                        raise FormulaError(f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}")
+                    total += result.derivative(i) * ring.gens[i + 1]
+            result, tag = total, structure.total(structure.DERIVATIVE, tag, 1)
+        return Jet(ring, result, tag)
+
+    @property
+    def degree(self) -> int:
+        """Degree k in the curve."""
+        return self.grading[0]
+
+    @property
+    def grading(self) -> tuple[int, int]:
+        """Degree k and weight m (number of primes); `FormulaError` when it is not homogeneous in both."""
+        orders = [k for _, k in self.ring.variables]
+        gradings = {(sum(e), sum(x * k for x, k in zip(e, orders, strict=True))) for e in ([int(x) for x in m] for m in self.polynomial.monoms())}
+        if len(gradings) != 1:
+            raise FormulaError(f"a polynomial with the gradings {sorted(gradings)}", remedy="degree and weight exist for homogeneous ones only")
+        return gradings.pop()
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it is the zero polynomial: zero on every curve."""
+        return not self.polynomial
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Jet) and self.polynomial == other.polynomial
+
+    def __hash__(self) -> int:
+        return hash(str(self.polynomial))
+
+    def __repr__(self) -> str:
+        return polynomial_text(self)
+
+
+def polynomial_text(jet: Jet, limit: int = 12) -> str:
+    """The polynomial as people write it, cut after `limit` terms."""
+    terms = list(jet.polynomial.terms())
+    if not terms:
+        return "0"
+    parts = [_term_text(jet.ring, exponents, mpq(int(c.p), int(c.q))) for exponents, c in terms[:limit]]
+    text = " ".join(parts).removeprefix("+ ")
+    return (text if not text.startswith("− ") else "−" + text[2:]) + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
+
+
+def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
+    factors = [ring.primes(i) + (str(int(e)).translate(SUPERSCRIPTS) if e > 1 else "") for i, e in enumerate(exponents) if e]
+    if abs(c) != 1 or not factors:
+        factors.insert(0, str(abs(c)))
+    return ("− " if c < 0 else "+ ") + "·".join(factors)
+
+
+def jet_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
+    """The indeterminate curve with its derivatives up to `order`.
+
+    >>> jet_curve(2, 2).w.d(2)
+    w″
+    """
+    names = tuple(COORDINATES[:dimension]) + (() if polynomial else ("w",))
+    ring = JetRing(names, order)
+    p = Vector(*[ring[name] for name in names[:dimension]])
+    return Curve(p, ring.number(1) if polynomial else ring["w"], polynomial=polynomial)

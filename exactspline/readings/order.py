@@ -1,0 +1,61 @@
+"""The order reading: how many derivatives of a curve a formula needs. A first pass before the jet ring is made."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactspline.language import CONSTANTS, Curve, Operand, Vector
+
+
+class Order(Operand):
+    """The highest derivative in an expression.
+
+    >>> (Order(1) * Order(0)).d(2).order
+    3
+    """
+
+    __slots__ = ("order",)
+    degree = 0
+    tag = 0
+    is_zero = False
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            return self
+        return self if isinstance(other, Order) and other.order <= self.order else other
+
+    __mul__ = __add__
+
+    def scaled(self, constant: Any) -> Order:
+        """A constant factor needs no derivative."""
+        return self
+
+    def constant(self, value: Any) -> Order:
+        """A constant needs no derivative."""
+        return Order(0)
+
+    def raised_to(self, other: Any) -> Order:
+        """Raising a degree needs no derivative."""
+        return self
+
+    def d(self, order: int = 1) -> Order:
+        """So many derivatives more."""
+        return Order(self.order + order)
+
+
+def order_of(formula: Any, dimension: int) -> int:
+    """The highest derivative of the curve that a formula needs.
+
+    >>> from exactspline.formulas.derivatives import D3
+    >>> order_of(D3, 3)
+    3
+    """
+    from exactspline.quotients import Rational
+
+    result = formula(Curve(Vector(*[Order(0) for _ in range(dimension)]), Order(0)))
+    parts = [result.numerator, result.denominator] if isinstance(result, Rational) else [result]
+    scalars = [x for part in parts for x in (part if isinstance(part, Vector) else [part])]
+    return max(x.order for x in scalars)

@@ -1,0 +1,166 @@
+"""The tree reading: the formula itself, never simplified, for printing, for counting operations and for evaluation in any other reading."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+from exactspline import language
+from exactspline.errors import FormulaError
+from exactspline.language import CONSTANTS, Formula, Operand
+
+#: Products of vectors whose value is again a vector.
+VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross"}
+
+
+class Node(Operand):
+    """A node of an expression tree: an operation and its arguments.
+
+    ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``, ``**``, ``[]``, ``dot``, ``cross``,
+    ``det``, ``perp``, ``generalized_cross``.
+    """
+
+    __slots__ = ("args", "is_vector", "op", "value")
+    takes_over = True
+
+    def __init__(self, op: str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False) -> None:
+        self.op, self.args, self.value, self.is_vector = op, args, value, vector
+
+    def _node(self, other: Any) -> Node | None:
+        if isinstance(other, Node):
+            return other
+        return Node("number", value=other) if isinstance(other, CONSTANTS) else None
+
+    def _binary(self, op: str, other: Any) -> Any:
+        right = self._node(other)
+        return NotImplemented if right is None else Node(op, (self, right), vector=self.is_vector or right.is_vector)
+
+    def __add__(self, other: Any) -> Any:
+        return self._binary("+", other)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._binary("-", other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return Node("number", value=other)._binary("-", self)
+
+    def __radd__(self, other: Any) -> Any:
+        return Node("number", value=other)._binary("+", self)
+
+    def __mul__(self, other: Any) -> Any:
+        return self._binary("*", other)
+
+    def __rmul__(self, other: Any) -> Any:
+        return Node("number", value=other)._binary("*", self)
+
+    def __truediv__(self, other: Any) -> Any:
+        return self._binary("/", other)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return Node("number", value=other)._binary("/", self)
+
+    def __neg__(self) -> Node:
+        return Node("neg", (self,), vector=self.is_vector)
+
+    def __pow__(self, exponent: int) -> Node:
+        return Node("**", (self,), exponent)
+
+    def __getitem__(self, index: int) -> Node:
+        return Node("[]", (self,), index)
+
+    def __iter__(self) -> Iterator[Node]:
+        raise FormulaError("a formula takes a vector apart", remedy="use v[0], v[1], …")
+
+    def d(self, order: int = 1) -> Node:
+        """The node of a derivative (of order 0: itself)."""
+        return Node("d", (self,), order, vector=self.is_vector) if order else self
+
+    def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Node:
+        """The node of a product of vectors."""
+        return Node(function.__name__, tuple(vectors), vector=function.__name__ in VECTOR_PRODUCTS)
+
+    def __repr__(self) -> str:
+        from exactspline.printers.text import print_text
+
+        return print_text(self)
+
+
+class Traced:
+    """The curve of the tree reading: its operands are leaves, and formulas called on it keep their names."""
+
+    vectors = ("p", "gamma")
+
+    def __init__(self, dimension: int = 3, *, expand: bool = False) -> None:
+        self.dimension, self.polynomial, self._expand = dimension, False, expand
+
+    def __getattr__(self, name: str) -> Node:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return Node("leaf", value=name, vector=name in self.vectors)
+
+    def calls(self, formula: Formula) -> Any:
+        """A formula called by another one: a node with its name (or only its body, when expanding)."""
+        body = formula.function(self)
+        return body if self._expand else Node("named", (body,), formula, vector=getattr(body, "is_vector", False))
+
+
+def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
+    """The tree of a formula.
+
+    >>> from exactspline.formulas.derivatives import D1
+    >>> trace(D1)
+    p′ w − p w′
+    """
+    node: Node = formula.function(Traced(dimension, expand=expand))
+    return node
+
+
+def evaluate(node: Node, c: Any) -> Any:
+    """The value of a tree in the reading of the curve `c`; a node that occurs twice is evaluated once."""
+    known: dict[int, Any] = {}
+
+    def visit(n: Node) -> Any:
+        if id(n) not in known:
+            known[id(n)] = _apply(n, [visit(a) for a in n.args], c)
+        return known[id(n)]
+
+    return visit(node)
+
+
+_BINARY = {"+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "/": lambda a, b: a / b}
+
+
+def _apply(n: Node, args: list[Any], c: Any) -> Any:
+    if n.op == "leaf":
+        return getattr(c, n.value)
+    if n.op == "number":
+        return n.value
+    if n.op == "named":
+        return args[0]
+    if n.op in _BINARY:
+        return _BINARY[n.op](*args)
+    if n.op == "neg":
+        return -args[0]
+    if n.op == "d":
+        return args[0].d(n.value)
+    if n.op == "**":
+        return args[0] ** n.value
+    if n.op == "[]":
+        return args[0][n.value]
+    return getattr(language, n.op)(*args)
+
+
+def operation_counts(node: Node) -> Counter[str]:
+    """How often each operation is carried out, shared nodes counted once."""
+    seen: set[int] = set()
+    counts: Counter[str] = Counter()
+    todo = [node]
+    while todo:
+        n = todo.pop()
+        if id(n) not in seen:
+            seen.add(id(n))
+            todo += n.args
+            if n.op not in ("leaf", "number", "named"):
+                counts[n.op] += 1
+    return counts

@@ -1,0 +1,338 @@
+"""The public piecewise polynomial: exact B-splines and the primitive operations of §2.
+
+A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are made when first asked for and kept.
+Inside it is a list of forms (see `exactspline.form`), one a segment, with the nominal degree and the nominal continuity at every interior
+breakpoint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from flint import fmpz_poly
+from gmpy2 import mpq
+
+from exactspline import bezier_points, refinement, structure
+from exactspline.errors import DomainError, NumberError, ShapeError
+from exactspline.exact import rational, text, to_fmpz
+from exactspline.form import ZERO_FORM, Form, add, bezier, derivative, from_bezier, raiser, true_degree, value
+from exactspline.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
+from exactspline.language import CONSTANTS, Operand
+from exactspline.structure import PRIME
+
+#: Largest degree accepted from outside; computed splines may go beyond it.
+MAX_DEGREE = 1000
+
+
+class BSpline(Operand):
+    """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
+
+    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump). The domain is ``[t_n, t_{N−n}]`` for
+    knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as `exactspline.exact.rational` takes them.
+
+    >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
+    >>> f(1), (f * f).degree, f.d().control_points
+    (mpq(1,2), 4, (mpq(2,1), mpq(-1,1), mpq(1,1)))
+
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
+    """
+
+    __slots__ = ("_knots", "_points", "continuity", "degree", "forms", "mesh", "tag")
+
+    degree: int
+    mesh: Mesh
+    continuity: tuple[int, ...]
+    forms: tuple[Form, ...]
+    tag: int
+    _knots: KnotVector | None
+    _points: tuple[mpq, ...] | None
+
+    def __init__(self, degree: int, knots: Iterable[Any], control_points: Iterable[Any]) -> None:
+        degree = checked_degree(degree)
+        vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
+        vector.check(degree)
+        points = exact_points(control_points)
+        if len(points) != len(vector) - degree - 1:
+            raise ShapeError(
+                f"{len(points)} control points for {len(vector)} knots of degree {degree}",
+                where="control_points",
+                remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
+            )
+        mesh, continuity, spans = mesh_of(vector, degree)
+        self.degree, self.mesh, self.continuity = degree, mesh, continuity
+        self.forms = tuple(from_bezier(bezier_points.of_span(vector.knots, degree, points, j)) for j in spans)
+        self._knots, self._points, self.tag = vector, points, structure.leaf()
+
+    @classmethod
+    def from_forms(cls, degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: Iterable[Form], tag: int | None = None) -> BSpline:
+        """The spline with these forms; the caller vouches for the continuity."""
+        return _make(degree, mesh, continuity, tuple(forms), structure.leaf() if tag is None else tag)
+
+    @classmethod
+    def bezier(cls, points: Sequence[Any], a: Any = 0, b: Any = 1) -> BSpline:
+        """A polynomial by its Bézier points over [a, b].
+
+        >>> BSpline.bezier([0, 0, 1])("1/2")
+        mpq(1,4)
+        """
+        points = list(points)
+        return cls(len(points) - 1, [*[a] * len(points), *[b] * len(points)], points)
+
+    @classmethod
+    def identity(cls, a: Any, b: Any) -> BSpline:
+        """The function t ↦ t on [a, b].
+
+        >>> BSpline.identity(0, 2)("1/3")
+        mpq(1,3)
+        """
+        return cls.bezier([a, b], a, b)
+
+    # ---- representation
+
+    @property
+    def knots(self) -> KnotVector:
+        """The knots, as given or (of a computed spline) clamped."""
+        if self._knots is None:
+            self._knots = clamped(self.mesh, self.continuity, self.degree)
+        return self._knots
+
+    @property
+    def control_points(self) -> tuple[mpq, ...]:
+        """The control points over `knots`."""
+        if self._points is None:
+            self._points = bezier_points.to_control_points(self.knots.knots, self.degree, self.mesh.breaks, self.segments)
+        return self._points
+
+    @property
+    def segments(self) -> list[list[mpq]]:
+        """The Bézier points of every segment.
+
+        >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).segments
+        [[mpq(1,1), mpq(2,1)], [mpq(2,1), mpq(0,1)]]
+        """
+        return [bezier(form, self.degree) for form in self.forms]
+
+    @property
+    def domain(self) -> tuple[mpq, mpq]:
+        """The interval of definition."""
+        return self.mesh.domain
+
+    @property
+    def breakpoints(self) -> tuple[mpq, ...]:
+        """The distinct knots of the domain, ends included."""
+        return self.mesh.breaks
+
+    def __repr__(self) -> str:
+        knots = ", ".join(map(text, self.knots))
+        points = ", ".join(map(text, self.control_points))
+        return f"BSpline({self.degree}, [{knots}], [{points}])"
+
+    def same_representation(self, other: BSpline) -> bool:
+        """Whether degree, knots and control points agree (`==` asks only whether the functions agree)."""
+        return self.degree == other.degree and self.knots == other.knots and self.control_points == other.control_points
+
+    # ---- arithmetic
+
+    def constant(self, number: Any) -> BSpline:
+        """The constant spline of degree 0 on this domain."""
+        q = rational(number)
+        form = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
+        return _make(0, self.mesh, (SMOOTH,) * len(self.continuity), (form,) * len(self.forms), structure.scaled(1, q))
+
+    def __add__(self, other: Any) -> Any:
+        if type(other) is not BSpline:
+            if not isinstance(other, CONSTANTS):
+                return NotImplemented
+            other = self.constant(other)
+        a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
+        n, m = a.degree, b.degree
+        if n == m:
+            forms = tuple([(p + q, k) if k == l else add((p, k), (q, l)) for (p, k), (q, l) in zip(a.forms, b.forms)])  # noqa: B905
+        else:
+            if n < m:
+                a, b, n, m = b, a, m, n
+            lift = raiser(n - m)
+            forms = tuple([add(f, (q * lift, l)) for f, (q, l) in zip(a.forms, b.forms)])  # noqa: B905
+        return _make(n, a.mesh, _lower(a.continuity, b.continuity), forms, structure.total(structure.SUM, a.tag, b.tag))
+
+    def __sub__(self, other: Any) -> Any:
+        if type(other) is BSpline and self.mesh is other.mesh and self.degree == other.degree:
+            forms = tuple(
+                [(p - q, k) if k == l else add((p, k), (-q, l)) for (p, k), (q, l) in zip(self.forms, other.forms)]  # noqa: B905
+            )
+            tag = structure.total(structure.DIFFERENCE, self.tag, other.tag)
+            return _make(self.degree, self.mesh, _lower(self.continuity, other.continuity), forms, tag)
+        return self + (-other) if isinstance(other, (BSpline, *CONSTANTS)) else NotImplemented
+
+    def __mul__(self, other: Any) -> Any:
+        if type(other) is not BSpline:
+            return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
+        a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
+        forms = tuple([(p * q, k * l) for (p, k), (q, l) in zip(a.forms, b.forms)])  # noqa: B905
+        return _make(a.degree + b.degree, a.mesh, _lower(a.continuity, b.continuity), forms, a.tag * b.tag % PRIME)
+
+    def scaled(self, constant: Any) -> BSpline:
+        """The spline times an exact constant."""
+        if type(constant) is int:
+            return _make(self.degree, self.mesh, self.continuity, tuple([(p * constant, k) for p, k in self.forms]), structure.scaled(self.tag, constant))
+        q = rational(constant)
+        top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
+        return _make(self.degree, self.mesh, self.continuity, tuple([(p * top, k * bottom) for p, k in self.forms]), structure.scaled(self.tag, q))
+
+    def d(self, order: int = 1) -> BSpline:
+        """The derivative of the given order.
+
+        The formal degree drops by one each time, below 0 if need be (then the spline is zero and has no control points); so does the continuity, not below −1.
+
+        >>> BSpline.bezier([0, 0, 1]).d(2).control_points
+        (mpq(2,1),)
+        """
+        result = self
+        for _ in range(order):
+            result = _derivative(result)
+        return result
+
+    def raised_to(self, other: BSpline) -> BSpline:
+        """The same function, at least of the degree of `other`."""
+        return self if self.degree >= other.degree else refinement.elevate(self, other.degree - self.degree)
+
+    # ---- the function
+
+    def __call__(self, t: Any, side: str = "right") -> mpq:
+        """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the `side` asked for.
+
+        Raises `DomainError` outside the domain.
+        """
+        t = rational(t)
+        i = self.mesh.locate(t, left=checked_side(side))
+        return value(self.forms[i], self.degree, self.mesh.local(i, t))
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the function is identically zero."""
+        return not any(p for p, _ in self.forms)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function on the same domain, whatever their knots and degrees."""
+        if not isinstance(other, BSpline):
+            return NotImplemented
+        return self.domain == other.domain and (self - other).is_zero
+
+    def __hash__(self) -> int:
+        a, b = self.domain
+        return hash((a, b, *[self(a + (b - a) * mpq(i, 5)) for i in range(6)]))
+
+    @property
+    def true_degree(self) -> int:
+        """Largest degree, over the segments, of the polynomials themselves (−1 for the zero function).
+
+        >>> BSpline.bezier([0, 1, 2, 3]).true_degree
+        1
+        """
+        return max(true_degree(form, self.degree) for form in self.forms)
+
+    def continuity_at(self, t: Any) -> int:
+        """How many derivatives agree at a parameter: −1 at a jump, `degree` where the two sides are one polynomial.
+
+        >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
+        1
+        """
+        return refinement.continuity_at(self, rational(t))
+
+    # ---- other representations and parts (see exactspline.refinement)
+
+    def elevate_degree(self, by: int = 1) -> BSpline:
+        """The same function, its degree raised."""
+        return refinement.elevate(self, by)
+
+    def reduce_degree(self, by: int = 1) -> BSpline:
+        """The same function, its degree lowered; `ReductionError` names a segment where that cannot be done exactly."""
+        return refinement.reduce(self, by)
+
+    def insert_knot(self, t: Any, times: int = 1) -> BSpline:
+        """The same function with a knot more inside the domain."""
+        return refinement.insert_knot(self, rational(t), times)
+
+    def remove_knot(self, t: Any, times: int = 1) -> BSpline:
+        """The same function with a knot less; `ReductionError` tells the derivative that jumps there."""
+        return refinement.remove_knot(self, rational(t), times)
+
+    def split(self, t: Any) -> tuple[BSpline, BSpline]:
+        """The parts left and right of an inner parameter."""
+        a, b = self.domain
+        return self.restrict(a, t), self.restrict(t, b)
+
+    def restrict(self, a: Any, b: Any) -> BSpline:
+        """The part over [a, b]."""
+        return refinement.restricted(self, rational(a), rational(b))
+
+    def reverse(self) -> BSpline:
+        """The spline run through backwards, over the same domain."""
+        return refinement.reversed_(self)
+
+    def reparametrize(self, a: Any, b: Any) -> BSpline:
+        """The same control points over the domain [a, b], mapped affinely."""
+        return refinement.reparametrized(self, rational(a), rational(b))
+
+    def bezier_segments(self) -> list[BSpline]:
+        """One polynomial spline a segment."""
+        return [self.restrict(a, b) for a, b in zip(self.breakpoints, self.breakpoints[1:], strict=False)]
+
+    def compose(self, inner: BSpline) -> BSpline:
+        """``t ↦ self(inner(t))``; `ReductionError` where a knot of this spline has an irrational preimage."""
+        from exactspline.composition import composed
+
+        return composed(self, inner)
+
+
+_new = object.__new__
+
+
+def _make(degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: tuple[Form, ...], tag: int) -> BSpline:
+    spline = _new(BSpline)
+    spline.degree, spline.mesh, spline.continuity, spline.forms, spline.tag = degree, mesh, continuity, forms, tag
+    spline._knots = spline._points = None
+    return spline
+
+
+def _lower(a: tuple[int, ...], b: tuple[int, ...]) -> tuple[int, ...]:
+    return a if a == b else tuple(map(min, a, b))
+
+
+def _derivative(f: BSpline) -> BSpline:
+    n, tag = f.degree, structure.total(structure.DERIVATIVE, f.tag, 1)
+    continuity = tuple([max(c - 1, -1) for c in f.continuity]) if f.continuity else ()
+    if n <= 0:
+        return _make(n - 1, f.mesh, continuity, (ZERO_FORM,) * len(f.forms), tag)
+    if f.mesh.unit:
+        return _make(n - 1, f.mesh, continuity, tuple([(derivative(p, n), k) for p, k in f.forms]), tag)
+    forms = [(derivative(p, n) * bottom, k * top) for (p, k), (top, bottom) in zip(f.forms, f.mesh.widths)]  # noqa: B905
+    return _make(n - 1, f.mesh, continuity, tuple(forms), tag)
+
+
+def checked_degree(degree: Any) -> int:
+    """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
+    if type(degree) is not int or degree < 0:
+        raise ShapeError(f"{degree!r} is no degree", where="degree", remedy="an integer ≥ 0")
+    if degree > MAX_DEGREE:
+        raise ShapeError(f"degree {degree}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
+    return degree
+
+
+def checked_side(side: str) -> bool:
+    """Whether the side is the left one; `DomainError` unless it is ``left`` or ``right``."""
+    if side not in ("left", "right"):
+        raise DomainError(f"{side!r} is no side", remedy="'left' or 'right'")
+    return side == "left"
+
+
+def exact_points(points: Iterable[Any]) -> tuple[mpq, ...]:
+    """Control points as exact numbers, an error naming the one at fault."""
+    exact = []
+    for i, b in enumerate(points):
+        try:
+            exact.append(rational(b))
+        except NumberError as error:
+            raise error.at(f"control_points[{i}]") from None
+    return tuple(exact)
