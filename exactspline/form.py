@@ -48,10 +48,9 @@ def bezier(form: Form, n: int) -> list[mpq]:
     return [ratio(c[i], m * comb(n, i)) for i in range(n + 1)]
 
 
-def derivative(c: fmpz_poly, n: int) -> fmpz_poly:
-    """``(∂v − ∂u)`` of a form of degree n: the derivative by the local parameter, of formal degree n−1."""
-    first = c.derivative()
-    return first + (first.left_shift(1) - n * c) if n > 0 else ZERO_FORM[0]
+def derivative(c: fmpz_poly, n: fmpz) -> fmpz_poly:
+    """``(∂v − ∂u)`` of a form of degree n ≥ 1: the derivative by the local parameter, of formal degree n−1."""
+    return c.derivative() * U_PLUS_V - n * c
 
 
 def rescaled(form: Form, m: fmpz) -> Form:
@@ -66,6 +65,19 @@ def add(a: Form, b: Form) -> Form:
         return p + q, k
     g = k.gcd(m)
     return p * (m // g) + q * (k // g), k * (m // g)
+
+
+def common_denominators(
+    p: list[fmpz_poly], k: list[fmpz], q: list[fmpz_poly], m: list[fmpz]
+) -> tuple[list[fmpz_poly], list[fmpz_poly], list[fmpz]]:
+    """Two lists of polynomials, over the denominators k and m, brought to common ones."""
+    shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
+    denominators = [x * y for x, y in zip(shared, m, strict=True)]
+    return (
+        [c * (d // x) for c, d, x in zip(p, denominators, k, strict=True)],
+        [c * x for c, x in zip(q, shared, strict=True)],
+        denominators,
+    )
 
 
 def value(form: Form, n: int, t: mpq) -> mpq:

@@ -23,7 +23,7 @@ class Operand:
     """What every scalar of every reading has in common.
 
     A reading supplies ``__add__``, ``__mul__``, ``scaled`` (by an exact constant), ``d``, ``raised_to`` (the same thing, of at least another's
-    degree), ``degree`` and ``tag`` (see `exactspline.structure`); the rest follows. ``/`` by an operand makes a `Rational`, which is Table 1's row T3.
+    degree), ``degree`` and ``recipe`` (see `exactspline.structure`); the rest follows. ``/`` by an operand makes a `Rational`, which is Table 1's row T3.
     """
 
     __slots__ = ()
@@ -85,6 +85,9 @@ class Vector:
     """
 
     __slots__ = ("components",)
+    is_vector = True
+    #: A reading whose vectors are of another kind supplies a method here.
+    multilinear = None
 
     def __init__(self, *components: Any) -> None:
         self.components = components
@@ -141,8 +144,6 @@ class Vector:
             return NotImplemented
         return scalar.dividing(self) if hasattr(scalar, "dividing") else _rational()(self, scalar)
 
-    is_vector = True
-
     def d(self, order: int = 1) -> Vector:
         """The derivative of the given order, component by component."""
         return Vector(*[a.d(order) for a in self.components])
@@ -180,9 +181,8 @@ def _multilinear(function: Callable[..., Any]) -> Callable[..., Any]:
 
     def product(*vectors: Any) -> Any:
         for vector in vectors:
-            hook = getattr(vector, "multilinear", None)
-            if hook is not None:
-                return hook(product, vectors)
+            if vector.multilinear is not None:
+                return vector.multilinear(product, vectors)
         return function(*vectors)
 
     product.__name__ = product.__qualname__ = function.__name__
@@ -252,12 +252,13 @@ def det(*rows: Vector) -> Any:
     (1, 1)
     """
     n = len(rows)
-    if n < 2 or any(len(row) != n for row in rows):
+    if n < 2 or any(len(row.components) != n for row in rows):
         raise ShapeError(
             f"determinant of {n} vectors of {sorted({len(row) for row in rows})} components", remedy="pass n ≥ 2 vectors of n components"
         )
     if n == 2:
-        return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]
+        (a0, a1), (b0, b1) = rows[0].components, rows[1].components
+        return a0 * b1 - a1 * b0
     if n == 3:
         return dot(cross(rows[0], rows[1]), rows[2])
     return dot(generalized_cross(*rows[:-1]), rows[-1])

@@ -150,7 +150,7 @@ def _shared(splines: Iterable[BSpline]) -> list[BSpline]:
         columns.append([rescaled(form, common) for form in forms])
     shared = []
     for s, forms in zip(splines, zip(*columns, strict=True), strict=True):
-        one = BSpline.from_forms(s.degree, mesh, continuity, forms, s.tag)
+        one = BSpline.from_forms(s.degree, mesh, continuity, forms, s.recipe)
         one._knots, one._points = s._knots, s._points
         shared.append(one)
     return shared

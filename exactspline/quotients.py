@@ -17,14 +17,11 @@ from exactspline.language import CONSTANTS, Operand, Vector
 class Product:
     """A denominator: a product of operands, multiplied out when first asked for."""
 
-    __slots__ = ("_value", "parts", "tag")
+    __slots__ = ("_value", "parts")
 
     def __init__(self, *parts: Any) -> None:
         self.parts: tuple[Any, ...] = parts
         self._value: Any = None
-        self.tag = 1
-        for part in parts:
-            self.tag = structure.product(self.tag, part.tag)
 
     def __mul__(self, other: Product) -> Product:
         return Product(*self._factors(), *other._factors())
@@ -34,7 +31,7 @@ class Product:
 
     def same(self, other: Product) -> bool:
         """Whether both are structurally the same product."""
-        return self is other or (self.tag == other.tag and _agree(self.value, other.value))
+        return self is other or _agree(self.value, other.value)
 
     @property
     def value(self) -> Any:
@@ -48,7 +45,8 @@ class Product:
 
 
 def _agree(a: Any, b: Any) -> bool:
-    return a is b or bool(a.degree == b.degree and a == b)
+    """Equal structure, and (cheaply seen beforehand and made sure of afterwards) equal degree and value."""
+    return a is b or bool(a.degree == b.degree and structure.number(a.recipe) == structure.number(b.recipe) and a == b)
 
 
 class Rational(Operand):

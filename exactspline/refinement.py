@@ -25,10 +25,10 @@ def aligned(f: BSpline, g: BSpline) -> tuple[BSpline, BSpline]:
 def over(f: BSpline, mesh: Mesh) -> BSpline:
     """The spline over a finer mesh of the same domain."""
     if mesh is f.mesh or mesh.breaks == f.mesh.breaks:
-        return type(f).from_forms(f.degree, mesh, f.continuity, f.forms, f.tag)
+        return type(f).from_forms(f.degree, mesh, f.continuity, f.forms, f.recipe)
     known = dict(zip(f.mesh.breaks[1:-1], f.continuity, strict=True))
     continuity = tuple(known.get(t, SMOOTH) for t in mesh.breaks[1:-1])
-    return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.tag)
+    return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.recipe)
 
 
 def _parts(f: BSpline, mesh: Mesh) -> Iterator[forms.Form]:
@@ -42,7 +42,7 @@ def elevate(f: BSpline, by: int) -> BSpline:
     if by < 0:
         raise ShapeError(f"degree elevation by {by}", remedy="use reduce_degree to lower a degree")
     lift = forms.raiser(by)
-    return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.tag)
+    return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.recipe)
 
 
 def reduce(f: BSpline, by: int) -> BSpline:

@@ -8,18 +8,20 @@ breakpoint.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from operator import add as plus
+from operator import mul as times
+from operator import sub as minus
 from typing import Any
 
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import bezier_points, refinement, structure
 from exactspline.errors import DomainError, NumberError, ShapeError
 from exactspline.exact import rational, text, to_fmpz
-from exactspline.form import ZERO_FORM, Form, add, bezier, derivative, from_bezier, raiser, true_degree, value
+from exactspline.form import ONE, Form, bezier, common_denominators, derivative, from_bezier, raiser, true_degree, value
 from exactspline.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 from exactspline.language import CONSTANTS, Operand
-from exactspline.structure import PRIME
 
 #: Largest degree accepted from outside; computed splines may go beyond it.
 MAX_DEGREE = 1000
@@ -38,13 +40,16 @@ class BSpline(Operand):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
 
-    __slots__ = ("_knots", "_points", "continuity", "degree", "forms", "mesh", "tag")
+    __slots__ = ("_derivative", "_knots", "_points", "continuity", "degree", "denominators", "mesh", "polynomials", "recipe")
 
     degree: int
     mesh: Mesh
     continuity: tuple[int, ...]
-    forms: tuple[Form, ...]
-    tag: int
+    #: The forms, their polynomials and denominators apart: never changed in place.
+    polynomials: list[fmpz_poly]
+    denominators: list[fmpz]
+    recipe: structure.Recipe
+    _derivative: BSpline | None
     _knots: KnotVector | None
     _points: tuple[mpq, ...] | None
 
@@ -61,13 +66,16 @@ class BSpline(Operand):
             )
         mesh, continuity, spans = mesh_of(vector, degree)
         self.degree, self.mesh, self.continuity = degree, mesh, continuity
-        self.forms = tuple(from_bezier(bezier_points.of_span(vector.knots, degree, points, j)) for j in spans)
-        self._knots, self._points, self.tag = vector, points, structure.leaf()
+        forms = [from_bezier(bezier_points.of_span(vector.knots, degree, points, j)) for j in spans]
+        self.polynomials, self.denominators = [c for c, _ in forms], [m for _, m in forms]
+        self.recipe, self._derivative, self._knots, self._points = structure.leaf(), None, vector, points
 
     @classmethod
-    def from_forms(cls, degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: Iterable[Form], tag: int | None = None) -> BSpline:
+    def from_forms(cls, degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: Iterable[Form], recipe: structure.Recipe = None) -> BSpline:
         """The spline with these forms; the caller vouches for the continuity."""
-        return _make(degree, mesh, continuity, tuple(forms), structure.leaf() if tag is None else tag)
+        forms = list(forms)
+        recipe = structure.leaf() if recipe is None else recipe
+        return _make(degree, mesh, continuity, [c for c, _ in forms], [m for _, m in forms], recipe)
 
     @classmethod
     def bezier(cls, points: Sequence[Any], a: Any = 0, b: Any = 1) -> BSpline:
@@ -89,6 +97,11 @@ class BSpline(Operand):
         return cls.bezier([a, b], a, b)
 
     # ---- representation
+
+    @property
+    def forms(self) -> list[Form]:
+        """The form of every segment."""
+        return list(zip(self.polynomials, self.denominators, strict=True))
 
     @property
     def knots(self) -> KnotVector:
@@ -136,49 +149,54 @@ class BSpline(Operand):
 
     def constant(self, number: Any) -> BSpline:
         """The constant spline of degree 0 on this domain."""
-        q = rational(number)
-        form = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
-        return _make(0, self.mesh, (SMOOTH,) * len(self.continuity), (form,) * len(self.forms), structure.scaled(1, q))
+        q, segments = rational(number), len(self.mesh)
+        c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
+        return _make(0, self.mesh, (SMOOTH,) * (segments - 1), [c] * segments, [m] * segments, (structure.MULTIPLE, 1, q))
 
     def __add__(self, other: Any) -> Any:
+        return self._sum(other, plus, structure.SUM)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._sum(other, minus, structure.DIFFERENCE)
+
+    def _sum(self, other: Any, operation: Any, name: int) -> Any:
         if type(other) is not BSpline:
             if not isinstance(other, CONSTANTS):
                 return NotImplemented
             other = self.constant(other)
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
-        n, m = a.degree, b.degree
-        if n == m:
-            forms = tuple([(p + q, k) if k == l else add((p, k), (q, l)) for (p, k), (q, l) in zip(a.forms, b.forms)])  # noqa: B905
-        else:
-            if n < m:
-                a, b, n, m = b, a, m, n
-            lift = raiser(n - m)
-            forms = tuple([add(f, (q * lift, l)) for f, (q, l) in zip(a.forms, b.forms)])  # noqa: B905
-        return _make(n, a.mesh, _lower(a.continuity, b.continuity), forms, structure.total(structure.SUM, a.tag, b.tag))
-
-    def __sub__(self, other: Any) -> Any:
-        if type(other) is BSpline and self.mesh is other.mesh and self.degree == other.degree:
-            forms = tuple(
-                [(p - q, k) if k == l else add((p, k), (-q, l)) for (p, k), (q, l) in zip(self.forms, other.forms)]  # noqa: B905
-            )
-            tag = structure.total(structure.DIFFERENCE, self.tag, other.tag)
-            return _make(self.degree, self.mesh, _lower(self.continuity, other.continuity), forms, tag)
-        return self + (-other) if isinstance(other, (BSpline, *CONSTANTS)) else NotImplemented
+        n, p, q = a.degree, a.polynomials, b.polynomials
+        if n < b.degree:
+            n, lift = b.degree, raiser(b.degree - n)
+            p = [c * lift for c in p]
+        elif n > b.degree:
+            lift = raiser(n - b.degree)
+            q = [c * lift for c in q]
+        denominators = a.denominators
+        if denominators != b.denominators:
+            p, q, denominators = common_denominators(p, denominators, q, b.denominators)
+        return _make(n, a.mesh, _lower(a.continuity, b.continuity), list(map(operation, p, q)), denominators, (name, self.recipe, other.recipe))
 
     def __mul__(self, other: Any) -> Any:
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
-        forms = tuple([(p * q, k * l) for (p, k), (q, l) in zip(a.forms, b.forms)])  # noqa: B905
-        return _make(a.degree + b.degree, a.mesh, _lower(a.continuity, b.continuity), forms, a.tag * b.tag % PRIME)
+        return _make(
+            a.degree + b.degree,
+            a.mesh,
+            _lower(a.continuity, b.continuity),
+            list(map(times, a.polynomials, b.polynomials)),
+            list(map(times, a.denominators, b.denominators)),
+            (structure.PRODUCT, self.recipe, other.recipe),
+        )
 
     def scaled(self, constant: Any) -> BSpline:
         """The spline times an exact constant."""
-        if type(constant) is int:
-            return _make(self.degree, self.mesh, self.continuity, tuple([(p * constant, k) for p, k in self.forms]), structure.scaled(self.tag, constant))
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
-        return _make(self.degree, self.mesh, self.continuity, tuple([(p * top, k * bottom) for p, k in self.forms]), structure.scaled(self.tag, q))
+        denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
+        recipe = (structure.MULTIPLE, self.recipe, q)
+        return _make(self.degree, self.mesh, self.continuity, [c * top for c in self.polynomials], denominators, recipe)
 
     def d(self, order: int = 1) -> BSpline:
         """The derivative of the given order.
@@ -190,7 +208,9 @@ class BSpline(Operand):
         """
         result = self
         for _ in range(order):
-            result = _derivative(result)
+            if result._derivative is None:
+                result._derivative = _differentiated(result)
+            result = result._derivative
         return result
 
     def raised_to(self, other: BSpline) -> BSpline:
@@ -206,12 +226,12 @@ class BSpline(Operand):
         """
         t = rational(t)
         i = self.mesh.locate(t, left=checked_side(side))
-        return value(self.forms[i], self.degree, self.mesh.local(i, t))
+        return value((self.polynomials[i], self.denominators[i]), self.degree, self.mesh.local(i, t))
 
     @property
     def is_zero(self) -> bool:
         """Whether the function is identically zero."""
-        return not any(p for p, _ in self.forms)
+        return not any(self.polynomials)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same domain, whatever their knots and degrees."""
@@ -289,10 +309,13 @@ class BSpline(Operand):
 _new = object.__new__
 
 
-def _make(degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: tuple[Form, ...], tag: int) -> BSpline:
+def _make(
+    degree: int, mesh: Mesh, continuity: tuple[int, ...], polynomials: list[fmpz_poly], denominators: list[fmpz], recipe: structure.Recipe
+) -> BSpline:
     spline = _new(BSpline)
-    spline.degree, spline.mesh, spline.continuity, spline.forms, spline.tag = degree, mesh, continuity, forms, tag
-    spline._knots = spline._points = None
+    spline.degree, spline.mesh, spline.continuity, spline.recipe = degree, mesh, continuity, recipe
+    spline.polynomials, spline.denominators = polynomials, denominators
+    spline._derivative = spline._knots = spline._points = None
     return spline
 
 
@@ -300,15 +323,24 @@ def _lower(a: tuple[int, ...], b: tuple[int, ...]) -> tuple[int, ...]:
     return a if a == b else tuple(map(min, a, b))
 
 
-def _derivative(f: BSpline) -> BSpline:
-    n, tag = f.degree, structure.total(structure.DERIVATIVE, f.tag, 1)
+def _differentiated(f: BSpline) -> BSpline:
+    n, recipe = f.degree, (structure.DERIVATIVE, f.recipe)
     continuity = tuple([max(c - 1, -1) for c in f.continuity]) if f.continuity else ()
     if n <= 0:
-        return _make(n - 1, f.mesh, continuity, (ZERO_FORM,) * len(f.forms), tag)
+        return _make(n - 1, f.mesh, continuity, [fmpz_poly([])] * len(f.mesh), [ONE] * len(f.mesh), recipe)
+    order = fmpz(n)
+    polynomials = [derivative(c, order) for c in f.polynomials]
     if f.mesh.unit:
-        return _make(n - 1, f.mesh, continuity, tuple([(derivative(p, n), k) for p, k in f.forms]), tag)
-    forms = [(derivative(p, n) * bottom, k * top) for (p, k), (top, bottom) in zip(f.forms, f.mesh.widths)]  # noqa: B905
-    return _make(n - 1, f.mesh, continuity, tuple(forms), tag)
+        return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, recipe)
+    widths = f.mesh.widths
+    return _make(
+        n - 1,
+        f.mesh,
+        continuity,
+        [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)],
+        [m * top for m, (top, _) in zip(f.denominators, widths, strict=True)],
+        recipe,
+    )
 
 
 def checked_degree(degree: Any) -> int:

@@ -10,6 +10,8 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
+from gmpy2 import mpq
+
 from exactspline import structure
 from exactspline.errors import FormulaError
 from exactspline.language import CONSTANTS, Curve, Operand, Vector
@@ -39,11 +41,11 @@ class Degree(Operand):
     (d, 2d, 2d − 3)
     """
 
-    __slots__ = ("tag", "terms")
+    __slots__ = ("recipe", "terms")
 
-    def __init__(self, terms: Iterable[Term], tag: int | None = None) -> None:
+    def __init__(self, terms: Iterable[Term], recipe: structure.Recipe = None) -> None:
         terms = set(terms)
-        self.tag = structure.leaf() if tag is None else tag
+        self.recipe = structure.leaf() if recipe is None else recipe
         self.terms = frozenset(t for t in terms if not any(s != t and _dominates(s, t) for s in terms))
 
     @classmethod
@@ -67,36 +69,36 @@ class Degree(Operand):
 
     def raised_to(self, other: Degree) -> Degree:
         """The degree after elevation: the larger of the two."""
-        return Degree(self.terms | other.terms, self.tag)
+        return Degree(self.terms | other.terms, self.recipe)
 
     def __add__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Degree):
             return NotImplemented
-        return Degree(self.terms | other.terms, structure.total(structure.SUM, self.tag, other.tag))
+        return Degree(self.terms | other.terms, (structure.SUM, self.recipe, other.recipe))
 
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Degree):
             return NotImplemented
-        return Degree((_plus(a, b) for a in self.terms for b in other.terms), structure.product(self.tag, other.tag))
+        return Degree((_plus(a, b) for a in self.terms for b in other.terms), (structure.PRODUCT, self.recipe, other.recipe))
 
     def scaled(self, constant: Any) -> Degree:
         """A constant factor leaves the degree."""
-        return Degree(self.terms, structure.scaled(self.tag, constant))
+        return Degree(self.terms, (structure.MULTIPLE, self.recipe, mpq(constant)))
 
     def constant(self, value: Any) -> Degree:
         """A constant has degree 0."""
-        return Degree([((), 0)], structure.scaled(1, value))
+        return Degree([((), 0)], (structure.MULTIPLE, 1, mpq(value)))
 
     def d(self, order: int = 1) -> Degree:
         """One less for every derivative, below 0 if need be."""
-        tag = self.tag
+        recipe = self.recipe
         for _ in range(order):
-            tag = structure.total(structure.DERIVATIVE, tag, 1)
-        return Degree(((coefficients, constant - order) for coefficients, constant in self.terms), tag)
+            recipe = (structure.DERIVATIVE, recipe)
+        return Degree(((coefficients, constant - order) for coefficients, constant in self.terms), recipe)
 
     @property
     def is_zero(self) -> bool:

@@ -40,7 +40,7 @@ class JetRing:
 
     def number(self, value: Any) -> Jet:
         """An exact constant."""
-        return Jet(self, self.context.constant(to_fmpq(rational(value))), structure.scaled(1, value))
+        return Jet(self, self.context.constant(to_fmpq(rational(value))), (structure.MULTIPLE, 1, rational(value)))
 
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
@@ -54,10 +54,10 @@ SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 class Jet(Operand):
     """A differential polynomial."""
 
-    __slots__ = ("polynomial", "ring", "tag")
+    __slots__ = ("polynomial", "recipe", "ring")
 
-    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, tag: int | None = None) -> None:
-        self.ring, self.polynomial, self.tag = ring, polynomial, structure.leaf() if tag is None else tag
+    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, recipe: structure.Recipe = None) -> None:
+        self.ring, self.polynomial, self.recipe = ring, polynomial, structure.leaf() if recipe is None else recipe
 
     def constant(self, value: Any) -> Jet:
         """An exact constant of the ring."""
@@ -72,23 +72,23 @@ class Jet(Operand):
         right = self._other(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial + right.polynomial, structure.total(structure.SUM, self.tag, right.tag))
+        return Jet(self.ring, self.polynomial + right.polynomial, (structure.SUM, self.recipe, right.recipe))
 
     def __sub__(self, other: Any) -> Any:
         right = self._other(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial - right.polynomial, structure.total(structure.DIFFERENCE, self.tag, right.tag))
+        return Jet(self.ring, self.polynomial - right.polynomial, (structure.DIFFERENCE, self.recipe, right.recipe))
 
     def __mul__(self, other: Any) -> Any:
         right = self._other(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial * right.polynomial, structure.product(self.tag, right.tag))
+        return Jet(self.ring, self.polynomial * right.polynomial, (structure.PRODUCT, self.recipe, right.recipe))
 
     def scaled(self, constant: Any) -> Jet:
         """The polynomial times an exact constant."""
-        return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), structure.scaled(self.tag, constant))
+        return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (structure.MULTIPLE, self.recipe, mpq(constant)))
 
     def raised_to(self, other: Any) -> Jet:
         """Itself: degree elevation does not change a function."""
@@ -96,7 +96,7 @@ class Jet(Operand):
 
     def d(self, order: int = 1) -> Jet:
         """The total derivative; `FormulaError` when the ring lacks the variable it leads to."""
-        ring, result, tag = self.ring, self.polynomial, self.tag
+        ring, result, recipe = self.ring, self.polynomial, self.recipe
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):
@@ -105,8 +105,8 @@ class Jet(Operand):
                     if k == ring.order:
                         raise FormulaError(f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}")
                     total += result.derivative(i) * ring.gens[i + 1]
-            result, tag = total, structure.total(structure.DERIVATIVE, tag, 1)
-        return Jet(ring, result, tag)
+            result, recipe = total, (structure.DERIVATIVE, recipe)
+        return Jet(ring, result, recipe)
 
     @property
     def degree(self) -> int:

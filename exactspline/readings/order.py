@@ -16,7 +16,7 @@ class Order(Operand):
 
     __slots__ = ("order",)
     degree = 0
-    tag = 0
+    recipe = 0
     is_zero = False
 
     def __init__(self, order: int) -> None:
