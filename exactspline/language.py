@@ -84,13 +84,14 @@ class Vector:
     (Vector(mpq(3,2), 2), Vector(2, 4), mpq(1,2), mpq(-1,1))
     """
 
-    __slots__ = ("components",)
+    __slots__ = ("_derivative", "components")
     is_vector = True
     #: A reading whose vectors are of another kind supplies a method here.
     multilinear = None
 
     def __init__(self, *components: Any) -> None:
         self.components = components
+        self._derivative: Vector | None = None
 
     def __len__(self) -> int:
         return len(self.components)
@@ -146,7 +147,12 @@ class Vector:
 
     def d(self, order: int = 1) -> Vector:
         """The derivative of the given order, component by component."""
-        return Vector(*[a.d(order) for a in self.components])
+        result = self
+        for _ in range(order):
+            if result._derivative is None:
+                result._derivative = Vector(*[a.d(1) for a in result.components])
+            result = result._derivative
+        return result
 
     def scaled(self, constant: Any) -> Vector:
         """The vector times an exact constant."""
@@ -252,7 +258,7 @@ def det(*rows: Vector) -> Any:
     (1, 1)
     """
     n = len(rows)
-    if n < 2 or any(len(row.components) != n for row in rows):
+    if n < 2 or [len(row.components) for row in rows] != [n] * n:
         raise ShapeError(
             f"determinant of {n} vectors of {sorted({len(row) for row in rows})} components", remedy="pass n ≥ 2 vectors of n components"
         )

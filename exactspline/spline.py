@@ -175,7 +175,8 @@ class BSpline(Operand):
         denominators = a.denominators
         if denominators != b.denominators:
             p, q, denominators = common_denominators(p, denominators, q, b.denominators)
-        return _make(n, a.mesh, _lower(a.continuity, b.continuity), list(map(operation, p, q)), denominators, (name, self.recipe, other.recipe))
+        continuity = a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity))
+        return _make(n, a.mesh, continuity, list(map(operation, p, q)), denominators, (name, self.recipe, other.recipe))
 
     def __mul__(self, other: Any) -> Any:
         if type(other) is not BSpline:
@@ -184,7 +185,7 @@ class BSpline(Operand):
         return _make(
             a.degree + b.degree,
             a.mesh,
-            _lower(a.continuity, b.continuity),
+            a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
             list(map(times, a.polynomials, b.polynomials)),
             list(map(times, a.denominators, b.denominators)),
             (structure.PRODUCT, self.recipe, other.recipe),
@@ -317,10 +318,6 @@ def _make(
     spline.polynomials, spline.denominators = polynomials, denominators
     spline._derivative = spline._knots = spline._points = None
     return spline
-
-
-def _lower(a: tuple[int, ...], b: tuple[int, ...]) -> tuple[int, ...]:
-    return a if a == b else tuple(map(min, a, b))
 
 
 def _differentiated(f: BSpline) -> BSpline:
