@@ -10,7 +10,7 @@ def f0(c):
     return det(c.gamma.d(1), c.gamma.d(2))
 
 
-@formula("§4.1", curve="plane", symbol="f_1")
+@formula("§4.1, Remark 3.1", curve="plane", symbol="[D_1\\ D_2]")
 def f1(c):
     """``[D1 D2]``, which vanishes with the curvature."""
     return det(D1(c), D2(c))

@@ -1,0 +1,169 @@
+"""Identical up to a factor: the factor is found in the jet ring by exact division, factored, and named."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq_mpoly
+from gmpy2 import mpq
+
+from exactspline.errors import ClaimError
+from exactspline.exact import rational
+from exactspline.formulas import all_formulas, find
+from exactspline.language import Curve, Vector
+from exactspline.printers.text import symbol_text
+from exactspline.quotients import Rational
+from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, polynomial_text
+from exactspline.readings.order import order_of
+
+
+def split(value: Any) -> tuple[list[Any], Any]:
+    """The components of the numerator, and the denominator or None."""
+    denominator = None
+    if isinstance(value, Rational):
+        value, denominator = value.numerator, value.denominator
+    return list(value) if isinstance(value, Vector) else [value], denominator
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A quotient of jet polynomials, as a constant and powers of irreducible ones with names where they have one."""
+
+    constant: mpq
+    powers: tuple[tuple[str, fmpq_mpoly, int], ...]
+    ring: JetRing
+
+    def __str__(self) -> str:
+        parts = [name + (str(e).translate(SUPERSCRIPTS).replace("⁻", "⁻") if e != 1 else "") for name, _, e in self.powers]
+        if self.constant != 1 or not parts:
+            parts.insert(0, str(self.constant))
+        return "·".join(parts)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names in it."""
+        return frozenset(name for name, _, _ in self.powers)
+
+    def fraction(self) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """Numerator and denominator as jet polynomials."""
+        one = self.ring.context.constant(1)
+        top, bottom = one * int(self.constant.numerator), one * int(self.constant.denominator)
+        for _, p, e in self.powers:
+            top, bottom = (top * p**e, bottom) if e > 0 else (top, bottom * p ** (-e))
+        return top, bottom
+
+    def on(self, curve: Any) -> tuple[Any, Any]:
+        """Numerator and denominator in the reading of a concrete curve."""
+        top, bottom = self.fraction()
+        return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
+
+
+def substitute(jet: Jet, curve: Any) -> Any:
+    """A jet polynomial on a concrete curve: the variables replaced by the derivatives of p and w.
+
+    >>> from exactspline.curves import example
+    >>> from exactspline.readings.jet import jet_curve
+    >>> substitute(jet_curve(2, 1).w.d(1), example("rational_cubic")) == example("rational_cubic").w.d(1)
+    True
+    """
+    known = dict(zip([name for name in jet.ring.names if name != "w"], curve.p, strict=True)) | {"w": curve.w}
+    total = curve.w.constant(0)
+    for exponents, c in jet.polynomial.terms():
+        term = curve.w.constant(mpq(int(c.p), int(c.q)))
+        for (name, order), e in zip(jet.ring.variables, exponents, strict=True):
+            if e:
+                term = term * known[name].d(order) ** int(e)
+        total = total + term
+    return total
+
+
+def jets_for(names: tuple[str, ...], dimension: int) -> Curve:
+    """The indeterminate rational curve with as many derivatives as the named formulas need."""
+    from exactspline.readings.jet import jet_curve
+
+    return jet_curve(dimension, max((order_of(find(name), dimension) for name in names), default=0))
+
+
+def find_factor(left: Any, right: Any) -> Factor | None:
+    """The quotient left/right of two formulas in the jet reading, or None when they are not proportional.
+
+    >>> from exactspline.formulas.plane import f1, f2
+    >>> c = jets_for(("f1", "f2"), 2)
+    >>> str(find_factor(f1(c), f2(c)))
+    'w'
+
+    Raises `ClaimError` when the right side vanishes identically.
+    """
+    (ps, k), (qs, m) = split(left), split(right)
+    pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
+    if pivot is None:
+        raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
+    if len(ps) != len(qs):
+        return None
+    ring = qs[pivot].ring
+    top = ps[pivot].polynomial * (m.polynomial if m is not None else 1)
+    bottom = qs[pivot].polynomial * (k.polynomial if k is not None else 1)
+    common = top.gcd(bottom)
+    top, bottom = top / common, bottom / common
+    for p, q in zip(ps, qs, strict=True):
+        a = p.polynomial * bottom * (m.polynomial if m is not None else 1)
+        if a != q.polynomial * top * (k.polynomial if k is not None else 1):
+            return None
+    return factored(ring, top, bottom, len(ring.names) - 1)
+
+
+def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly, dimension: int) -> Factor:
+    """A quotient of jet polynomials as a product of named irreducible ones."""
+    a, tops = top.factor()
+    b, bottoms = bottom.factor()
+    constant, powers = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q)), []
+    for sign, factors in ((1, tops), (-1, bottoms)):
+        for p, e in factors:
+            name, unit = name_of(Jet(ring, p), dimension)
+            constant *= unit ** (sign * int(e))
+            powers.append((name, p / int(unit.numerator) * int(unit.denominator), sign * int(e)))
+    return Factor(constant, tuple(sorted(powers, key=lambda item: (item[0] != "w", item[0]))), ring)
+
+
+def name_of(jet: Jet, dimension: int) -> tuple[str, mpq]:
+    """The name of an irreducible jet polynomial and its quotient by what the name stands for; its text where it has none."""
+    for name, other in named_parts(jet.ring, dimension):
+        if len(other.polynomial) == len(jet.polynomial):
+            quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
+            if jet.polynomial == other.polynomial * quotient:
+                return name, mpq(int(quotient.p), int(quotient.q))
+    return f"({polynomial_text(jet)})", mpq(1)
+
+
+def named_parts(ring: JetRing, dimension: int) -> list[tuple[str, Jet]]:
+    """w and the scalar polynomial formulas of the library that this ring can express."""
+    parts = [("w", ring["w"])] if "w" in ring.names else []
+    p = Vector(*[ring[name] for name in ring.names[:dimension]])
+    curve = Curve(p, ring["w"] if "w" in ring.names else ring.number(1), polynomial="w" not in ring.names)
+    for formula in all_formulas().values():
+        if formula.curve in {2: ("plane", "curve"), 3: ("space", "curve")}.get(dimension, ("curve",)) and order_of(formula, dimension) <= ring.order:
+            value = formula(curve)
+            if isinstance(value, Jet) and not value.is_zero:
+                parts.append((symbol_text(formula.symbol), value))
+    return parts
+
+
+def claimed_factor(text: str, curve: Curve) -> tuple[Any, Any]:
+    """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the curve.
+
+    Raises `ClaimError` when it cannot be read.
+    """
+    top = bottom = curve.w.constant(1)
+    for part in text.split():
+        match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
+        if not match:
+            raise ClaimError(f"the factor {text!r} cannot be read", where=part, remedy='write for example "2 w^29 f2"')
+        name, exponent = match[1], int(match[2] or 1)
+        value = curve.w if name == "w" else find(name)(curve) if name[0].isalpha() else curve.w.constant(rational(name))
+        if exponent > 0:
+            top = top * value**exponent
+        else:
+            bottom = bottom * value ** (-exponent)
+    return top, bottom

@@ -1,0 +1,144 @@
+"""Claims decided for all curves at once: in the jet reading, the degree reading and the reading at infinity."""
+
+from __future__ import annotations
+
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+from exactspline import on_one_curve
+from exactspline.claims import Claim
+from exactspline.curves import example, example_names
+from exactspline.factors import Factor, claimed_factor, find_factor, jets_for, split
+from exactspline.formulas import find
+from exactspline.language import Vector
+from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
+from exactspline.readings.generic import generic_curve
+from exactspline.readings.infinity import generic_drop
+from exactspline.readings.jet import polynomial_text
+from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
+
+#: Factors that have no zero where the curve is regular and w is without a zero.
+ZERO_FREE = frozenset({"w", "‖D1‖²"})
+#: The degrees for which the generic Bézier segment is computed.
+GENERIC_DEGREES = range(2, 7)
+
+
+def dimensions(claim: Claim) -> tuple[int, ...]:
+    """The dimensions a claim speaks of."""
+    return {"plane": (2,), "space": (3,), "curve": (2, 3), "table": (3,)}[claim.curve]
+
+
+def prove(claim: Claim) -> tuple[str, Finding]:
+    """The reading a claim is decided in, and what was found."""
+    if claim.kind == "degree":
+        return ("infinity", true_degree(claim)) if claim.measure == "true" else ("degree", nominal_degree(claim))
+    if claim.kind == "coefficients":
+        return ("generic", generic_coefficients(claim)) if claim.measure == "generic" else ("spline", refute_on_examples(claim))
+    decide = {"identity": identity, "vanishing": vanishing, "zero set": zero_set}[claim.kind]
+    findings = [decide(claim, dimension) for dimension in dimensions(claim)]
+    return "jet", min(findings, key=lambda f: f.verdict == PROVED)
+
+
+@cache
+def factor_of(left: str, right: str, dimension: int) -> Factor | None:
+    """The quotient of two named formulas for all curves of that dimension."""
+    c = jets_for((left, right), dimension)
+    return find_factor(find(left)(c), find(right)(c))
+
+
+def identity(claim: Claim, dimension: int) -> Finding:
+    """``left = factor · right`` as differential polynomials."""
+    factor = factor_of(claim.left, claim.right, dimension)
+    if factor is None:
+        witness = refute_on_examples(claim).witness
+        return Finding(REFUTED, claim.factor, "not proportional", "none", witness or "the jet polynomials are not proportional")
+    c = jets_for((claim.left, claim.right), dimension)
+    top, bottom = claimed_factor(claim.factor, c)
+    found_top, found_bottom = factor.fraction()
+    if top.polynomial * found_bottom == bottom.polynomial * found_top:
+        return Finding(PROVED, claim.factor, str(factor), str(factor))
+    return Finding(REFUTED, claim.factor, str(factor), str(factor), f"the exact quotient is {factor}")
+
+
+def vanishing(claim: Claim, dimension: int) -> Finding:
+    """``left`` is the zero polynomial."""
+    components, _ = split(find(claim.left)(jets_for((claim.left,), dimension)))
+    rest = next((c for c in components if not c.is_zero), None)
+    if rest is None:
+        return Finding(PROVED, "0", "0")
+    witness = refute_on_examples(claim).witness
+    return Finding(REFUTED, "0", polynomial_text(rest, 3), witness=witness or "the jet polynomial is not zero")
+
+
+def zero_set(claim: Claim, dimension: int) -> Finding:
+    """Neighbours are identical up to factors without a zero."""
+    first, *rest = claim.formulas
+    factors = [factor_of(first, other, dimension) for other in rest]
+    names = ", ".join(f"{find(first).name}/{other} = {f}" for other, f in zip(rest, factors, strict=True))
+    if all(f is not None and f.names <= ZERO_FREE for f in factors):
+        return Finding(PROVED, "one zero set", "one zero set", names)
+    refuted = refute_on_examples(claim)
+    if refuted.verdict == REFUTED:
+        return Finding(REFUTED, "one zero set", "different zero sets", witness=refuted.witness)
+    return Finding(UNDECIDED, "one zero set", "", names)
+
+
+def nominal_degree(claim: Claim) -> Finding:
+    """The degree reading against the claimed degree, for all degrees from some d₀ on."""
+    operands = degree_table() if claim.curve == "table" else degree_curve(dimensions(claim)[0], polynomial=claim.of == "polynomial")
+    computed, claimed = find(claim.formula)(operands).degree, parse(claim.claimed)
+    if claim.relation == "≥":
+        holds = equal_from(computed.max(claimed), computed)
+        return Finding(PROVED if holds == 1 else REFUTED, f"≥ {claimed}", str(computed), witness="" if holds == 1 else f"{computed} < {claimed}")
+    start = equal_from(computed, claimed)
+    text = str(computed) if start in (None, 1) else f"{computed} (equal for d ≥ {start})"
+    return Finding(PROVED if start else REFUTED, str(claimed), text, witness="" if start else f"at d = 3: {_at(computed, 3)}, not {_at(claimed, 3)}")
+
+
+def _at(degree: Degree, d: int) -> int:
+    return degree.at(dict.fromkeys(degree.names, d))
+
+
+def true_degree(claim: Claim) -> Finding:
+    """The generic degree in the power basis, for symbolic d."""
+    claimed, found = parse(claim.claimed), []
+    for dimension in dimensions(claim):
+        k, m, drop, exceptions = generic_drop(find(claim.formula), dimension)
+        computed = parse(f"{k}d-{m + drop}")
+        found.append(Finding(PROVED if computed == claimed else REFUTED, str(claimed), str(computed) + _but(exceptions), witness=f"{drop} leading terms vanish"))
+    return min(found, key=lambda f: f.verdict == PROVED)
+
+
+def _but(exceptions: tuple[int, ...]) -> str:
+    return f" (lower for d = {', '.join(map(str, exceptions))})" if exceptions else ""
+
+
+def generic_coefficients(claim: Claim) -> Finding:
+    """No Bézier coefficient is the zero polynomial in indeterminate control points and weights, degree by degree."""
+    for d in GENERIC_DEGREES:
+        for dimension in dimensions(claim):
+            value = find(claim.formula)(generic_curve(dimension, d))
+            for component in value if isinstance(value, Vector) else [value]:
+                for i, c in enumerate(component.coefficients):
+                    if not c:
+                        return Finding(REFUTED, "none vanishes", f"coefficient {i} of degree {d}", witness=f"coefficient {i} is zero for every curve of degree {d}")
+    return Finding(VERIFIED, "none vanishes", f"none vanishes for d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}")
+
+
+def refute_on_examples(claim: Claim) -> Finding:
+    """The first example curve on which the claim fails, as a witness."""
+    for name in example_names():
+        curve = example(name)
+        if claim.speaks_of(curve.dimension, curve.polynomial):
+            finding = on_one_curve.check(claim, curve)
+            if finding.verdict == REFUTED:
+                finding.witness = f"on the example curve {name}: {finding.witness}"
+                return finding
+    return Finding(UNDECIDED)
+
+
+def degree_table() -> Any:
+    """The operands of Table 1 in the degree reading."""
+    one, two = [[Degree.named(name) for _ in range(5)] for name in ("d1", "d2")]
+    return SimpleNamespace(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))

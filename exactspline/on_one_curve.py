@@ -1,0 +1,161 @@
+"""Claims checked exactly on one concrete curve: in the spline reading, by multiplication and never by sampling."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+from flint import fmpz_poly
+from gmpy2 import mpq
+
+from exactspline.claims import Claim
+from exactspline.exact import text
+from exactspline.factors import claimed_factor, split
+from exactspline.form import zero_on_segment
+from exactspline.formulas import find
+from exactspline.language import Vector
+from exactspline.readings.degree import parse
+from exactspline.spline import BSpline
+from exactspline.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
+
+
+def check(claim: Claim, curve: Any) -> Finding:
+    """What one curve says of a claim."""
+    return _CHECKS[claim.kind](claim, curve)
+
+
+def identity(claim: Claim, curve: Any) -> Finding:
+    """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
+    (ps, k), (qs, m) = split(find(claim.left)(curve)), split(find(claim.right)(curve))
+    top, bottom = claimed_factor(claim.factor, curve)
+    factor = printed_factor(claim.factor, curve)
+    if all(p.is_zero for p in ps) and all(q.is_zero for q in qs):
+        return Finding(UNDECIDED, claim.factor, "0 = 0", factor, VACUOUS)
+    left = bottom if m is None else bottom * m
+    right = top if k is None else top * k
+    for p, q in zip(ps, qs, strict=True):
+        difference = p * left - q * right
+        if not difference.is_zero:
+            return Finding(REFUTED, claim.factor, "not identical", factor, f"the sides differ {_where(difference)}")
+    return Finding(VERIFIED, claim.factor, factor, factor)
+
+
+def printed_factor(factor: str, curve: Any) -> str:
+    """The factor on this curve: powers of w are 1 where the curve is polynomial."""
+    only_w = all(part.split("^")[0] == "w" for part in factor.split())
+    return f"{factor} = 1 (polynomial: w = 1)" if curve.polynomial and only_w and factor != "1" else factor
+
+
+def _where(difference: BSpline) -> str:
+    """A parameter at which a spline that is not zero does not vanish, and its value there."""
+    for i, c in enumerate(difference.polynomials):
+        if c:
+            a, b = difference.breakpoints[i : i + 2]
+            for j in range(1, difference.degree + 3):
+                t = a + (b - a) * mpq(j, difference.degree + 3)
+                if value := difference(t):
+                    return f"by {shortened(value)} at the parameter {text(t)}"
+    return "nowhere"
+
+
+def shortened(value: mpq) -> str:
+    """An exact number, cut in the middle when very long."""
+    digits = text(value)
+    return digits if len(digits) <= 60 else f"{digits[:24]}…{digits[-24:]} ({len(digits)} characters)"
+
+
+def vanishing(claim: Claim, curve: Any) -> Finding:
+    """All components are the zero spline."""
+    for p in split(find(claim.left)(curve))[0]:
+        if not p.is_zero:
+            return Finding(REFUTED, "0", "not zero", witness=f"it differs from 0 {_where(p)}")
+    return Finding(VERIFIED, "0", "0")
+
+
+def zero_set(claim: Claim, curve: Any) -> Finding:
+    """On every segment, what is left of each numerator after removing the other's factors has no zero."""
+    numerators = [(name, split(find(name)(curve))[0][0]) for name in claim.formulas]
+    if all(p.is_zero for _, p in numerators):
+        return Finding(UNDECIDED, "one zero set", "0 = 0", witness=VACUOUS)
+    first_name, first = numerators[0]
+    for name, other in numerators[1:]:
+        for (a_name, a), (b_name, b) in (((first_name, first), (name, other)), ((name, other), (first_name, first))):
+            place = _extra_zero(a, b)
+            if place:
+                return Finding(REFUTED, "one zero set", "different zero sets", witness=f"{a_name} vanishes {place}, {b_name} does not")
+    return Finding(VERIFIED, "one zero set", "one zero set")
+
+
+def _extra_zero(a: BSpline, b: BSpline) -> str:
+    """Where a vanishes and b does not, as text; empty when nowhere."""
+    for i, (p, q) in enumerate(zip(a.polynomials, b.polynomials, strict=True)):
+        if not p and not q:
+            continue
+        low, high = a.breakpoints[i : i + 2]
+        if not p:
+            return f"on all of [{text(low)}, {text(high)}]"
+        rest, n = _without(p, q)
+        found = zero_on_segment(rest, n) if n > 0 else None
+        if found and not (found[0] == found[1] == 1 and q[b.degree] == 0):
+            s, t = (low + (high - low) * x for x in found)
+            return f"at the parameter {text(s)}" if s == t else f"between the parameters {text(s)} and {text(t)}"
+        if p[a.degree] == 0 and q and q[b.degree] != 0:
+            return f"at the parameter {text(high)} (from the left)"
+    return ""
+
+
+def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
+    """p without the factors it shares with q, and its own degree (roots at the right end, z = ∞, left out)."""
+    common = p.gcd(q)
+    while common.degree() > 0:
+        p = p // common
+        common = p.gcd(q)
+    return p, p.degree()
+
+
+def degree(claim: Claim, curve: Any) -> Finding:
+    """The degree of the spline at hand against the claim."""
+    value = find(claim.formula)(curve)
+    claimed = parse(claim.claimed).at({name: curve.degree if hasattr(curve, "degree") else curve.degrees[name] for name in parse(claim.claimed).names})
+    if claim.measure == "true":
+        computed = max(p.true_degree for p in split(value)[0])
+        lower = " (lower on this curve)" if computed < claimed else ""
+        return Finding(VERIFIED if computed <= claimed else REFUTED, str(claimed), f"{computed}{lower}")
+    computed = value.degree
+    holds = computed >= claimed if claim.relation == "≥" else computed == claimed
+    return Finding(
+        VERIFIED if holds else REFUTED, f"{'≥ ' if claim.relation == '≥' else ''}{claimed}", str(computed), witness="" if holds else f"{computed}, not {claimed}"
+    )
+
+
+def coefficients(claim: Claim, curve: Any) -> Finding:
+    """No control point of any component is zero."""
+    value = find(claim.formula)(curve)
+    components = list(value) if isinstance(value, Vector) else [value]
+    if all(p.is_zero for p in components):
+        return Finding(UNDECIDED, "none vanishes", "all vanish", witness=VACUOUS)
+    for k, p in enumerate(components):
+        for i, b in enumerate(p.control_points):
+            if b == 0:
+                return Finding(REFUTED, "none vanishes", "one vanishes", witness=f"coefficient {i} of component {k} of {claim.formula} is 0")
+    return Finding(VERIFIED, "none vanishes", "none vanishes")
+
+
+def spline_table(d1: int = 2, d2: int = 3) -> Any:
+    """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive denominators."""
+    state = 12345
+
+    def number() -> int:
+        nonlocal state
+        state = (1103515245 * state + 12345) % 2**31
+        return state // 65536 % 100 + 1
+
+    def spline(d: int, inner: list[Any]) -> BSpline:
+        knots = [0] * (d + 1) + inner + [3] * (d + 1)
+        return BSpline(d, knots, [number() for _ in range(len(knots) - d - 1)])
+
+    one, two = [spline(d1, [1, 2]) for _ in range(5)], [spline(d2, ["1/2", 2, 2]) for _ in range(5)]
+    return SimpleNamespace(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]), degrees={"d1": d1, "d2": d2})
+
+
+_CHECKS = {"identity": identity, "vanishing": vanishing, "zero set": zero_set, "degree": degree, "coefficients": coefficients}
