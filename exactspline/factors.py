@@ -13,10 +13,11 @@ from exactspline.errors import ClaimError
 from exactspline.exact import rational
 from exactspline.formulas import all_formulas, find
 from exactspline.language import Curve, Vector
-from exactspline.printers.text import symbol_text
+from exactspline.printers.text import print_text, symbol_text
 from exactspline.quotients import Rational
 from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, polynomial_text
 from exactspline.readings.order import order_of
+from exactspline.readings.tree import trace
 
 
 def split(value: Any) -> tuple[list[Any], Any]:
@@ -146,7 +147,7 @@ def named_parts(ring: JetRing, dimension: int) -> list[tuple[str, Jet]]:
         if formula.curve in {2: ("plane", "curve"), 3: ("space", "curve")}.get(dimension, ("curve",)) and order_of(formula, dimension) <= ring.order:
             value = formula(curve)
             if isinstance(value, Jet) and not value.is_zero:
-                parts.append((symbol_text(formula.symbol), value))
+                parts.append((symbol_text(formula.symbol) or print_text(trace(formula, dimension)), value))
     return parts
 
 

@@ -344,7 +344,7 @@ class Formula:
     """A formula with its name, its symbol and where it stands in the paper; calling it evaluates it in the reading of its argument.
 
     ``curve`` tells what the argument must be: ``"curve"`` (any dimension), ``"plane"``, ``"space"`` or ``"table"`` (the operands of Table 1).
-    A reading may take the call over (a tree keeps the name as a node).
+    `symbol` is its LaTeX name, where the paper gives it one. A reading may take the call over (a tree keeps a symbol as a node).
     """
 
     def __init__(self, function: Callable[..., Any], source: str, curve: str, symbol: str) -> None:
@@ -368,4 +368,4 @@ def formula(source: str, *, curve: str = "curve", symbol: str = "") -> Callable[
     >>> velocity
     <formula velocity, Table 1, T16>
     """
-    return lambda function: Formula(function, source, curve, symbol or function.__name__)
+    return lambda function: Formula(function, source, curve, symbol)

@@ -43,12 +43,13 @@ class Nurbs(Curve):
         *,
         name: str = "",
         source: str = "",
+        note: str = "",
     ) -> None:
         points = _points(control_points)
         exact_weights = (mpq(1),) * len(points) if weights is None else _row(weights, "weights")
         if len(exact_weights) != len(points):
             raise ShapeError(f"{len(exact_weights)} weights for {len(points)} control points", where="weights", remedy="give one weight a control point")
-        self.name, self.source = name, source
+        self.name, self.source, self.note = name, source, note
         self._set(checked_degree(degree), KnotVector(knots), points, exact_weights)
 
     @classmethod
@@ -60,7 +61,7 @@ class Nurbs(Curve):
         """
         rows = _points(points, least=3)
         curve = cls.__new__(cls)
-        curve.name, curve.source = name, source
+        curve.name, curve.source, curve.note = name, source, ""
         weights = tuple(row[-1] for row in rows)
         cartesian = tuple(tuple(x / row[-1] if row[-1] else x for x in row[:-1]) for row in rows)
         curve._set(checked_degree(degree), KnotVector(knots), cartesian, weights)

@@ -54,14 +54,8 @@ def _where(difference: BSpline) -> str:
             for j in range(1, difference.degree + 3):
                 t = a + (b - a) * mpq(j, difference.degree + 3)
                 if value := difference(t):
-                    return f"by {shortened(value)} at the parameter {text(t)}"
+                    return f"by {text(value)} at the parameter {text(t)}"
     return "nowhere"
-
-
-def shortened(value: mpq) -> str:
-    """An exact number, cut in the middle when very long."""
-    digits = text(value)
-    return digits if len(digits) <= 60 else f"{digits[:24]}…{digits[-24:]} ({len(digits)} characters)"
 
 
 def vanishing(claim: Claim, curve: Any) -> Finding:

@@ -78,6 +78,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         None if data.get("weights") is None else map(_number, data["weights"]),
         name=str(data.get("name") or name),
         source=str(data.get("source") or ""),
+        note=str(data.get("note") or ""),
     )
 
 

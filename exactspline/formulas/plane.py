@@ -10,13 +10,13 @@ def f0(c):
     return det(c.gamma.d(1), c.gamma.d(2))
 
 
-@formula("§4.1, Remark 3.1", curve="plane", symbol="[D_1\\ D_2]")
+@formula("§4.1, Remark 3.1", curve="plane", symbol="f_1")
 def f1(c):
     """``[D1 D2]``, which vanishes with the curvature."""
     return det(D1(c), D2(c))
 
 
-@formula("eq. (8)", curve="plane", symbol="f_1")
+@formula("eq. (8)", curve="plane")
 def f1_expanded(c):
     """``[D1 D2]`` multiplied out, as eq. (8) prints it."""
     p, w = c.p, c.w

@@ -100,9 +100,9 @@ class Traced:
         return Node("leaf", value=name, vector=name in self.vectors)
 
     def calls(self, formula: Formula) -> Any:
-        """A formula called by another one: a node with its name (or only its body, when expanding)."""
+        """A formula called by another one: a node with its symbol (only its body where it has none, or when expanding)."""
         body = formula.function(self)
-        return body if self._expand else Node("named", (body,), formula, vector=getattr(body, "is_vector", False))
+        return body if self._expand or not formula.symbol else Node("named", (body,), formula, vector=getattr(body, "is_vector", False))
 
 
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:

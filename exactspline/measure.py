@@ -1,0 +1,106 @@
+"""Three degrees, never confused: nominal (Table 1's counting), represented (of the spline at hand), true (after exact division)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpz_poly
+
+from exactspline.factors import split
+from exactspline.form import divide_u_plus_v, raiser
+from exactspline.formulas import all_formulas
+from exactspline.language import Formula, Vector
+from exactspline.quotients import Rational
+from exactspline.readings.degree import Degree, degree_curve
+from exactspline.spline import BSpline
+
+
+@dataclass(frozen=True)
+class Measure:
+    """What one formula costs on one curve.
+
+    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for what vanishes identically), ``control_points`` of the representation.
+    """
+
+    formula: str
+    nominal: Degree
+    represented: int
+    true: int
+    control_points: int
+
+
+def measure(formula: Formula, curve: Any) -> Measure:
+    """The degrees and the number of control points of a formula on a curve.
+
+    >>> from exactspline.curves import example
+    >>> from exactspline.formulas import find
+    >>> measure(find("f2"), example("ellipse"))
+    Measure(formula='f2', nominal=3d − 3, represented=3, true=0, control_points=16)
+    """
+    value = formula(curve)
+    nominal = formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree
+    return Measure(formula.name, nominal, value.degree, true_degree(value), control_point_count(value))
+
+
+def measurable(dimension: int) -> list[Formula]:
+    """The formulas that speak of curves of this dimension."""
+    kinds = {2: ("plane", "curve"), 3: ("space", "curve")}.get(dimension, ("curve",))
+    return [formula for formula in all_formulas().values() if formula.curve in kinds]
+
+
+def _scalars(value: Any) -> list[BSpline]:
+    components, denominator = split(value)
+    return components if denominator is None else [*components, denominator]
+
+
+def control_point_count(value: Any) -> int:
+    """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity."""
+    scalars = _scalars(value)
+    n = max(s.degree for s in scalars)
+    inner = zip(*[s.continuity for s in scalars], strict=True)
+    return max(n + 1, 0) + sum(max(n - min(c), 0) for c in inner)
+
+
+def true_degree(value: Any) -> int:
+    """Degree after exact division: by u + v, and of a quotient by the common factor of numerator and denominator; the largest over the segments."""
+    if not isinstance(value, Rational):
+        return max(c.true_degree for c in (value if isinstance(value, Vector) else [value]))
+    if value.is_zero:
+        return -1
+    return max(n for _, n in lowest_terms(value))
+
+
+def lowest_terms(value: Any) -> list[tuple[list[fmpz_poly], int]]:
+    """Segment by segment the components (of a rational: with the denominator last) without their common factor, and the degree that is left.
+
+    As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are common factors like any other.
+    """
+    scalars = _scalars(value)
+    n = max(s.degree for s in scalars)
+    rows = []
+    for forms in zip(*[s.forms for s in scalars], strict=True):
+        scale = _common([m for _, m in forms])
+        raised = [c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)]
+        rows.append(_lowest(raised, n) if isinstance(value, Rational) else _polynomial(raised, n))
+    return rows
+
+
+def _common(denominators: list[Any]) -> Any:
+    total = denominators[0]
+    for m in denominators[1:]:
+        total = total * (m // total.gcd(m))
+    return total
+
+
+def _lowest(forms: list[fmpz_poly], n: int) -> tuple[list[fmpz_poly], int]:
+    common = fmpz_poly([])
+    for c in forms:
+        common = common.gcd(c)
+    at_infinity = n - max(c.degree() for c in forms)
+    return [c // common for c in forms], n - common.degree() - at_infinity
+
+
+def _polynomial(forms: list[fmpz_poly], n: int) -> tuple[list[fmpz_poly], int]:
+    times = min((divide_u_plus_v(c, n)[1] for c in forms if c), default=n + 1)
+    return [c // raiser(min(times, n)) if c else c for c in forms], n - times

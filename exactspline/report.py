@@ -1,0 +1,107 @@
+"""What people see: aligned tables, the ledger, errors. Programs get JSON instead."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable
+from typing import Any
+
+from gmpy2 import mpq
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Row
+
+COLOURS = {PROVED: "bold green", VERIFIED: "green", REFUTED: "bold magenta", UNDECIDED: "yellow"}
+_NUMBER = re.compile(r"-?\d+/\d+|-?\d{25,}")
+#: Exact numbers longer than this are cut in the middle for people.
+LONGEST = 40
+
+
+def console() -> Console:
+    """The console for results."""
+    return Console(highlight=False)
+
+
+class Columns(Table):
+    """A table without lines whose cells are taken literally."""
+
+    def add_row(self, *cells: Any, **options: Any) -> None:
+        """A row; a text keeps its brackets."""
+        super().add_row(*[cell if isinstance(cell, Text) else Text(cell) for cell in cells], **options)
+
+
+def table(*columns: str, title: str = "", right: Iterable[str] = ()) -> Columns:
+    """An empty table, the named columns right-aligned, the first one never broken."""
+    made = Columns(title=Text(title, style="bold") if title else None, title_justify="left", box=None, pad_edge=False, header_style="bold")
+    for i, column in enumerate(columns):
+        made.add_column(column, justify="right" if column in right else "left", overflow="fold", no_wrap=i == 0)
+    return made
+
+
+def decimals(text: str, digits: int = 0) -> str:
+    """Exact numbers in a text shortened for people, with so many decimal digits beside them when asked for.
+
+    >>> decimals("at the parameter 1/3", 5)
+    'at the parameter 1/3 ≈ 0.33333'
+    """
+
+    def shown(match: re.Match[str]) -> str:
+        exact = match[0]
+        short = exact if len(exact) <= LONGEST else f"{exact[:18]}…{exact[-18:]}"
+        return f"{short} ≈ {decimal(mpq(exact), digits)}" if digits else short
+
+    return _NUMBER.sub(shown, text)
+
+
+def decimal(value: mpq, digits: int) -> str:
+    """An exact number rounded to so many significant digits.
+
+    >>> decimal(mpq(1, 3), 5)
+    '0.33333'
+    """
+    from mpmath import mp
+
+    with mp.workdps(digits + 5):
+        return str(mp.nstr(mp.mpf(int(value.numerator)) / int(value.denominator), digits))
+
+
+def ledger(rows: list[Row], title: str, digits: int = 0) -> Columns:
+    """The rows of one curve (or of all curves), one a line."""
+    made = table("verdict", "claim", "statement", "claimed", "computed", "factor or witness", title=title)
+    for row in rows:
+        mark = "" if row.as_recorded else f" (recorded: {row.expected})"
+        computed = row.computed + (f" [{row.reading}]" if row.reading != "spline" else "")
+        remark = row.factor if row.factor and not row.witness else row.witness
+        made.add_row(Text(row.verdict + mark, style=COLOURS[row.verdict]), row.id, row.statement, row.claimed, computed, decimals(remark, digits))
+    return made
+
+
+def summary(rows: list[Row]) -> Columns:
+    """Counts of verdicts, curve by curve."""
+    made = table("curve", "verified", "vacuous", "refuted", "undecided", "as recorded", right=("verified", "vacuous", "refuted", "undecided"))
+    curves = dict.fromkeys(row.curve for row in rows)
+    for curve in curves:
+        own = [row for row in rows if row.curve == curve]
+        counts = Counter(row.verdict for row in own)
+        vacuous = sum(row.witness == VACUOUS for row in own)
+        recorded = sum(row.as_recorded for row in own)
+        made.add_row(
+            curve, str(counts[VERIFIED]), str(vacuous), str(counts[REFUTED]), str(counts[UNDECIDED] - vacuous), f"{recorded} of {len(own)}"
+        )
+    return made
+
+
+def closing(rows: list[Row]) -> str:
+    """The last line: how many verdicts there are of each kind and whether any differs from the record."""
+    counts = Counter(row.verdict for row in rows)
+    differ = sum(not row.as_recorded for row in rows)
+    parts = ", ".join(f"{counts[v]} {v}" for v in COLOURS if counts[v])
+    return f"{len(rows)} verdicts: {parts}; {'all as recorded' if not differ else f'{differ} DIFFER from the record'}"
+
+
+def show_error(error: Any) -> None:
+    """One line on standard error."""
+    Console(stderr=True, highlight=False, soft_wrap=True).print(f"error: {error}", markup=False)
