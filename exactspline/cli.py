@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
 
 import typer
@@ -58,7 +58,7 @@ def print_json(data: Any) -> None:
     sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")
 
 
-def tracked(calls: list[Callable[[], Any]], label: str) -> list[Any]:
+def tracked(calls: Sequence[Callable[..., Any]], label: str) -> list[Any]:
     """The results of the calls, with a progress bar on a terminal."""
     from rich.console import Console
     from rich.progress import track
@@ -68,7 +68,9 @@ def tracked(calls: list[Callable[[], Any]], label: str) -> list[Any]:
 
 @app.command()
 def prove(
-    claim: Annotated[list[str] | None, typer.Option("--claim", help="The id of a claim, or what it begins (C3: all of section 3); may be repeated.")] = None,
+    claim: Annotated[
+        list[str] | None, typer.Option("--claim", help="The id of a claim, or what it begins (C3: all of section 3); may be repeated.")
+    ] = None,
     curve: CurveFiles = None,
     as_json: AsJson = False,
     digits: Digits = 0,
@@ -83,14 +85,14 @@ def prove(
     if as_json:
         print_json([row.data() for row in rows])
     else:
-        _print_ledger(rows, curves, digits)
+        _print_ledger(rows, claims, curves, digits)
     if not good:
         raise typer.Exit(2)
     if not all(row.as_recorded for row in rows):
         raise typer.Exit(1)
 
 
-def _print_ledger(rows: list[Any], curves: list[Any] | None, digits: int) -> None:
+def _print_ledger(rows: list[Any], claims: Sequence[Any], curves: list[Any] | None, digits: int) -> None:
     from exactspline import report
 
     out = report.console()
@@ -105,14 +107,18 @@ def _print_ledger(rows: list[Any], curves: list[Any] | None, digits: int) -> Non
     for c in curves or []:
         own = [row for row in rows if row.curve == c.name]
         out.print(report.ledger(own, f"{c.name}: {described(c)}", digits))
-    out.print("\n" + report.closing(rows), markup=False)
+        if silent := [claim for claim in claims if not claim.speaks_of(c.dimension, c.polynomial)]:
+            out.print(f"{len(silent)} claims say nothing of this curve: {report.reasons(silent, c)}", markup=False)
+    if rows:
+        out.print("\n" + report.closing(rows), markup=False)
 
 
 def described(c: Any) -> str:
     """A curve in one line; equal weights are told to be polynomial."""
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
-    return f"{kind}{equal}, degree {c.degree}, {c.segments} segment{'s' if c.segments != 1 else ''}, {len(c.control_points)} control points in R{c.dimension}"
+    segments = f"{c.segments} segment{'s' if c.segments != 1 else ''}"
+    return f"{kind}{equal}, degree {c.degree}, {segments}, {len(c.control_points)} control points in R{c.dimension}"
 
 
 @app.command()
@@ -144,7 +150,9 @@ def _print_degrees(results: list[tuple[Any, list[Any]]]) -> None:
         numbers = ("nominal", "represented", "true", "control points")
         made = report.table("formula", *numbers, "what it is", title=f"{c.name}: {described(c)}", right=numbers)
         for m in found:
-            made.add_row(m.formula, str(m.nominal), str(m.represented), str(m.true), str(m.control_points), print_text(trace(find(m.formula), c.dimension)))
+            made.add_row(
+                m.formula, str(m.nominal), str(m.represented), str(m.true), str(m.control_points), print_text(trace(find(m.formula), c.dimension))
+            )
         out.print(made)
         out.print()
 
@@ -157,7 +165,12 @@ def curves(as_json: AsJson = False) -> None:
 
     found = [example(name) for name in example_names()]
     if as_json:
-        print_json([{"name": c.name, "degree": c.degree, "dimension": c.dimension, "polynomial": c.polynomial, "segments": c.segments, "note": c.note} for c in found])
+        print_json(
+            [
+                {"name": c.name, "degree": c.degree, "dimension": c.dimension, "polynomial": c.polynomial, "segments": c.segments, "note": c.note}
+                for c in found
+            ]
+        )
         return
     made = report.table("name", "curve", "note")
     for c in found:

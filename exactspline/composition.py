@@ -15,8 +15,8 @@ from exactspline.spline import BSpline
 def composed(outer: BSpline, inner: BSpline) -> BSpline:
     """``t ↦ outer(inner(t))``, of the product of the degrees.
 
-    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when `inner` leaves the domain of `outer`
-    and `ReductionError` when a crossing is irrational: the composition is then no spline with rational knots.
+    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when `inner` leaves the domain of
+    `outer` and `ReductionError` when a crossing is irrational: the composition is then no spline with rational knots.
     """
     _check_range(outer, inner)
     crossings = {t: c for c, knot in zip(outer.continuity, outer.mesh.breaks[1:-1], strict=True) for t in _preimages(inner, knot)}
@@ -54,7 +54,9 @@ def _check_range(outer: BSpline, inner: BSpline) -> None:
             if not _stays_nonnegative(c, inner.degree):
                 a, b = inner.mesh.breaks[i : i + 2]
                 raise DomainError(
-                    f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]", remedy="restrict it first", segment=i
+                    f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]",
+                    remedy="restrict it first",
+                    segment=i,
                 )
 
 
@@ -90,10 +92,8 @@ def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
         for p in _odd_factors(c):
             for q, _ in p.factor()[1]:
                 if q.degree() == 1:
-                    z = mpq(-int(q[0]), int(q[1]))
-                    if z > 0:
-                        a, b = inner.mesh.breaks[i : i + 2]
-                        found.append(a + (b - a) * z / (1 + z))
+                    a, b = inner.mesh.breaks[i : i + 2]
+                    found += [a + (b - a) * t for t in forms.rational_roots(q)]
                 elif _crosses(q):
                     a, b = inner.mesh.breaks[i : i + 2]
                     raise ReductionError(

@@ -40,9 +40,9 @@ def rational(value: Any) -> mpq:
     Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy scalar is refused, since its decimal
     look is not its value.
 
-    >>> rational(0.1)
+    >>> rational(0.1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" for the decimal, or from_float(0.1) for the binary value
+    exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" for the decimal, ...
     """
     kind = type(value)
     if kind in _TYPES:

@@ -151,7 +151,7 @@ def named_parts(ring: JetRing, dimension: int) -> list[tuple[str, Jet]]:
     return parts
 
 
-def claimed_factor(text: str, curve: Curve) -> tuple[Any, Any]:
+def factor_of_text(text: str, curve: Curve) -> tuple[Any, Any]:
     """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the curve.
 
     Raises `ClaimError` when it cannot be read.

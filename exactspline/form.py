@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cache
+from itertools import pairwise
 from math import comb
 
 from flint import fmpq, fmpz, fmpz_poly
@@ -22,6 +23,7 @@ Form = tuple[fmpz_poly, fmpz]
 ONE = fmpz(1)
 ZERO_FORM: Form = (fmpz_poly([]), ONE)
 U_PLUS_V = fmpz_poly([1, 1])
+ONE_PLUS_2Z = fmpz_poly([1, 2])
 
 
 @cache
@@ -67,17 +69,11 @@ def add(a: Form, b: Form) -> Form:
     return p * (m // g) + q * (k // g), k * (m // g)
 
 
-def common_denominators(
-    p: list[fmpz_poly], k: list[fmpz], q: list[fmpz_poly], m: list[fmpz]
-) -> tuple[list[fmpz_poly], list[fmpz_poly], list[fmpz]]:
+def common_denominators(p: list[fmpz_poly], k: list[fmpz], q: list[fmpz_poly], m: list[fmpz]) -> tuple[list[fmpz_poly], list[fmpz_poly], list[fmpz]]:
     """Two lists of polynomials, over the denominators k and m, brought to common ones."""
     shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
     denominators = [x * y for x, y in zip(shared, m, strict=True)]
-    return (
-        [c * (d // x) for c, d, x in zip(p, denominators, k, strict=True)],
-        [c * x for c, x in zip(q, shared, strict=True)],
-        denominators,
-    )
+    return ([c * (d // x) for c, d, x in zip(p, denominators, k, strict=True)], [c * x for c, x in zip(q, shared, strict=True)], denominators)
 
 
 def value(form: Form, n: int, t: mpq) -> mpq:
@@ -131,7 +127,7 @@ def primitive(form: Form) -> Form:
 def reverse(form: Form, n: int) -> Form:
     """The form run through backwards."""
     c, m = form
-    return fmpz_poly([c[n - i] for i in range(n + 1)]), m
+    return backwards(c, n), m
 
 
 def divide_u_plus_v(c: fmpz_poly, at_most: int) -> tuple[fmpz_poly, int]:
@@ -164,8 +160,8 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
     zeros, ones = arguments.count(0), arguments.count(1)
     points = list(points[ones : len(points) - zeros])
     for t in arguments:
-        if t != 0 and t != 1:
-            points = [(1 - t) * a + t * b for a, b in zip(points, points[1:], strict=False)]
+        if t not in (0, 1):
+            points = [(1 - t) * a + t * b for a, b in pairwise(points)]
     return points[0]
 
 
@@ -179,14 +175,31 @@ def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
 def variations(c: fmpz_poly) -> int:
     """Sign changes in the coefficients: at least the number of roots inside the segment, and of its parity (Descartes)."""
     signs = [x > 0 for x in c.coeffs() if x != 0]
-    return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
+    return sum(a != b for a, b in pairwise(signs))
 
 
 def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:
-    """The form on the left and right half of its segment, up to positive constants."""
-    left = substituted(c, n, fmpz_poly([2, 1]), fmpz_poly([0, 1]))
-    right = substituted(c, n, fmpz_poly([1]), fmpz_poly([1, 2]))
-    return left, right
+    """The form on the left and right half of its segment, up to positive constants.
+
+    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half the same of the form run through backwards: two shifts inside FLINT.
+    """
+    return backwards(backwards(c, n)(ONE_PLUS_2Z), n), c(ONE_PLUS_2Z)
+
+
+def backwards(c: fmpz_poly, n: int) -> fmpz_poly:
+    """The integers of a form of degree n in reverse order: the form run through backwards."""
+    coefficients = c.coeffs()
+    return fmpz_poly([0] * (n + 1 - len(coefficients)) + coefficients[::-1])
+
+
+def rational_roots(c: fmpz_poly) -> list[mpq]:
+    """The rational local parameters strictly inside the segment at which a form that is not zero vanishes.
+
+    >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
+    [mpq(1,2)]
+    """
+    ratios = [ratio(-p[0], p[1]) for p, _ in c.factor()[1] if p.degree() == 1]
+    return sorted(z / (1 + z) for z in ratios if z > 0)
 
 
 def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
@@ -198,6 +211,8 @@ def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
     True
     >>> zero_on_segment(fmpz_poly([1, -3, 1]), 2)
     (mpq(0,1), mpq(1,2))
+    >>> zero_on_segment(fmpz_poly([1, -4, 4]), 2)
+    (mpq(1,3), mpq(1,3))
     """
     if not c:
         return mpq(0), mpq(1)
@@ -213,7 +228,8 @@ def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
         a, b, part = todo.pop()
         changes = variations(part)
         if changes == 1 and part[0] * part[n] < 0:
-            return a, b
+            exact = [t for t in rational_roots(c) if a < t < b]
+            return (exact[0], exact[0]) if exact else (a, b)
         if changes > 0:
             mid = (a + b) / 2
             left, right = halves(part, n)

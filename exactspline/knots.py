@@ -1,15 +1,15 @@
 """Knot vectors as a small algebra: multiplicity, continuity, refinement, union.
 
-Two views of the same thing. A `KnotVector` is the full list with multiplicities, as people write it. A `Mesh` is the list of distinct breakpoints of a
-domain; together with the continuity at each interior breakpoint it says the same for a spline of known degree
-(multiplicity = degree − continuity).
+Two views of the same thing. A `KnotVector` is the full list with multiplicities, as people write it. A `Mesh` is the list of distinct breakpoints
+of a domain; together with the continuity at each interior breakpoint it says the same for a spline of known degree (multiplicity = degree −
+continuity).
 """
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
 from typing import Any
 
 from flint import fmpz
@@ -41,7 +41,7 @@ class KnotVector:
                 exact.append(rational(t))
             except NumberError as error:
                 raise error.at(f"knots[{i}]") from None
-        for i, (a, b) in enumerate(zip(exact, exact[1:], strict=False)):
+        for i, (a, b) in enumerate(pairwise(exact)):
             if b < a:
                 raise KnotError(f"{text(b)} after {text(a)}: knots decrease", where=f"knots[{i + 1}]", remedy="knots must not decrease", knot=b)
         self.knots = tuple(exact)
@@ -102,13 +102,20 @@ class KnotVector:
         for t, count in zip(self.breakpoints, self.multiplicities, strict=True):
             if count > degree + 1:
                 raise KnotError(
-                    f"{text(t)} has multiplicity {count}", where=f"knots[{position}]", remedy=f"at most degree + 1 = {degree + 1}", knot=t, multiplicity=count
+                    f"{text(t)} has multiplicity {count}",
+                    where=f"knots[{position}]",
+                    remedy=f"at most degree + 1 = {degree + 1}",
+                    knot=t,
+                    multiplicity=count,
                 )
             position += count
         a, b = self.domain(degree)
         if not a < b:
             raise KnotError(
-                f"the domain [{text(a)}, {text(b)}] is empty", where="knots", remedy=f"knots[{degree}] must be below knots[{len(self) - 1 - degree}]", domain=(a, b)
+                f"the domain [{text(a)}, {text(b)}] is empty",
+                where="knots",
+                remedy=f"knots[{degree}] must be below knots[{len(self) - 1 - degree}]",
+                domain=(a, b),
             )
 
 
@@ -123,7 +130,7 @@ class Mesh:
 
     def __init__(self, breaks: Sequence[mpq]) -> None:
         self.breaks = tuple(breaks)
-        widths = [b - a for a, b in zip(self.breaks, self.breaks[1:], strict=False)]
+        widths = [b - a for a, b in pairwise(self.breaks)]
         #: Width of each segment as numerator and denominator.
         self.widths: list[tuple[fmpz, fmpz]] = [(to_fmpz(h.numerator), to_fmpz(h.denominator)) for h in widths]
         #: Whether all segments have width one, so that derivatives need no scaling.
@@ -145,7 +152,9 @@ class Mesh:
         """
         a, b = self.domain
         if not a <= t <= b:
-            raise DomainError(f"the parameter {text(t)} is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside", parameter=t, domain=(a, b))
+            raise DomainError(
+                f"the parameter {text(t)} is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside", parameter=t, domain=(a, b)
+            )
         i = bisect_right(self.breaks, t) - 1
         if left and i > 0 and self.breaks[i] == t:
             i -= 1
@@ -161,7 +170,8 @@ class Mesh:
         if self.domain != other.domain:
             (a, b), (c, d) = self.domain, other.domain
             raise DomainError(
-                f"operands over different domains, [{text(a)}, {text(b)}] and [{text(c)}, {text(d)}]", remedy="restrict or reparametrize one of them first"
+                f"operands over different domains, [{text(a)}, {text(b)}] and [{text(c)}, {text(d)}]",
+                remedy="restrict or reparametrize one of them first",
             )
         return Mesh(sorted({*self.breaks, *other.breaks}))
 

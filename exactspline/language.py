@@ -23,7 +23,8 @@ class Operand:
     """What every scalar of every reading has in common.
 
     A reading supplies ``__add__``, ``__mul__``, ``scaled`` (by an exact constant), ``d``, ``raised_to`` (the same thing, of at least another's
-    degree), ``degree`` and ``recipe`` (see `exactspline.structure`); the rest follows. ``/`` by an operand makes a `Rational`, which is Table 1's row T3.
+    degree), ``degree`` and ``recipe`` (see `exactspline.structure`); the rest follows. ``/`` by an operand makes a `Rational`, which is Table 1's
+    row T3.
     """
 
     __slots__ = ()
@@ -65,8 +66,7 @@ class Operand:
 
     def __bool__(self) -> bool:
         raise FormulaError(
-            f"a {type(self).__name__} was used as a truth value",
-            remedy="formulas must not branch; compare with == or use is_zero outside formulas",
+            f"a {type(self).__name__} was used as a truth value", remedy="formulas must not branch; compare with == or use is_zero outside formulas"
         )
 
 
@@ -185,7 +185,7 @@ def _same_length(a: Vector, b: Vector) -> None:
 def _multilinear(function: Callable[..., Any]) -> Callable[..., Any]:
     """Let a reading take a product of vectors over: a rational multiplies the denominators, a tree notes a node."""
 
-    def product(*vectors: Any) -> Any:
+    def product(*vectors: Any) -> Any:  # its documentation is the function's own
         for vector in vectors:
             if vector.multilinear is not None:
                 return vector.multilinear(product, vectors)
@@ -352,6 +352,7 @@ class Formula:
         self.name, self.__name__, self.__doc__, self.__module__ = function.__name__, function.__name__, function.__doc__, function.__module__
 
     def __call__(self, c: Any) -> Any:
+        """The formula in the reading of `c`."""
         hook = getattr(c, "calls", None)
         return self.function(c) if hook is None else hook(self)
 

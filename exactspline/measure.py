@@ -59,13 +59,15 @@ def control_point_count(value: Any) -> int:
     scalars = _scalars(value)
     n = max(s.degree for s in scalars)
     inner = zip(*[s.continuity for s in scalars], strict=True)
-    return max(n + 1, 0) + sum(max(n - min(c), 0) for c in inner)
+    inner_points: int = sum(max(n - min(c), 0) for c in inner)
+    return max(n + 1, 0) + inner_points
 
 
 def true_degree(value: Any) -> int:
     """Degree after exact division: by u + v, and of a quotient by the common factor of numerator and denominator; the largest over the segments."""
     if not isinstance(value, Rational):
-        return max(c.true_degree for c in (value if isinstance(value, Vector) else [value]))
+        components: list[BSpline] = list(value) if isinstance(value, Vector) else [value]
+        return max(c.true_degree for c in components)
     if value.is_zero:
         return -1
     return max(n for _, n in lowest_terms(value))
@@ -74,7 +76,8 @@ def true_degree(value: Any) -> int:
 def lowest_terms(value: Any) -> list[tuple[list[fmpz_poly], int]]:
     """Segment by segment the components (of a rational: with the denominator last) without their common factor, and the degree that is left.
 
-    As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are common factors like any other.
+    As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are common factors like any
+    other.
     """
     scalars = _scalars(value)
     n = max(s.degree for s in scalars)

@@ -48,7 +48,9 @@ class Nurbs(Curve):
         points = _points(control_points)
         exact_weights = (mpq(1),) * len(points) if weights is None else _row(weights, "weights")
         if len(exact_weights) != len(points):
-            raise ShapeError(f"{len(exact_weights)} weights for {len(points)} control points", where="weights", remedy="give one weight a control point")
+            raise ShapeError(
+                f"{len(exact_weights)} weights for {len(points)} control points", where="weights", remedy="give one weight a control point"
+            )
         self.name, self.source, self.note = name, source, note
         self._set(checked_degree(degree), KnotVector(knots), points, exact_weights)
 
@@ -165,11 +167,16 @@ def _check_weight(w: BSpline) -> None:
         if witness is not None:
             low, high = (a + (b - a) * t for t in witness)
             place = f"at the parameter {text(low)}" if low == high else f"between the parameters {text(low)} and {text(high)}"
-            raise WeightError(f"the denominator w has a zero {place}", where="weights", remedy="w must keep its sign on the domain", witness=(low, high))
+            raise WeightError(
+                f"the denominator w has a zero {place}", where="weights", remedy="w must keep its sign on the domain", witness=(low, high)
+            )
         value = w((a + b) / 2)
         if sign is not None and sign * value < 0:
             raise WeightError(
-                f"the denominator w changes sign by a jump at the parameter {text(a)}", where="weights", remedy="w must keep its sign on the domain", witness=(a, a)
+                f"the denominator w changes sign by a jump at the parameter {text(a)}",
+                where="weights",
+                remedy="w must keep its sign on the domain",
+                witness=(a, a),
             )
         sign = value
 

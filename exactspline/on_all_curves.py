@@ -9,7 +9,7 @@ from typing import Any
 from exactspline import on_one_curve
 from exactspline.claims import Claim
 from exactspline.curves import example, example_names
-from exactspline.factors import Factor, claimed_factor, find_factor, jets_for, split
+from exactspline.factors import Factor, factor_of_text, find_factor, jets_for, split
 from exactspline.formulas import find
 from exactspline.language import Vector
 from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
@@ -54,7 +54,7 @@ def identity(claim: Claim, dimension: int) -> Finding:
         witness = refute_on_examples(claim).witness
         return Finding(REFUTED, claim.factor, "not proportional", "none", witness or "the jet polynomials are not proportional")
     c = jets_for((claim.left, claim.right), dimension)
-    top, bottom = claimed_factor(claim.factor, c)
+    top, bottom = factor_of_text(claim.factor, c)
     found_top, found_bottom = factor.fraction()
     if top.polynomial * found_bottom == bottom.polynomial * found_top:
         return Finding(PROVED, claim.factor, str(factor), str(factor))
@@ -106,7 +106,11 @@ def true_degree(claim: Claim) -> Finding:
     for dimension in dimensions(claim):
         k, m, drop, exceptions = generic_drop(find(claim.formula), dimension)
         computed = parse(f"{k}d-{m + drop}")
-        found.append(Finding(PROVED if computed == claimed else REFUTED, str(claimed), str(computed) + _but(exceptions), witness=f"{drop} leading terms vanish"))
+        found.append(
+            Finding(
+                PROVED if computed == claimed else REFUTED, str(claimed), str(computed) + _but(exceptions), witness=f"{drop} leading terms vanish"
+            )
+        )
     return min(found, key=lambda f: f.verdict == PROVED)
 
 
@@ -122,7 +126,12 @@ def generic_coefficients(claim: Claim) -> Finding:
             for component in value if isinstance(value, Vector) else [value]:
                 for i, c in enumerate(component.coefficients):
                     if not c:
-                        return Finding(REFUTED, "none vanishes", f"coefficient {i} of degree {d}", witness=f"coefficient {i} is zero for every curve of degree {d}")
+                        return Finding(
+                            REFUTED,
+                            "none vanishes",
+                            f"coefficient {i} of degree {d}",
+                            witness=f"coefficient {i} is zero for every curve of degree {d}",
+                        )
     return Finding(VERIFIED, "none vanishes", f"none vanishes for d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}")
 
 

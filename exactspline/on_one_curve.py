@@ -10,7 +10,7 @@ from gmpy2 import mpq
 
 from exactspline.claims import Claim
 from exactspline.exact import text
-from exactspline.factors import claimed_factor, split
+from exactspline.factors import factor_of_text, split
 from exactspline.form import zero_on_segment
 from exactspline.formulas import find
 from exactspline.language import Vector
@@ -27,7 +27,7 @@ def check(claim: Claim, curve: Any) -> Finding:
 def identity(claim: Claim, curve: Any) -> Finding:
     """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
     (ps, k), (qs, m) = split(find(claim.left)(curve)), split(find(claim.right)(curve))
-    top, bottom = claimed_factor(claim.factor, curve)
+    top, bottom = factor_of_text(claim.factor, curve)
     factor = printed_factor(claim.factor, curve)
     if all(p.is_zero for p in ps) and all(q.is_zero for q in qs):
         return Finding(UNDECIDED, claim.factor, "0 = 0", factor, VACUOUS)
@@ -110,7 +110,9 @@ def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
 def degree(claim: Claim, curve: Any) -> Finding:
     """The degree of the spline at hand against the claim."""
     value = find(claim.formula)(curve)
-    claimed = parse(claim.claimed).at({name: curve.degree if hasattr(curve, "degree") else curve.degrees[name] for name in parse(claim.claimed).names})
+    claimed = parse(claim.claimed).at(
+        {name: curve.degree if hasattr(curve, "degree") else curve.degrees[name] for name in parse(claim.claimed).names}
+    )
     if claim.measure == "true":
         computed = max(p.true_degree for p in split(value)[0])
         lower = " (lower on this curve)" if computed < claimed else ""
@@ -118,7 +120,10 @@ def degree(claim: Claim, curve: Any) -> Finding:
     computed = value.degree
     holds = computed >= claimed if claim.relation == "≥" else computed == claimed
     return Finding(
-        VERIFIED if holds else REFUTED, f"{'≥ ' if claim.relation == '≥' else ''}{claimed}", str(computed), witness="" if holds else f"{computed}, not {claimed}"
+        VERIFIED if holds else REFUTED,
+        f"{'≥ ' if claim.relation == '≥' else ''}{claimed}",
+        str(computed),
+        witness="" if holds else f"{computed}, not {claimed}",
     )
 
 

@@ -1,6 +1,7 @@
 """Naive semantics: quotients on which every operation is carried out as Table 1 says, nothing cancelled.
 
-Two rationals whose denominators are structurally the same product (see `exactspline.structure`) share it when added; any two others are cross-multiplied.
+Two rationals whose denominators are structurally the same product (see `exactspline.structure`) share it when added; any two others are cross-
+multiplied.
 """
 
 from __future__ import annotations

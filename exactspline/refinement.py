@@ -76,9 +76,7 @@ def _without_smooth_knots(f: BSpline) -> BSpline:
         return f
     starts = [0, *[i + 1 for i in keep]]
     breaks = [f.mesh.breaks[i] for i in starts] + [f.mesh.breaks[-1]]
-    merged = [
-        forms.restrict(f.forms[i], f.degree, mpq(0), f.mesh.local(i, b)) for i, b in zip(starts, breaks[1:], strict=True)
-    ]
+    merged = [forms.restrict(f.forms[i], f.degree, mpq(0), f.mesh.local(i, b)) for i, b in zip(starts, breaks[1:], strict=True)]
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
 
 
@@ -106,7 +104,9 @@ def remove_knot(f: BSpline, t: mpq, times: int) -> BSpline:
     _inner(f, t)
     multiplicity = f.degree - f.continuity[f.mesh.breaks.index(t) - 1] if t in f.mesh.breaks else 0
     if not 1 <= times <= multiplicity:
-        raise KnotError(f"{times} of {multiplicity} knots at {text(t)} to remove", remedy="remove at least one and at most as many as there are", knot=t)
+        raise KnotError(
+            f"{times} of {multiplicity} knots at {text(t)} to remove", remedy="remove at least one and at most as many as there are", knot=t
+        )
     position = f.mesh.breaks.index(t) - 1
     wanted, have = f.continuity[position] + times, continuity_at(f, t)
     if have < min(wanted, f.degree):

@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from exactspline.claims import Claim
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Row
 
 COLOURS = {PROVED: "bold green", VERIFIED: "green", REFUTED: "bold magenta", UNDECIDED: "yellow"}
@@ -88,10 +89,27 @@ def summary(rows: list[Row]) -> Columns:
         counts = Counter(row.verdict for row in own)
         vacuous = sum(row.witness == VACUOUS for row in own)
         recorded = sum(row.as_recorded for row in own)
-        made.add_row(
-            curve, str(counts[VERIFIED]), str(vacuous), str(counts[REFUTED]), str(counts[UNDECIDED] - vacuous), f"{recorded} of {len(own)}"
-        )
+        made.add_row(curve, str(counts[VERIFIED]), str(vacuous), str(counts[REFUTED]), str(counts[UNDECIDED] - vacuous), f"{recorded} of {len(own)}")
     return made
+
+
+def reasons(claims: Iterable[Claim], curve: Any) -> str:
+    """Why claims say nothing of a curve, counted.
+
+    >>> from exactspline.claims import select
+    >>> from exactspline.curves import example
+    >>> reasons(select(["C4.1c", "T1"]), example("twisted_cubic"))
+    '1 of Table 1, 3 of plane curves'
+    """
+    counts: Counter[str] = Counter()
+    for claim in claims:
+        if claim.curve == "table":
+            counts["of Table 1"] += 1
+        elif claim.curve not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension, "")):
+            counts[f"of {claim.curve} curves"] += 1
+        else:
+            counts[f"of {claim.of} curves"] += 1
+    return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
 
 
 def closing(rows: list[Row]) -> str:

@@ -30,8 +30,8 @@ MAX_DEGREE = 1000
 class BSpline(Operand):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
-    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump). The domain is ``[t_n, t_{N−n}]`` for
-    knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as `exactspline.exact.rational` takes them.
+    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump). The domain is ``[t_n,
+    t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as `exactspline.exact.rational` takes them.
 
     >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
     >>> f(1), (f * f).degree, f.d().control_points
@@ -202,7 +202,8 @@ class BSpline(Operand):
     def d(self, order: int = 1) -> BSpline:
         """The derivative of the given order.
 
-        The formal degree drops by one each time, below 0 if need be (then the spline is zero and has no control points); so does the continuity, not below −1.
+        The formal degree drops by one each time, below 0 if need be (then the spline is zero and has no control points); so does the continuity,
+        not below −1.
 
         >>> BSpline.bezier([0, 0, 1]).d(2).control_points
         (mpq(2,1),)

@@ -1,9 +1,9 @@
 """How an operand was made: what lets naive semantics see that two denominators are *structurally the same product*.
 
-Every operand carries a recipe, a nested tuple ``(operation, recipe, recipe)`` with a leaf of its own for what comes from outside. Making one costs next to
-nothing; only where two denominators meet is it boiled down to a number modulo a Mersenne prime: a product to the product of its factors' numbers (so
-that neither their order nor their grouping matters), anything else to a hash. Equal numbers are taken for equal structure only where the values agree too, so a
-collision can never make a sum wrong.
+Every operand carries a recipe, a nested tuple ``(operation, recipe, recipe)`` with a leaf of its own for what comes from outside. Making one costs
+next to nothing; only where two denominators meet is it boiled down to a number modulo a Mersenne prime: a product to the product of its factors'
+numbers (so that neither their order nor their grouping matters), anything else to a hash. Equal numbers are taken for equal structure only where
+the values agree too, so a collision can never make a sum wrong.
 """
 
 from __future__ import annotations

@@ -55,7 +55,8 @@ class Row:
 def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float) -> Row:
     """A finding held against the record.
 
-    The record speaks of all curves. On one curve a claim that holds must be VERIFIED, unless it is vacuous there; one that fails in general may well hold there.
+    The record speaks of all curves. On one curve a claim that holds must be VERIFIED, unless it is vacuous there; one that fails in general may
+    well hold there.
     """
     expected = claim.expected
     if curve:
@@ -66,5 +67,18 @@ def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float
     statement = claim.statement + (" (as meant)" if claim.as_meant else "")
     f = finding
     return Row(
-        claim.id, claim.kind, claim.source, statement, claim.assumes, reading, curve, f.claimed, f.computed, f.factor, f.witness, f.verdict, expected, seconds
+        claim.id,
+        claim.kind,
+        claim.source,
+        statement,
+        claim.assumes,
+        reading,
+        curve,
+        f.claimed,
+        f.computed,
+        f.factor,
+        f.witness,
+        f.verdict,
+        expected,
+        seconds,
     )

@@ -1,7 +1,7 @@
 """The claims of the paper as data: what is claimed of which formulas, where it stands, and the verdict that is on record.
 
-Each section is a TOML file beside this one. An entry names formulas of `exactspline.formulas`, never transcribes one. Several entries may share the id of the
-paper's claim; ``as_meant`` marks what the paper must have meant where its wording fails.
+Each section is a TOML file beside this one. An entry names formulas of `exactspline.formulas`, never transcribes one. Several entries may share the
+id of the paper's claim; ``as_meant`` marks what the paper must have meant where its wording fails.
 """
 
 from __future__ import annotations
@@ -71,7 +71,9 @@ def _claim(entry: dict[str, object], place: str) -> Claim:
     if unknown := set(entry) - known:
         raise ClaimError(f"the field {sorted(unknown)[0]!r} is unknown", where=place, remedy=f"fields are {', '.join(sorted(known))}")
     if missing := {"id", "kind", "source", "statement"} - set(entry):
-        raise ClaimError(f"the field {sorted(missing)[0]!r} is missing", where=place, remedy="every claim has an id, a kind, a source and a statement")
+        raise ClaimError(
+            f"the field {sorted(missing)[0]!r} is missing", where=place, remedy="every claim has an id, a kind, a source and a statement"
+        )
     claim = Claim(**{name: tuple(value) if isinstance(value, list) else value for name, value in entry.items()})  # type: ignore[arg-type]
     if claim.kind not in KINDS:
         raise ClaimError(f"the kind {claim.kind!r} is unknown", where=place, remedy=f"kinds are {', '.join(KINDS)}")
@@ -87,7 +89,7 @@ def all_claims() -> tuple[Claim, ...]:
     """Every claim, in the order of the paper.
 
     >>> [claim.factor for claim in all_claims() if claim.id == "C4.1a"]
-    ['w']
+    ['w', 'w^-3']
     """
     claims = []
     for section in SECTIONS:

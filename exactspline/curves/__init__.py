@@ -19,7 +19,9 @@ def example_names() -> tuple[str, ...]:
     >>> "circle" in example_names()
     True
     """
-    return tuple(sorted(entry.name.removesuffix(".json") for entry in resources.files(__package__).joinpath("data").iterdir() if entry.name.endswith(".json")))
+    return tuple(
+        sorted(entry.name.removesuffix(".json") for entry in resources.files(__package__).joinpath("data").iterdir() if entry.name.endswith(".json"))
+    )
 
 
 @cache

@@ -97,7 +97,9 @@ def _parsed(text: str) -> Any:
     except RecursionError:
         raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
     except json.JSONDecodeError as error:
-        raise CurveFileError(f"is not JSON ({error.msg})", where=f"line {error.lineno}, column {error.colno}", remedy="correct the text there") from None
+        raise CurveFileError(
+            f"is not JSON ({error.msg})", where=f"line {error.lineno}, column {error.colno}", remedy="correct the text there"
+        ) from None
 
 
 def _refuse(word: str) -> Any:
@@ -129,4 +131,6 @@ def write_json(path: str | os.PathLike[str], data: Any) -> None:
             os.unlink(temporary)
             raise
     except OSError as error:
-        raise CurveFileError(f"cannot be written ({error.strerror})", where=str(place), remedy="name a file in a folder that can be written") from None
+        raise CurveFileError(
+            f"cannot be written ({error.strerror})", where=str(place), remedy="name a file in a folder that can be written"
+        ) from None

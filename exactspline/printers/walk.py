@@ -15,6 +15,7 @@ class Printer(ABC):
     """A walk over a tree; the subclasses say how each thing looks."""
 
     def __call__(self, node: Node) -> str:
+        """The text of a tree."""
         return self.show(node)[0]
 
     def show(self, n: Node) -> tuple[str, int]:

@@ -1,8 +1,8 @@
 """The reading at infinity: the leading coefficients in the power basis, for symbolic degree d.
 
 A component of the curve is ``t^d (a_0 + a_1/t + a_2/t² + …)`` with indeterminate a_i, and its k-th derivative has the coefficients
-``(d − i)(d − i − 1)…(d − i − k + 1) a_i``. What a formula returns is known to a few terms of its expansion; how many of them vanish tells how far the true degree
-lies below the nominal one, for all d at once.
+``(d − i)(d − i − 1)…(d − i − k + 1) a_i``. What a formula returns is known to a few terms of its expansion; how many of them vanish tells how far
+the true degree lies below the nominal one, for all d at once.
 """
 
 from __future__ import annotations
@@ -45,7 +45,8 @@ class Expansion(Operand):
             return NotImplemented
         if (self.k, self.m) != (other.k, other.m):
             raise FormulaError(
-                f"a sum of terms of degree and weight {(self.k, self.m)} and {(other.k, other.m)}", remedy="homogeneous formulas of rational curves only"
+                f"a sum of terms of degree and weight {(self.k, self.m)} and {(other.k, other.m)}",
+                remedy="homogeneous formulas of rational curves only",
             )
         return Expansion(self.context, self.k, self.m, [a + b for a, b in zip(self.terms, other.terms, strict=True)])
 
@@ -113,7 +114,8 @@ def expansion_curve(dimension: int, terms: int) -> Curve:
 def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
     """``(k, m, drop, exceptions)``: on the generic rational curve of degree d the formula has true degree ``k d − m − drop``.
 
-    Proved for every d ≥ drop (so that the coefficients exist) but the exceptions, where it is lower. A vector has the largest degree of its components.
+    Proved for every d ≥ drop (so that the coefficients exist) but the exceptions, where it is lower. A vector has the largest degree of its
+    components.
 
     >>> from exactspline.formulas.derivatives import D1
     >>> generic_drop(D1, 2)

@@ -58,4 +58,5 @@ def order_of(formula: Any, dimension: int) -> int:
     result = formula(Curve(Vector(*[Order(0) for _ in range(dimension)]), Order(0)))
     parts = [result.numerator, result.denominator] if isinstance(result, Rational) else [result]
     scalars = [x for part in parts for x in (part if isinstance(part, Vector) else [part])]
-    return max(x.order for x in scalars)
+    highest: int = max(x.order for x in scalars)
+    return highest

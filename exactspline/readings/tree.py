@@ -17,8 +17,8 @@ VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross"}
 class Node(Operand):
     """A node of an expression tree: an operation and its arguments.
 
-    ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``, ``**``, ``[]``, ``dot``, ``cross``,
-    ``det``, ``perp``, ``generalized_cross``.
+    ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``, ``**``, ``[]``, ``dot``,
+    ``cross``, ``det``, ``perp``, ``generalized_cross``.
     """
 
     __slots__ = ("args", "is_vector", "op", "value")

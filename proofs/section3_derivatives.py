@@ -1,0 +1,72 @@
+"""§3. Derivatives of a rational curve γ = p/w.
+
+The derivatives are expressed by D1 = p′w − pw′, D2 = p″w − pw″, D3 = p‴w − pw‴ and D21 = p″w′ − p′w″, of lower degree than the quotient rule gives.
+"""
+
+from theorem import establish, verdict_for_all
+
+from exactspline.curves import example, example_names
+from exactspline.formulas import find
+from exactspline.readings.series import series_curve
+
+
+def test_equations_1_2_3_and_5():
+    """γ′, γ″, γ‴ by the quotient rule are what the equations say."""
+    for equation in ("E1", "E2", "E3"):
+        assert verdict_for_all(equation) == ["PROVED"]
+    assert verdict_for_all("E5") == ["PROVED", "PROVED"]
+
+
+def test_derivatives_are_taylor_coefficients():
+    """Against the definition: power series division knows no quotient rule, and gives the same derivatives on every example curve."""
+    for name in example_names():
+        curve = example(name)
+        a, b = curve.domain
+        t = a + (b - a) * 3 / 7
+        for order, formula in enumerate(("velocity", "acceleration", "jerk"), start=1):
+            definition = series_curve(curve, t, 4).gamma.d(order)
+            value = find(formula)(curve)
+            assert tuple(c.value for c in definition) == (value(t) if hasattr(value, "denominator") else tuple(c(t) for c in value))
+
+
+def test_remark_3_1_degrees():
+    """D1, D2, D3, [D1 D2] and [D1 D2 D3] have the degrees stated."""
+    assert set(verdict_for_all("C3a")) == {"PROVED"}
+
+
+def test_degrees_in_the_power_basis():
+    """Each Di drops one degree in the power basis, on the generic curve of every degree."""
+    assert set(verdict_for_all("C3b")) == {"PROVED"}
+
+
+def test_d21_lies_in_the_span_of_d1_and_d2():
+    """Printed as [D1 D2 D3] = 0, which is false; the computation below it is that of [D1 D2 D21] = 0, which is true."""
+    assert verdict_for_all("C3c", "[D1 D2 D3] = 0") == ["REFUTED"]
+    assert verdict_for_all("C3c", "[D1 D2 D21] = 0") == ["PROVED"]
+    assert verdict_for_all("C3c", "D21 = ") == ["PROVED"]
+
+
+def test_remark_3_2():
+    """The other terms of γ″ and γ‴ are in the span of lower derivatives, and cancel in the determinants."""
+    assert set(verdict_for_all("C3d")) == {"PROVED"}
+
+
+def test_naive_and_shared_degrees():
+    """2d, 4d, 8d by the quotient rule; 2d, 3d, 4d with denominators shared."""
+    assert set(verdict_for_all("C3e")) == {"PROVED"}
+
+
+def test_coefficients_of_d1():
+    """Some coefficients of D1 do vanish on some curves; on the generic curve none does."""
+    assert verdict_for_all("C3f") == ["REFUTED", "VERIFIED"]
+
+
+def test_degrees_of_the_lower_terms():
+    """At least d higher than Di/w², but for D21/w² as it is printed in eq. (5)."""
+    refuted = [row for row in establish("C3g") if not row.curve and row.verdict == "REFUTED"]
+    assert [row.computed for row in refuted] == ["2d"]
+
+
+def test_replacing_derivatives_by_di():
+    """Not in any zero-set problem, as printed: [γ′ γ‴] is a counterexample; but in [γ′ γ″] and [γ′ γ″ γ‴]."""
+    assert verdict_for_all("C3h") == ["REFUTED", "PROVED", "PROVED"]

@@ -1,0 +1,161 @@
+"""The command line as a user meets it: tables, JSON, exit status, one-line errors."""
+
+import json
+import os
+import subprocess
+import sys
+
+import jsonschema
+import pytest
+from typer.testing import CliRunner
+
+from exactspline.cli import app
+
+TEXT_FIELDS = ["id", "kind", "source", "statement", "assumes", "reading", "curve", "claimed", "computed", "factor", "witness", "expected"]
+ROW = {
+    "type": "object",
+    "required": [*TEXT_FIELDS, "verdict", "seconds"],
+    "additionalProperties": False,
+    "properties": {
+        **{name: {"type": "string"} for name in TEXT_FIELDS},
+        "verdict": {"enum": ["PROVED", "VERIFIED", "REFUTED", "UNDECIDED"]},
+        "seconds": {"type": "number", "minimum": 0},
+    },
+}
+
+
+def run(*arguments):
+    """The command in a process of its own, as a user runs it."""
+    command = [sys.executable, "-m", "exactspline.cli", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ | {"COLUMNS": "200"})
+
+
+def test_prove_as_json_follows_the_schema():
+    done = run("prove", "--claim", "C4.1", "--json")
+    assert done.returncode == 0
+    rows = json.loads(done.stdout)
+    jsonschema.validate(rows, {"type": "array", "items": ROW, "minItems": 10})
+    assert {row["reading"] for row in rows} == {"jet", "degree", "spline"}
+
+
+def test_prove_on_a_curve_shows_the_cancelled_factor():
+    done = run("prove", "--curve", "rational_cubic", "--claim", "C4.1")
+    assert done.returncode == 0
+    assert "w^-3" in done.stdout
+    assert "all as recorded" in done.stdout
+
+
+def test_equal_weights_are_told_to_be_polynomial(tmp_path):
+    file = tmp_path / "equal.json"
+    file.write_text('{"degree": 2, "knots": [0,0,0,1,1,1], "control_points": [[0,0],[1,1],[2,0.5]], "weights": [0.5, "1/2", 5e-1]}')
+    done = run("prove", "--curve", file)
+    assert done.returncode == 0
+    assert "polynomial (equal weights)" in done.stdout
+
+
+def test_degrees_and_curves():
+    assert "3d − 3" in run("degrees", "--curve", "ellipse").stdout
+    found = {row["formula"]: row for row in json.loads(run("degrees", "--curve", "ellipse", "--json").stdout)[0]["formulas"]}
+    assert found["f2"] == {"formula": "f2", "nominal": "3d − 3", "represented": 3, "true": 0, "control_points": 16}
+    names = [row["name"] for row in json.loads(run("curves", "--json").stdout)]
+    assert {"circle", "ellipse", "parabola", "cusp", "straight_line", "twisted_cubic", "helix_like", "six_segment_cubic"} <= set(names)
+
+
+def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
+    from dataclasses import replace
+
+    from exactspline import claims
+
+    wrong = tuple(replace(c, factor="w^2") if c.id == "C4.1a" else c for c in claims.all_claims())
+    monkeypatch.setattr(claims, "all_claims", lambda: wrong)
+    result = CliRunner().invoke(app, ["prove", "--claim", "C4.1a"])
+    assert result.exit_code == 1
+    assert "DIFFER" in result.output
+
+
+GOOD = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}
+BAD = {
+    "knots that decrease": (GOOD | {"knots": [0, 0, 0, 1, "1/2", 1]}, "knots[4]"),
+    "a multiplicity above degree + 1": (GOOD | {"knots": [0, 0, 0, 0, 1, 1, 1, 1], "control_points": [[0, 0]] * 5}, "multiplicity 4"),
+    "wrong counts": (GOOD | {"control_points": [[0, 0], [1, 1]]}, "there must be 3"),
+    "weights of another number": (GOOD | {"weights": [1, 2]}, "2 weights for 3 control points"),
+    "an empty domain": (GOOD | {"knots": [0, 0, 1, 1, 2, 2], "degree": 2}, "empty"),
+    "mixed dimensions": (GOOD | {"control_points": [[0, 0], [1, 1, 1], [2, 0]]}, "control_points[1]"),
+    "a weight function with a rational zero": (GOOD | {"weights": [1, -1, 1]}, "zero at the parameter 1/2"),
+    "a weight function that changes sign": (GOOD | {"weights": [1, 1, -1]}, "between the parameters"),
+    "no number": (GOOD | {"control_points": [[0, 0], [1, "one"], [2, 0]]}, "control_points[1][1]"),
+    "a zero denominator": (GOOD | {"knots": [0, 0, 0, "1/0", 1, 1]}, "zero denominator"),
+    "a huge degree": (GOOD | {"degree": 1000000}, "degree 1000000"),
+    "a fractional degree": (GOOD | {"degree": "2.5"}, "is no degree"),
+    "a degree that is no number": (GOOD | {"degree": None}, "is no degree"),
+    "a missing field": ({"degree": 2}, "'knots' is missing"),
+    "an unknown field": (GOOD | {"wieghts": [1, 1, 1]}, "'wieghts' is unknown"),
+    "a list": ([1, 2], "no object"),
+    "a point that is no list": (GOOD | {"control_points": [0, 1, 2]}, "control_points[0]"),
+    "knots that are no list": (GOOD | {"knots": 3}, "no list"),
+    "a true knot": (GOOD | {"knots": [0, 0, 0, True, 1, 1]}, "knots[3]"),
+    "one coordinate": (GOOD | {"control_points": [[0], [1], [2]]}, "at least 2"),
+}
+
+
+@pytest.mark.parametrize("what", BAD)
+def test_bad_curves_give_one_line_and_status_2(what, tmp_path):
+    data, message = BAD[what]
+    file = tmp_path / "bad.json"
+    file.write_text(json.dumps(data))
+    result = CliRunner().invoke(app, ["prove", "--curve", str(file)])
+    assert result.exit_code == 2
+    assert message in result.stderr.replace("\n", " ")
+    assert str(file) in result.stderr
+    assert result.stderr.count("error:") == 1
+    assert "Traceback" not in result.output
+
+
+TEXTS = {
+    "not JSON": ("degree: 2", "not JSON"),
+    "NaN": ('{"degree": 2, "knots": [NaN], "control_points": []}', "NaN is not a number"),
+    "infinity": ('{"degree": 2, "knots": [-Infinity], "control_points": []}', "Infinity is not a number"),
+    "nested too deep": ("[" * 100_000 + "]" * 100_000, "nested too deep"),
+    "an exponent that would fill the memory": ('{"degree": 1, "knots": [0,0,1,1], "control_points": [[1e999999999,0],[1,1]]}', "exponent"),
+    "empty": ("", "not JSON"),
+}
+
+
+@pytest.mark.parametrize("what", TEXTS)
+def test_bad_texts_give_one_line_and_status_2(what, tmp_path):
+    text, message = TEXTS[what]
+    file = tmp_path / "bad.json"
+    file.write_text(text)
+    done = run("degrees", "--curve", file)
+    assert (done.returncode, done.stderr.count("\n")) == (2, 1)
+    assert message in done.stderr
+
+
+def test_bad_files_give_one_line_and_status_2(tmp_path):
+    huge = tmp_path / "huge.json"
+    with huge.open("wb") as stream:
+        stream.truncate(500 * 1024 * 1024)
+    binary = tmp_path / "binary.json"
+    binary.write_bytes(b"\xff\xfe\x00")
+    for file, message in [(tmp_path, "is a directory"), (tmp_path / "none.json", "cannot be read"), (huge, "at most"), (binary, "not UTF-8")]:
+        done = run("prove", "--curve", file)
+        assert (done.returncode, done.stderr.count("\n")) == (2, 1), done.stderr
+        assert message in done.stderr
+
+
+def test_one_bad_curve_in_a_batch_is_reported_and_the_rest_goes_on(tmp_path):
+    done = run("prove", "--claim", "C4.1", "--curve", tmp_path / "none.json", "--curve", "cusp")
+    assert done.returncode == 2
+    assert "cusp: polynomial" in done.stdout
+    assert "none.json" in done.stderr
+
+
+def test_unknown_claims_and_options_are_bad_input():
+    assert run("prove", "--claim", "C99").returncode == 2
+    assert run("prove", "--nonsense").returncode == 2
+    assert run("nonsense").returncode == 2
+
+
+def test_digits_show_decimals_beside_exact_numbers():
+    done = run("prove", "--claim", "C3c", "--curve", "rational_space_cubic", "--digits", "12")
+    assert "1/15 ≈ 0.0666666666667" in done.stdout
