@@ -37,7 +37,7 @@ class Factor:
     ring: JetRing
 
     def __str__(self) -> str:
-        parts = [name + (str(e).translate(SUPERSCRIPTS).replace("⁻", "⁻") if e != 1 else "") for name, _, e in self.powers]
+        parts = [_power(name, e) for name, _, e in self.powers]
         if self.constant != 1 or not parts:
             parts.insert(0, str(self.constant))
         return "·".join(parts)
@@ -59,6 +59,11 @@ class Factor:
         """Numerator and denominator in the reading of a concrete curve."""
         top, bottom = self.fraction()
         return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
+
+
+def _power(name: str, exponent: int) -> str:
+    base = f"({name})" if name[-1] in "⁰¹²³⁴⁵⁶⁷⁸⁹" else name
+    return name if exponent == 1 else base + str(exponent).translate(SUPERSCRIPTS)
 
 
 def substitute(jet: Jet, curve: Any) -> Any:

@@ -165,6 +165,15 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
     return points[0]
 
 
+def is_square_class(c: fmpz_poly, n: int) -> bool:
+    """Whether a form of degree n is a constant times a square.
+
+    >>> is_square_class(3 * fmpz_poly([1, 2, 1]), 2), is_square_class(fmpz_poly([1, 2, 1]), 3)
+    (True, False)
+    """
+    return bool(c) and (n - c.degree()) % 2 == 0 and all(e % 2 == 0 for _, e in c.factor_squarefree()[1])
+
+
 def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
     """``outer ∘ inner`` for an inner form of the given degree with values in the local parameter of the outer one."""
     (c, m), (v, k) = outer, inner

@@ -7,8 +7,10 @@ from typing import Any
 
 from flint import fmpz_poly
 
+from exactspline.errors import ReductionError
+from exactspline.exact import text
 from exactspline.factors import split
-from exactspline.form import divide_u_plus_v, raiser
+from exactspline.form import ONE, raiser
 from exactspline.formulas import all_formulas
 from exactspline.language import Formula, Vector
 from exactspline.quotients import Rational
@@ -73,19 +75,23 @@ def true_degree(value: Any) -> int:
     return max(n for _, n in lowest_terms(value))
 
 
-def lowest_terms(value: Any) -> list[tuple[list[fmpz_poly], int]]:
-    """Segment by segment the components (of a rational: with the denominator last) without their common factor, and the degree that is left.
+def lowest_terms(value: Rational) -> list[tuple[list[fmpz_poly], int]]:
+    """Segment by segment the components of a quotient without their common factor, the denominator last and positive, and the degree that is left.
 
     As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are common factors like any
-    other.
+    other. Raises `ReductionError` where the denominator vanishes on a whole segment.
     """
+    if (gap := next((i for i, c in enumerate(value.denominator.polynomials) if not c), None)) is not None:
+        a, b = value.denominator.breakpoints[gap : gap + 2]
+        raise ReductionError(
+            f"the denominator vanishes on all of [{text(a)}, {text(b)}]", where=f"segment {gap}", remedy="leave this segment out", segment=gap
+        )
     scalars = _scalars(value)
     n = max(s.degree for s in scalars)
     rows = []
     for forms in zip(*[s.forms for s in scalars], strict=True):
         scale = _common([m for _, m in forms])
-        raised = [c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)]
-        rows.append(_lowest(raised, n) if isinstance(value, Rational) else _polynomial(raised, n))
+        rows.append(_lowest([c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)], n))
     return rows
 
 
@@ -100,10 +106,35 @@ def _lowest(forms: list[fmpz_poly], n: int) -> tuple[list[fmpz_poly], int]:
     common = fmpz_poly([])
     for c in forms:
         common = common.gcd(c)
-    at_infinity = n - max(c.degree() for c in forms)
-    return [c // common for c in forms], n - common.degree() - at_infinity
+    left = n - common.degree() - (n - max(c.degree() for c in forms))
+    forms = [c // common for c in forms]
+    sign = next(sign for j in range(1, left + 3) if (sign := _sign_at(forms[-1], j)))
+    return ([-c for c in forms] if sign < 0 else forms), left
 
 
-def _polynomial(forms: list[fmpz_poly], n: int) -> tuple[list[fmpz_poly], int]:
-    times = min((divide_u_plus_v(c, n)[1] for c in forms if c), default=n + 1)
-    return [c // raiser(min(times, n)) if c else c for c in forms], n - times
+def _sign_at(c: fmpz_poly, z: int) -> int:
+    value = c(z)
+    return int(value > 0) - int(value < 0)
+
+
+def in_lowest_terms(value: Any) -> Any:
+    """The same scalar, vector or quotient in the lowest degree that holds on all segments.
+
+    A quotient is reduced segment by segment: each keeps a factor of its own, so that numerator and denominator are only C⁻¹ although their quotient
+    is as continuous as it was. What is no quotient loses powers of u + v and keeps its continuity.
+
+    >>> from exactspline.curves import example
+    >>> from exactspline.formulas import find
+    >>> in_lowest_terms(find("evolute")(example("circle"))).degree
+    0
+    """
+    if isinstance(value, Vector):
+        by = min(c.degree - c.true_degree for c in value if not c.is_zero) if not value.is_zero else 0
+        return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
+    if isinstance(value, BSpline):
+        return value.constant(0) if value.is_zero else value.reduce_degree(value.degree - value.true_degree)
+    rows, mesh = lowest_terms(value), value.denominator.mesh
+    n = max(degree for _, degree in rows)
+    columns = zip(*[[(c * raiser(n - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
+    *numerator, denominator = [BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns]
+    return Rational(Vector(*numerator) if value.is_vector else numerator[0], denominator)

@@ -98,6 +98,12 @@ class Nurbs(Curve):
         return domain
 
     @property
+    def breakpoints(self) -> tuple[mpq, ...]:
+        """The distinct knots of the domain, ends included."""
+        breaks: tuple[mpq, ...] = self.w.breakpoints
+        return breaks
+
+    @property
     def segments(self) -> int:
         """Number of polynomial or rational segments."""
         return len(self.w.mesh)

@@ -35,7 +35,9 @@ def prove(claim: Claim) -> tuple[str, Finding]:
         return ("infinity", true_degree(claim)) if claim.measure == "true" else ("degree", nominal_degree(claim))
     if claim.kind == "coefficients":
         return ("generic", generic_coefficients(claim)) if claim.measure == "generic" else ("spline", refute_on_examples(claim))
-    decide = {"identity": identity, "vanishing": vanishing, "zero set": zero_set}[claim.kind]
+    if claim.kind == "count":
+        return "spline", on_one_curve.count(claim, example(claim.example))
+    decide = {"identity": identity, "vanishing": vanishing, "zero set": zero_set, "square class": square_class}[claim.kind]
     findings = [decide(claim, dimension) for dimension in dimensions(claim)]
     return "jet", min(findings, key=lambda f: f.verdict == PROVED)
 
@@ -82,6 +84,16 @@ def zero_set(claim: Claim, dimension: int) -> Finding:
     if refuted.verdict == REFUTED:
         return Finding(REFUTED, "one zero set", "different zero sets", witness=refuted.witness)
     return Finding(UNDECIDED, "one zero set", "", names)
+
+
+def square_class(claim: Claim, dimension: int) -> Finding:
+    """The quotient of the two is a square times a constant: every irreducible factor occurs an even number of times."""
+    factor = factor_of(claim.formula, claim.right, dimension)
+    odd = "not proportional" if factor is None else "·".join(name for name, _, e in factor.powers if e % 2)
+    text = f"{claim.formula}/{claim.right} = {factor}"
+    return Finding(
+        PROVED if not odd else REFUTED, "a square", "a square" if not odd else f"odd powers of {odd}", text, odd and f"odd powers of {odd}"
+    )
 
 
 def nominal_degree(claim: Claim) -> Finding:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,9 +12,10 @@ from gmpy2 import mpq
 from exactspline.claims import Claim
 from exactspline.exact import text
 from exactspline.factors import factor_of_text, split
-from exactspline.form import zero_on_segment
+from exactspline.form import is_square_class, zero_on_segment
 from exactspline.formulas import find
 from exactspline.language import Vector
+from exactspline.measure import control_point_count
 from exactspline.readings.degree import parse
 from exactspline.spline import BSpline
 from exactspline.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
@@ -140,6 +142,31 @@ def coefficients(claim: Claim, curve: Any) -> Finding:
     return Finding(VERIFIED, "none vanishes", "none vanishes")
 
 
+def count(claim: Claim, curve: Any) -> Finding:
+    """Degree and number of control points of the spline at hand."""
+    value = find(claim.formula)(curve)
+    computed = {"degree": value.degree, "control points": control_point_count(value)}
+    claimed = {what: int(number) for number, what in re.findall(r"(\d+) (control points)", claim.claimed)}
+    claimed |= {what: int(number) for what, number in re.findall(r"(degree) (\d+)", claim.claimed)}
+    found = ", ".join(f"degree {computed[what]}" if what == "degree" else f"{computed[what]} {what}" for what in sorted(claimed, reverse=True))
+    agree = all(computed[what] == number for what, number in claimed.items())
+    return Finding(VERIFIED if agree else REFUTED, claim.claimed, found, witness="" if agree else f"on the example curve {curve.name}: {found}")
+
+
+def square_class(claim: Claim, curve: Any) -> Finding:
+    """On every segment both are squares up to a constant, or neither is."""
+    (n, m), (p, q) = [(numerators[0], w) for numerators, w in (split(find(name)(curve)) for name in (claim.formula, claim.right))]
+    if n.is_zero or p.is_zero:
+        return Finding(UNDECIDED, "a square", "0 = 0", witness=VACUOUS)
+    left, right = (n if m is None else n * m), (p if q is None else p * q)
+    pairs = [(is_square_class(a, left.degree), is_square_class(b, right.degree)) for a, b in zip(left.polynomials, right.polynomials, strict=True)]
+    for i, (a, b) in enumerate(pairs):
+        if left.polynomials[i] and a != b:
+            return Finding(REFUTED, "the same", "different", witness=f"on segment {i} one is a square and the other is not")
+    squares = sum(b for _, b in pairs)
+    return Finding(VERIFIED, "the same", f"{claim.right} is a square up to a constant on {squares} of {len(pairs)} segments")
+
+
 def spline_table(d1: int = 2, d2: int = 3) -> Any:
     """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive denominators."""
     state = 12345
@@ -157,4 +184,11 @@ def spline_table(d1: int = 2, d2: int = 3) -> Any:
     return SimpleNamespace(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]), degrees={"d1": d1, "d2": d2})
 
 
-_CHECKS = {"identity": identity, "vanishing": vanishing, "zero set": zero_set, "degree": degree, "coefficients": coefficients}
+_CHECKS = {
+    "identity": identity,
+    "vanishing": vanishing,
+    "zero set": zero_set,
+    "degree": degree,
+    "coefficients": coefficients,
+    "square class": square_class,
+}

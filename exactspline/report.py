@@ -112,6 +112,18 @@ def reasons(claims: Iterable[Claim], curve: Any) -> str:
     return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
 
 
+def erratum(entry: Any) -> Text:
+    """One error of the paper as a paragraph."""
+    text = Text.assemble((f"{entry.id}  {entry.where}", "bold"), "\n  printed  ", entry.printed, "\n  found    ", decimals(entry.found))
+    for line in entry.truth:
+        text.append(f"\n  true     {line}")
+    if entry.why:
+        text.append(f"\n  why      {entry.why}")
+    for i, line in enumerate(entry.check):
+        text.append(f"\n  {'check' if not i else '     '}    {line}")
+    return text.append("\n")
+
+
 def closing(rows: list[Row]) -> str:
     """The last line: how many verdicts there are of each kind and whether any differs from the record."""
     counts = Counter(row.verdict for row in rows)

@@ -64,7 +64,7 @@ def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float
         expected = VERIFIED if holds else f"{REFUTED} or {VERIFIED}"
         if finding.witness == VACUOUS:
             expected = UNDECIDED
-    statement = claim.statement + (" (as meant)" if claim.as_meant else "")
+    statement = claim.statement + (" (as it must read)" if claim.as_meant else "")
     f = finding
     return Row(
         claim.id,

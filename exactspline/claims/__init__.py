@@ -16,9 +16,9 @@ from exactspline.errors import ClaimError
 from exactspline.formulas import find
 
 #: The claim files, in the order of the paper.
-SECTIONS = ("section2", "section3", "section4_1")
+SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3")
 
-KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients")
+KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients", "count", "square class")
 VERDICTS = ("PROVED", "VERIFIED", "REFUTED", "UNDECIDED")
 
 
@@ -33,7 +33,9 @@ class Claim:
     - ``identity``: ``left = factor · right``;
     - ``vanishing``: ``left`` is identically zero;
     - ``zero set``: all of ``formulas`` have one zero set;
-    - ``coefficients``: no B-spline coefficient of ``formula`` vanishes.
+    - ``coefficients``: no B-spline coefficient of ``formula`` vanishes;
+    - ``count``: the numbers in ``claimed`` ("degree 96, 388 control points") are those of ``formula`` on the curve ``example``;
+    - ``square class``: ``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is.
     """
 
     id: str
@@ -51,6 +53,7 @@ class Claim:
     right: str = ""
     factor: str = "1"
     formulas: tuple[str, ...] = ()
+    example: str = ""
     as_meant: bool = False
     expected: str = "PROVED"
     note: str = field(default="", compare=False)
@@ -62,6 +65,8 @@ class Claim:
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about curves of that dimension and kind."""
+        if self.example or self.measure == "generic":
+            return False
         fits = {"curve": True, "plane": dimension == 2, "space": dimension == 3, "table": False}[self.curve]
         return fits and self.of in ("both", "polynomial" if polynomial else "rational")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.printers.walk import ATOM, PRODUCT, Printer, number
+from exactspline.printers.walk import ATOM, PRODUCT, Printer, named_binding, number
 from exactspline.readings.tree import Node
 
 _GREEK = {"gamma": r"\gamma"}
@@ -19,7 +19,9 @@ class LatexPrinter(Printer):
             text, binding = number(n.value)
             top, slash, bottom = text.partition("/")
             return (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else text), binding
-        return (n.value.symbol if n.op == "named" else _GREEK.get(n.value, n.value)), ATOM
+        if n.op == "named":
+            return n.value.symbol, named_binding(n)
+        return _GREEK.get(n.value, n.value), ATOM
 
     def quotient(self, a: Node, b: Node) -> tuple[str, int]:
         """A fraction."""

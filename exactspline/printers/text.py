@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from exactspline.printers.walk import ATOM, Printer, number
+from exactspline.printers.walk import ATOM, Printer, named_binding, number
 from exactspline.readings.tree import Node
 
 _GREEK = {"gamma": "γ", "kappa": "κ", "tau": "τ"}
@@ -20,7 +20,9 @@ class TextPrinter(Printer):
         """A name or a number."""
         if n.op == "number":
             return number(n.value)
-        return (symbol_text(n.value.symbol) if n.op == "named" else _GREEK.get(n.value, n.value)), ATOM
+        if n.op == "named":
+            return symbol_text(n.value.symbol), named_binding(n)
+        return _GREEK.get(n.value, n.value), ATOM
 
     def quotient(self, a: Node, b: Node) -> tuple[str, int]:
         """``a/b``."""

@@ -110,6 +110,11 @@ class Printer(ABC):
         """A generalized cross product."""
 
 
+def named_binding(n: Node) -> int:
+    """How tightly the symbol of a named formula binds: one with a power of its own needs parentheses before it gets another."""
+    return POWER if "^" in n.value.symbol else ATOM
+
+
 def number(value: Any) -> tuple[str, int]:
     """A constant: fractions bind like products."""
     text = str(value)

@@ -7,6 +7,7 @@ the true degree lies below the nominal one, for all d at once.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_poly
@@ -43,6 +44,10 @@ class Expansion(Operand):
             other = self.constant(other)
         if not isinstance(other, Expansion):
             return NotImplemented
+        if not any(self.terms):
+            return other
+        if not any(other.terms):
+            return self
         if (self.k, self.m) != (other.k, other.m):
             raise FormulaError(
                 f"a sum of terms of degree and weight {(self.k, self.m)} and {(other.k, other.m)}",
@@ -102,13 +107,14 @@ def _lcm(powers: dict[int, Any]) -> int:
     return lcm(*[int(c.q) for c in powers.values()])
 
 
-def expansion_curve(dimension: int, terms: int) -> Curve:
-    """The generic rational curve at infinity, to so many terms."""
-    names = [f"{name}{i}" for name in [*"xyzuvst"[:dimension], "w"] for i in range(terms)]
-    context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
+def expansion_curve(dimension: int, terms: int, *, polynomial: bool = False) -> Curve:
+    """The generic curve at infinity, to so many terms."""
+    names = [*"xyzuvst"[:dimension], *([] if polynomial else ["w"])]
+    context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}" for name in names for i in range(terms)]], Ordering.degrevlex)
     gens = context.gens()[1:]
-    functions = [Expansion(context, 1, 0, list(gens[i * terms : (i + 1) * terms])) for i in range(dimension + 1)]
-    return Curve(Vector(*functions[:-1]), functions[-1])
+    functions = [Expansion(context, 1, 0, list(gens[i * terms : (i + 1) * terms])) for i in range(len(names))]
+    w = functions[0].constant(1) if polynomial else functions[-1]
+    return Curve(Vector(*functions[:dimension]), w, polynomial=polynomial)
 
 
 def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
@@ -123,14 +129,19 @@ def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int
 
     Raises `FormulaError` for formulas that are no polynomial of the curve, or not homogeneous.
     """
+    return drop_of(formula, lambda terms: expansion_curve(dimension, terms), formula.name)
+
+
+def drop_of(formula: Callable[[Curve], Any], curve: Callable[[int], Curve], name: str) -> tuple[int, int, int, tuple[int, ...]]:
+    """The same for any function of a curve at infinity that is known to as many terms as needed."""
     for terms in range(1, MAX_TERMS):
-        result = formula(expansion_curve(dimension, terms))
+        result = formula(curve(terms))
         components = list(result) if isinstance(result, Vector) else [result]
         if not all(isinstance(c, Expansion) for c in components):
-            raise FormulaError(f"{formula.name} is a quotient", remedy="ask for numerator and denominator one by one")
+            raise FormulaError(f"{name} is a quotient", remedy="ask for numerator and denominator one by one")
         found = [c for c in components if c.drop is not None]
         if found:
             best = min(found, key=lambda c: c.drop)
             exceptions = set(best.exceptions).intersection(*[set(c.exceptions) for c in found if c.drop == best.drop])
             return best.k, best.m, best.drop, tuple(sorted(exceptions))
-    raise FormulaError(f"{formula.name} vanishes to {MAX_TERMS} terms", remedy="it may be identically zero")
+    raise FormulaError(f"{name} vanishes to {MAX_TERMS} terms", remedy="it may be identically zero")

@@ -25,7 +25,9 @@ class Order(Operand):
     def __add__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
             return self
-        return self if isinstance(other, Order) and other.order <= self.order else other
+        if not isinstance(other, Order):
+            return NotImplemented
+        return self if other.order <= self.order else other
 
     __mul__ = __add__
 

@@ -1,0 +1,198 @@
+"""What a user calls: the derived objects of a curve, in whatever form, with the places where they do not exist named.
+
+Parameters and coordinates are unitless exact numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpz_poly
+from gmpy2 import isqrt, mpq, mpz
+
+from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction
+from exactspline.errors import ShapeError
+from exactspline.exact import ratio, rational, text
+from exactspline.form import ONE, is_square_class, primitive, zero_on_segment
+from exactspline.formulas import find
+from exactspline.language import Curve, Vector
+from exactspline.measure import in_lowest_terms
+from exactspline.quotients import Rational
+from exactspline.spline import BSpline
+
+Interval = tuple[mpq, mpq]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A derived object over an interval of the curve's parameter: a spline, a vector of them, or a `Rational`."""
+
+    interval: Interval
+    value: Any
+
+
+@dataclass(frozen=True)
+class Derived:
+    """A derived object in pieces, and the intervals on which it does not exist, each with the reason."""
+
+    name: str
+    form: str
+    pieces: tuple[Piece, ...]
+    missing: tuple[tuple[Interval, str], ...]
+
+    def __call__(self, t: Any) -> Any:
+        """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
+        t = rational(t)
+        for piece in self.pieces:
+            if piece.interval[0] <= t <= piece.interval[1]:
+                return piece.value(t) if not isinstance(piece.value, Vector) else tuple(c(t) for c in piece.value)
+        raise ShapeError(f"{self.name} does not exist at the parameter {text(t)}", remedy="; ".join(reason for _, reason in self.missing))
+
+
+def part(curve: Any, a: mpq, b: mpq) -> Curve:
+    """The curve over [a, b], as operands for formulas."""
+    whole = curve.domain == (a, b)
+    restricted = Curve(
+        curve.p if whole else Vector(*[x.restrict(a, b) for x in curve.p]), curve.w if whole else curve.w.restrict(a, b), polynomial=curve.polynomial
+    )
+    restricted.domain = (a, b)  # type: ignore[attr-defined]
+    return restricted
+
+
+def intervals_where(f: BSpline, condition: Callable[[Any], bool]) -> list[Interval]:
+    """The maximal intervals made of segments whose polynomial satisfies a condition."""
+    found: list[Interval] = []
+    for i, c in enumerate(f.polynomials):
+        if condition(c):
+            a, b = f.breakpoints[i : i + 2]
+            if found and found[-1][1] == a:
+                found[-1] = (found[-1][0], b)
+            else:
+                found.append((a, b))
+    return found
+
+
+def plane(curve: Any) -> Any:
+    """The curve itself, if it is one in the plane; `ShapeError` otherwise."""
+    if curve.dimension != 2:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
+    return curve
+
+
+def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
+    """A construction or a formula on a curve.
+
+    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `form` is ``minimal`` or anything for the
+    formula as it stands). Where an object does not exist (the evolute of a straight piece) the other pieces are returned and the missing ones
+    named.
+
+    >>> from exactspline.curves import example
+    >>> derive("evolute", example("circle"))("1/2")
+    (mpq(0,1), mpq(0,1))
+
+    Raises `FormulaError` for an unknown name or form, `ShapeError` for a curve of the wrong dimension or where nothing is left.
+    """
+    if name in CONSTRUCTIONS:
+        made = construction(name)
+        needed, compute = made.curve, lambda c: made.on(c, form)
+        formula = made.formula(form)
+    else:
+        formula = find(name)
+        needed = formula.curve
+        compute = (lambda c: in_lowest_terms(formula(c))) if form == MINIMAL else formula
+    if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
+        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
+    value = formula(curve)
+    if not isinstance(value, Rational):
+        return Derived(name, form, (Piece(curve.domain, compute(curve)),), ())
+    missing = tuple((interval, _why_missing(name)) for interval in intervals_where(value.denominator, lambda c: not c))
+    pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(value.denominator, bool))
+    if not pieces:
+        raise ShapeError(
+            f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain", remedy="choose a curve that is not straight"
+        )
+    return Derived(name, form, pieces, missing)
+
+
+def _why_missing(name: str) -> str:
+    return "the curve is straight (its curvature vanishes identically)" if name.startswith("evolute") else "the denominator vanishes identically"
+
+
+@dataclass(frozen=True)
+class CurvaturePiece:
+    """Curvature on one segment: ``√radicand · value``; `value` is None where the curvature is no such thing."""
+
+    interval: Interval
+    radicand: int
+    value: Rational | BSpline | None
+    reason: str = ""
+
+
+def curvature(curve: Any) -> list[CurvaturePiece]:
+    """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant square root.
+
+    It is exactly where ‖γ′‖² is a positive constant times a square: the curve is a Pythagorean hodograph there (claim C4.1d; Farouki and Sakkalis
+    1990).
+
+    >>> from exactspline.curves import example
+    >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature(example("circle"))][:2]
+    [(1, mpq(1,1)), (1, mpq(1,1))]
+
+    Raises `ShapeError` for a curve that is not in the plane.
+    """
+    pieces = []
+    for a, b in zip(curve.breakpoints, curve.breakpoints[1:], strict=False):
+        pieces.append(_curvature_on(part(plane(curve), a, b), (a, b)))
+    return pieces
+
+
+def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:
+    turning = find("f2")(c)
+    if turning.is_zero:
+        return CurvaturePiece(interval, 1, turning.constant(0))
+    squared = in_lowest_terms(find("curvature_squared")(c))
+    roots = [_square_root(part) for part in (squared.numerator, squared.denominator)]
+    if None in roots:
+        return CurvaturePiece(interval, 0, None, "‖γ′‖² is no constant times a square: the curve is no Pythagorean hodograph here")
+    (n, up), (m, down) = roots  # type: ignore[misc]
+    if _vanishes(m):
+        return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
+    t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
+    root, radicand = _square_part(up / down)
+    sign = 1 if n(t) * m(t) * turning(t) > 0 else -1
+    return CurvaturePiece(interval, radicand, (n.scaled(sign * root)) / m)
+
+
+def _inner(interval: Interval, j: int) -> mpq:
+    a, b = interval
+    return a + (b - a) / (j + 1)
+
+
+def _square_root(f: BSpline) -> tuple[BSpline, mpq] | None:
+    """A spline r and a constant c with ``f = c r²``, of a spline of one segment."""
+    c, m = primitive(f.forms[0])
+    if f.degree % 2 or not is_square_class(c, f.degree):
+        return None
+    unit, factors = c.factor_squarefree()
+    root = fmpz_poly([1])
+    for p, e in factors:
+        root = root * p ** (e // 2)
+    return BSpline.from_forms(f.degree // 2, f.mesh, (), [(root, ONE)]), ratio(unit, m)
+
+
+def _square_part(q: mpq) -> tuple[mpq, int]:
+    """``(r, n)`` with ``q = r² n`` and n a positive integer, square-free as far as trial division by small primes and a last root tell."""
+    n = mpz(q.numerator * q.denominator)
+    root = mpq(1, q.denominator)
+    for prime in range(2, 1000):
+        while n % (prime * prime) == 0:
+            n, root = n // (prime * prime), root * prime
+    if isqrt(n) ** 2 == n:
+        n, root = mpz(1), root * isqrt(n)
+    return root, int(n)
+
+
+def _vanishes(f: BSpline) -> bool:
+    return any(zero_on_segment(c, f.degree) is not None for c in f.polynomials)
