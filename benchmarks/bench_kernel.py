@@ -1,12 +1,17 @@
 """The kernel against peers: the same form arithmetic written inline over python-flint, sympy's Poly, and fractions.Fraction.
 
-Every benchmark is reported together with its peers on the same data in one group, so that ratios can be read off the table. The curve's cached derivatives are dropped
-before every run. Control points are timed apart, as they are made when asked for.
+Every benchmark is reported together with its peers on the same data in one group, so that ratios can be read off the table. The curve's
+cached derivatives are dropped before every run. Control points are timed apart, as they are made when asked for. sympy is timed with its
+own polynomials: with python-flint installed it would silently hand its polynomials to FLINT (SYMPY_GROUND_TYPES=flint times that).
 """
 
+import os
 import random
 from fractions import Fraction
+from itertools import pairwise
 from math import comb
+
+os.environ.setdefault("SYMPY_GROUND_TYPES", "gmpy")
 
 import pytest
 import sympy
@@ -79,15 +84,16 @@ def sympy_f2(polys):
 def fraction_product(a, b):
     """Product of two segments in Fractions by the Bernstein formula."""
     n, m = len(a) - 1, len(b) - 1
-    return [
-        sum(Fraction(comb(n, i) * comb(m, k - i), comb(n + m, k)) * a[i] * b[k - i] for i in range(max(0, k - m), min(n, k) + 1))
-        for k in range(n + m + 1)
-    ]
+    product = []
+    for k in range(n + m + 1):
+        terms = [comb(n, i) * comb(m, k - i) * a[i] * b[k - i] for i in range(max(0, k - m), min(n, k) + 1)]
+        product.append(sum(terms) / comb(n + m, k))
+    return product
 
 
 def fraction_f2(segments):
     def d(b):
-        return [(len(b) - 1) * (q - p) for p, q in zip(b, b[1:], strict=False)]
+        return [(len(b) - 1) * (q - p) for p, q in pairwise(b)]
 
     def minus(a, b):
         while len(a) < len(b):
@@ -144,7 +150,8 @@ def test_product(benchmark, case, who):
     if who == "exactspline":
         assert benchmark(lambda: x * y).degree == 2 * x.degree
     else:
-        assert benchmark(lambda: [(p * q, k * m) for (p, k), (q, m) in zip(x.forms, y.forms, strict=True)])
+        pairs = list(zip(x.forms, y.forms, strict=True))
+        assert benchmark(lambda: [(p * q, k * m) for (p, k), (q, m) in pairs])
 
 
 @pytest.mark.parametrize("case", SLOW_PEERS, ids=slow_ids)

@@ -28,6 +28,10 @@ class Operand:
     """
 
     __slots__ = ()
+    #: Whether it is a vector (some readings have one class for both).
+    is_vector = False
+    #: Whether it decides itself what a plain vector times or over it is.
+    takes_over = False
 
     def __neg__(self) -> Any:
         return self.scaled(-1)  # type: ignore[attr-defined]
@@ -130,9 +134,12 @@ class Vector:
         return Vector(*[-a for a in self.components])
 
     def __mul__(self, scalar: Any) -> Any:
-        if getattr(scalar, "is_vector", False):
+        if isinstance(scalar, Operand):
+            if scalar.takes_over:
+                return NotImplemented
+        elif isinstance(scalar, Vector):
             raise ShapeError("a product of two vectors with *", remedy="write dot, cross or det")
-        if not isinstance(scalar, (Operand, *CONSTANTS)) or getattr(scalar, "takes_over", False):
+        elif not isinstance(scalar, CONSTANTS):
             return NotImplemented
         return Vector(*[a * scalar for a in self.components])
 
@@ -141,7 +148,7 @@ class Vector:
     def __truediv__(self, scalar: Any) -> Any:
         if isinstance(scalar, CONSTANTS):
             return Vector(*[a / mpq(scalar) for a in self.components])
-        if not isinstance(scalar, Operand) or getattr(scalar, "takes_over", False):
+        if not isinstance(scalar, Operand) or (scalar.takes_over and not hasattr(scalar, "dividing")):
             return NotImplemented
         return scalar.dividing(self) if hasattr(scalar, "dividing") else _rational()(self, scalar)
 
@@ -258,13 +265,13 @@ def det(*rows: Vector) -> Any:
     (1, 1)
     """
     n = len(rows)
-    if n < 2 or [len(row.components) for row in rows] != [n] * n:
+    if n == 2 and len(rows[0].components) == len(rows[1].components) == 2:
+        (a0, a1), (b0, b1) = rows[0].components, rows[1].components
+        return a0 * b1 - a1 * b0
+    if n < 3 or any(len(row) != n for row in rows):
         raise ShapeError(
             f"determinant of {n} vectors of {sorted({len(row) for row in rows})} components", remedy="pass n ≥ 2 vectors of n components"
         )
-    if n == 2:
-        (a0, a1), (b0, b1) = rows[0].components, rows[1].components
-        return a0 * b1 - a1 * b0
     if n == 3:
         return dot(cross(rows[0], rows[1]), rows[2])
     return dot(generalized_cross(*rows[:-1]), rows[-1])
@@ -338,6 +345,21 @@ class Curve:
     def dimension(self) -> int:
         """Number of coordinates."""
         return len(self.p)
+
+    #: Values of the formulas called while one formula is being evaluated.
+    _values: dict[Formula, Any] | None = None
+
+    def calls(self, formula: Formula) -> Any:
+        """The value of a formula; what several parts of it call is computed once and forgotten when it is done."""
+        if self._values is None:
+            self._values = {}
+            try:
+                return formula.function(self)
+            finally:
+                self._values = None
+        if formula not in self._values:
+            self._values[formula] = formula.function(self)
+        return self._values[formula]
 
 
 class Formula:

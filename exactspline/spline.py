@@ -193,6 +193,9 @@ class BSpline(Operand):
 
     def scaled(self, constant: Any) -> BSpline:
         """The spline times an exact constant."""
+        if type(constant) is int:
+            factor, recipe = fmpz(constant), (structure.MULTIPLE, self.recipe, constant)
+            return _make(self.degree, self.mesh, self.continuity, [c * factor for c in self.polynomials], self.denominators, recipe)
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
         denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]

@@ -1,0 +1,86 @@
+"""Derived objects on degenerate input: a clear answer each."""
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs
+from exactspline.curves import example
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.formulas import find
+from exactspline.interrogate import curvature, derive
+
+
+def test_circle_has_constant_curvature():
+    assert find("g2")(example("circle")).is_zero
+    assert all(piece.value(piece.interval[0]) == 1 and piece.radicand == 1 for piece in curvature(example("circle")))
+
+
+@pytest.mark.parametrize("name", ["straight_line", "straight_cubic"])
+def test_a_straight_line_has_no_evolute(name):
+    assert all(piece.value.is_zero for piece in curvature(example(name)))
+    with pytest.raises(ShapeError, match="straight"):
+        derive("evolute", example(name))
+
+
+def test_a_curve_with_one_straight_segment_has_an_evolute_on_the_others():
+    evolute = derive("evolute", example("straight_between_arcs"))
+    assert [piece.interval for piece in evolute.pieces] == [(0, 1), (2, 3)]
+    assert evolute.missing == (((mpq(1), mpq(2)), "the curve is straight (its curvature vanishes identically)"),)
+    assert evolute("1/2") == derive("evolute", example("straight_between_arcs"), "naive")("1/2")
+    with pytest.raises(ShapeError, match="straight"):
+        evolute("3/2")
+
+
+def test_cusps_and_doubled_points_are_no_obstacle():
+    for name in ("cusp", "doubled_points", "jump", "unclamped"):
+        for form in ("naive", "paper", "minimal"):
+            assert derive("evolute", example(name), form).pieces
+        assert derive("critical_curvature", example(name)).pieces[0].value.degree <= 5
+
+
+def test_curvature_of_a_pythagorean_hodograph_is_rational():
+    curve = example("ph_quintic")
+    speed = find("speed_squared")(curve)
+    (piece,) = curvature(curve)
+    assert piece.value is not None
+    for t in (mpq(0), mpq(1, 3), mpq(1)):
+        value = piece.value(t)
+        f = find("f2")(curve)(t)
+        assert piece.radicand * value**2 * speed(t) ** 3 == f**2
+        assert (value > 0) == (f > 0)
+
+
+def test_curvature_with_a_square_root():
+    """A circular arc of squared radius 2: κ = 1/√2."""
+    arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 1), (0, 2), (-1, 1)], weights=[1, 1, 2])
+    (piece,) = curvature(arc)
+    assert piece.value is not None
+    assert piece.radicand * piece.value(mpq(1, 3)) ** 2 == mpq(1, 2)
+    assert piece.radicand == 2
+
+
+def test_a_curve_that_is_no_pythagorean_hodograph_says_so():
+    (piece,) = curvature(example("parabola"))
+    assert piece.value is None
+    assert "Pythagorean" in piece.reason
+    (piece,) = curvature(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (0, 0), (1, 0), (3, 1)]))
+    assert piece.value is None
+
+
+def test_names_forms_and_dimensions_are_checked():
+    with pytest.raises(FormulaError, match="no formula is called"):
+        derive("involute", example("circle"))
+    with pytest.raises(FormulaError, match="forms are naive, paper, minimal"):
+        derive("evolute", example("circle"), "best")
+    with pytest.raises(ShapeError, match="plane curve"):
+        derive("evolute", example("twisted_cubic"))
+    with pytest.raises(ShapeError, match="in the plane"):
+        curvature(example("twisted_cubic"))
+
+
+@pytest.mark.parametrize("form", ["naive", "paper", "minimal"])
+@pytest.mark.parametrize("name", ["ellipse_skew", "rational_cubic_spline", "rational_quartic", "six_segment_cubic"])
+def test_all_forms_of_the_evolute_are_one_curve(name, form):
+    a, b = (derive("evolute", example(name), f).pieces[0].value for f in ("naive", form))
+    for x, y in zip(a.numerator, b.numerator, strict=True):
+        assert x * b.denominator == y * a.denominator
