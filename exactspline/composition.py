@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from flint import fmpz_poly
 from gmpy2 import mpq
 
@@ -18,20 +20,28 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
     The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when `inner` leaves the domain of
     `outer` and `ReductionError` when a crossing is irrational: the composition is then no spline with rational knots.
     """
+    if outer.degree < 0 or inner.degree < 0:
+        return inner.constant(outer(0) if outer.degree >= 0 else 0)
     _check_range(outer, inner)
-    crossings = {t: c for c, knot in zip(outer.continuity, outer.mesh.breaks[1:-1], strict=True) for t in _preimages(inner, knot)}
-    own = dict(zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True))
+    kinks = dict(zip(outer.mesh.breaks[1:-1], outer.continuity, strict=True))
+    continuity = {t: c for knot, c in kinks.items() for t in _preimages(inner, knot)}
+    for t, c in zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True):
+        continuity[t] = min([c, *[kinks[x] for x in (inner(t, "left"), inner(t)) if x in kinks]])
     a, b = inner.domain
-    mesh = Mesh([a, *sorted(t for t in {*own, *crossings} if a < t < b), b])
-    n = outer.degree * inner.degree
-    continuity = tuple(min(own.get(t, n), crossings.get(t, n)) for t in mesh.breaks[1:-1])
+    mesh = Mesh([a, *sorted(t for t in continuity if a < t < b), b])
     parts = []
-    for low, high in zip(mesh.breaks, mesh.breaks[1:], strict=False):
+    for low, high in pairwise(mesh.breaks):
         i = inner.mesh.locate(low)
         piece = forms.restrict(inner.forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
-        j = outer.mesh.locate(inner((low + high) / 2))
+        j = outer.mesh.locate(_typical(inner, outer, low, high))
         parts.append(forms.compose(outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree))
-    return BSpline.from_forms(n, mesh, continuity, parts)
+    return BSpline.from_forms(outer.degree * inner.degree, mesh, tuple(continuity[t] for t in mesh.breaks[1:-1]), parts)
+
+
+def _typical(inner: BSpline, outer: BSpline, low: mpq, high: mpq) -> mpq:
+    """A value of the inner spline on (low, high) that is no knot of the outer one, where it has any: it may touch knots there but crosses none."""
+    values = [inner(low + (high - low) * mpq(k, inner.degree + 4)) for k in range(1, inner.degree + 4)]
+    return next((x for x in values if x not in outer.mesh.breaks), values[0])
 
 
 def _localized(piece: forms.Form, degree: int, mesh: Mesh, j: int) -> forms.Form:

@@ -15,7 +15,7 @@ from typing import Any
 import flint
 from gmpy2 import mpq, mpz
 
-from exactspline.errors import NumberError
+from exactspline.errors import NumberError, shown
 
 _TYPES = {type(mpq()), type(mpz()), int, Fraction}
 #: Largest decimal or binary exponent read from text: beyond it a few characters would fill the memory.
@@ -61,7 +61,7 @@ def rational(value: Any) -> mpq:
         raise _refuse_float(value)
     name = f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
     raise NumberError(
-        f"{str(value)[:40]} is of type {name}, which is not taken as an exact number",
+        f"{shown(value)} is of type {name}, which is not taken as an exact number",
         remedy='pass an int, a Fraction, an mpq, a Decimal or text such as "3/4" or "0.1" (for floats see from_float)',
     )
 

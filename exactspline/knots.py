@@ -186,7 +186,9 @@ def mesh_of(knots: KnotVector, degree: int) -> tuple[Mesh, tuple[int, ...], list
 
 
 def clamped(mesh: Mesh, continuity: Sequence[int], degree: int) -> KnotVector:
-    """The clamped knot vector of a spline of the given degree with the given continuity at the interior breakpoints."""
+    """The clamped knot vector of a spline of the given degree with the given continuity at the interior breakpoints; none below degree 0."""
+    if degree < 0:
+        return KnotVector([])
     a, b = mesh.domain
     inner = (t for t, c in zip(mesh.breaks[1:-1], continuity, strict=True) for _ in range(degree - c))
     return KnotVector([*[a] * (degree + 1), *inner, *[b] * (degree + 1)])

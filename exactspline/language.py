@@ -154,6 +154,8 @@ class Vector:
 
     def d(self, order: int = 1) -> Vector:
         """The derivative of the given order, component by component."""
+        if order < 0:
+            raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self
         for _ in range(order):
             if result._derivative is None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from exactspline.errors import NumberError, ShapeError, WeightError
+from exactspline.errors import NumberError, ShapeError, WeightError, shown
 from exactspline.exact import rational, text
 from exactspline.form import rescaled, zero_on_segment
 from exactspline.knots import KnotVector
@@ -133,7 +133,7 @@ def _points(rows: Iterable[Iterable[Any]], least: int = 2) -> tuple[tuple[mpq, .
     points = []
     for i, row in enumerate(rows):
         if isinstance(row, str) or not isinstance(row, Iterable):
-            raise ShapeError(f"{row!r:.40} is no point", where=f"control_points[{i}]", remedy="write a list of coordinates")
+            raise ShapeError(f"{shown(row)} is no point", where=f"control_points[{i}]", remedy="write a list of coordinates")
         points.append(_row(row, f"control_points[{i}]"))
     if not points:
         raise ShapeError("no control points", where="control_points", remedy="give at least degree + 1")

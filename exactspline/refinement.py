@@ -102,7 +102,7 @@ def insert_knot(f: BSpline, t: mpq, times: int) -> BSpline:
 def remove_knot(f: BSpline, t: mpq, times: int) -> BSpline:
     """One knot less (or several) at t, when enough derivatives agree there."""
     _inner(f, t)
-    multiplicity = f.degree - f.continuity[f.mesh.breaks.index(t) - 1] if t in f.mesh.breaks else 0
+    multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if not 1 <= times <= multiplicity:
         raise KnotError(
             f"{times} of {multiplicity} knots at {text(t)} to remove", remedy="remove at least one and at most as many as there are", knot=t

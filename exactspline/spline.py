@@ -17,7 +17,7 @@ from flint import fmpz, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import bezier_points, refinement, structure
-from exactspline.errors import DomainError, NumberError, ShapeError
+from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
 from exactspline.exact import rational, text, to_fmpz
 from exactspline.form import ONE, Form, bezier, common_denominators, derivative, from_bezier, raiser, true_degree, value
 from exactspline.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
@@ -114,7 +114,8 @@ class BSpline(Operand):
     def control_points(self) -> tuple[mpq, ...]:
         """The control points over `knots`."""
         if self._points is None:
-            self._points = bezier_points.to_control_points(self.knots.knots, self.degree, self.mesh.breaks, self.segments)
+            known = (self.knots.knots, self.degree, self.mesh.breaks, self.segments)
+            self._points = bezier_points.to_control_points(*known) if self.degree >= 0 else ()
         return self._points
 
     @property
@@ -211,6 +212,8 @@ class BSpline(Operand):
         >>> BSpline.bezier([0, 0, 1]).d(2).control_points
         (mpq(2,1),)
         """
+        if order < 0:
+            raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self
         for _ in range(order):
             if result._derivative is None:
@@ -347,9 +350,9 @@ def _differentiated(f: BSpline) -> BSpline:
 def checked_degree(degree: Any) -> int:
     """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
     if type(degree) is not int or degree < 0:
-        raise ShapeError(f"{degree!r} is no degree", where="degree", remedy="an integer ≥ 0")
+        raise ShapeError(f"{shown(degree)} is no degree", where="degree", remedy="an integer ≥ 0")
     if degree > MAX_DEGREE:
-        raise ShapeError(f"degree {degree}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
+        raise ShapeError(f"degree {shown(degree)}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
     return degree
 
 
