@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from exactspline.commands import ledger, objects
+from exactspline.commands import inspecting, ledger, objects
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -16,7 +16,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for command in (ledger.prove, ledger.errata, objects.degrees, objects.derive, objects.curves):
+for command in (ledger.prove, ledger.errata, objects.degrees, objects.derive, objects.curves, inspecting.inspect):
     app.command()(command)
 
 

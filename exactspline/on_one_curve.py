@@ -10,8 +10,10 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.claims import Claim
+from exactspline.errors import ClaimError
 from exactspline.exact import text
 from exactspline.factors import factor_of_text, split
+from exactspline.features import curvature_extrema
 from exactspline.form import is_square_class, zero_on_segment
 from exactspline.formulas import find
 from exactspline.language import Vector
@@ -19,6 +21,7 @@ from exactspline.measure import control_point_count
 from exactspline.readings.degree import parse
 from exactspline.spline import BSpline
 from exactspline.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
+from exactspline.zeros import zeros
 
 
 def check(claim: Claim, curve: Any) -> Finding:
@@ -143,13 +146,27 @@ def coefficients(claim: Claim, curve: Any) -> Finding:
 
 
 def count(claim: Claim, curve: Any) -> Finding:
-    """Degree and number of control points of the spline at hand."""
+    """The numbers of a caption, out of the objects themselves: only those that are claimed are computed."""
     value = find(claim.formula)(curve)
-    computed = {"degree": value.degree, "control points": control_point_count(value)}
-    claimed = {what: int(number) for number, what in re.findall(r"(\d+) (control points)", claim.claimed)}
-    claimed |= {what: int(number) for what, number in re.findall(r"(degree) (\d+)", claim.claimed)}
-    found = ", ".join(f"degree {computed[what]}" if what == "degree" else f"{computed[what]} {what}" for what in sorted(claimed, reverse=True))
-    agree = all(computed[what] == number for what, number in claimed.items())
+    numerators = split(value)[0]
+    counters = {
+        "degree": lambda: value.degree,
+        "control points": lambda: control_point_count(value),
+        "roots": lambda: len(zeros(numerators[0], periodic=curve.closed)),
+        "extrema": lambda: len(curvature_extrema(curve)),
+        "nominal continuity": lambda: min(min(p.continuity) for p in numerators),
+        "true continuity": lambda: min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]),
+    }
+    parts = [part.strip() for part in claim.claimed.replace("−", "-").split(",")]
+    computed = []
+    for part in parts:
+        number = re.search(r"-?\d+", part)
+        what = part.replace(number[0] if number else "", "").strip()
+        if number is None or what not in counters:
+            raise ClaimError(f"the count {part!r} cannot be read", remedy=f"counts are of {', '.join(counters)}")
+        computed.append(part.replace(number[0], str(counters[what]())))
+    found = ", ".join(computed).replace("-", "−")
+    agree = computed == parts
     return Finding(VERIFIED if agree else REFUTED, claim.claimed, found, witness="" if agree else f"on the example curve {curve.name}: {found}")
 
 
