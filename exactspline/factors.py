@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -12,17 +13,20 @@ from gmpy2 import mpq
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
 from exactspline.formulas import all_formulas, find
-from exactspline.language import Curve, Vector
+from exactspline.language import Curve, RuledSurface, Vector
 from exactspline.printers.text import print_text, symbol_text
 from exactspline.quotients import Rational
-from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, polynomial_text
-from exactspline.readings.order import order_of
+from exactspline.readings.fraction import fraction_curve
+from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, jet_curve, polynomial_text
+from exactspline.readings.order import is_polynomial, order_of
 from exactspline.readings.tree import trace
 
 
 def split(value: Any) -> tuple[list[Any], Any]:
     """The components of the numerator, and the denominator or None."""
     denominator = None
+    if isinstance(value, RuledSurface):
+        value = value.joined
     if isinstance(value, Rational):
         value, denominator = value.numerator, value.denominator
     return list(value) if isinstance(value, Vector) else [value], denominator
@@ -86,14 +90,12 @@ def substitute(jet: Jet, curve: Any) -> Any:
 
 
 def jets_for(names: tuple[str, ...], dimension: int) -> Curve:
-    """The indeterminate rational curve with as many derivatives as the named formulas need."""
-    from exactspline.readings.jet import jet_curve
-
-    return jet_curve(dimension, max((order_of(find(name), dimension) for name in names), default=0))
+    """The indeterminate rational curve with as many derivatives as the named formulas need, in the fraction reading."""
+    return fraction_curve(dimension, max((order_of(find(name), dimension) for name in names), default=0))
 
 
 def find_factor(left: Any, right: Any) -> Factor | None:
-    """The quotient left/right of two formulas in the jet reading, or None when they are not proportional.
+    """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional.
 
     >>> from exactspline.formulas.plane import f1, f2
     >>> c = jets_for(("f1", "f2"), 2)
@@ -102,22 +104,16 @@ def find_factor(left: Any, right: Any) -> Factor | None:
 
     Raises `ClaimError` when the right side vanishes identically.
     """
-    (ps, k), (qs, m) = split(left), split(right)
+    (ps, _), (qs, _) = split(left), split(right)
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
         raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
     if len(ps) != len(qs):
         return None
-    ring = qs[pivot].ring
-    top = ps[pivot].polynomial * (m.polynomial if m is not None else 1)
-    bottom = qs[pivot].polynomial * (k.polynomial if k is not None else 1)
-    common = top.gcd(bottom)
-    top, bottom = top / common, bottom / common
-    for p, q in zip(ps, qs, strict=True):
-        a = p.polynomial * bottom * (m.polynomial if m is not None else 1)
-        if a != q.polynomial * top * (k.polynomial if k is not None else 1):
-            return None
-    return factored(ring, top, bottom, len(ring.names) - 1)
+    quotient = ps[pivot] / qs[pivot]
+    if any(p != quotient * q for p, q in zip(ps, qs, strict=True)):
+        return None
+    return factored(quotient.ring, quotient.top, quotient.bottom, len(quotient.ring.names) - 1)
 
 
 def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly, dimension: int) -> Factor:
@@ -145,12 +141,20 @@ def name_of(jet: Jet, dimension: int) -> tuple[str, mpq]:
 
 def named_parts(ring: JetRing, dimension: int) -> list[tuple[str, Jet]]:
     """w and the scalar polynomial formulas of the library that this ring can express."""
-    parts = [("w", ring["w"])] if "w" in ring.names else []
-    p = Vector(*[ring[name] for name in ring.names[:dimension]])
-    curve = Curve(p, ring["w"] if "w" in ring.names else ring.number(1), polynomial="w" not in ring.names)
+    return _named_parts(ring.names, ring.order, dimension)
+
+
+@cache
+def _named_parts(names: tuple[str, ...], order: int, dimension: int) -> list[tuple[str, Jet]]:
+    c = jet_curve(dimension, order, polynomial="w" not in names)
+    parts = [("w", c.w)] if "w" in names else []
     for formula in all_formulas().values():
-        if formula.curve in {2: ("plane", "curve"), 3: ("space", "curve")}.get(dimension, ("curve",)) and order_of(formula, dimension) <= ring.order:
-            value = formula(curve)
+        if (
+            formula.curve in ("curve", {2: "plane", 3: "space"}.get(dimension))
+            and is_polynomial(formula, dimension)
+            and order_of(formula, dimension) <= order
+        ):
+            value = formula(c)
             if isinstance(value, Jet) and not value.is_zero:
                 parts.append((symbol_text(formula.symbol) or print_text(trace(formula, dimension)), value))
     return parts

@@ -41,6 +41,7 @@ def measure(formula: Formula, curve: Any) -> Measure:
     Measure(formula='f2', nominal=3d − 3, represented=3, true=0, control_points=16)
     """
     value = formula(curve)
+    value = getattr(value, "joined", value)
     nominal = formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree
     return Measure(formula.name, nominal, value.degree, true_degree(value), control_point_count(value))
 

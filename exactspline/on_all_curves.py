@@ -13,9 +13,10 @@ from exactspline.factors import Factor, factor_of_text, find_factor, jets_for, s
 from exactspline.formulas import find
 from exactspline.language import Vector
 from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
+from exactspline.readings.fraction import JetFraction
 from exactspline.readings.generic import generic_curve
 from exactspline.readings.infinity import generic_drop
-from exactspline.readings.jet import polynomial_text
+from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
 #: Factors that have no zero where the curve is regular and w is without a zero.
@@ -55,10 +56,9 @@ def identity(claim: Claim, dimension: int) -> Finding:
     if factor is None:
         witness = refute_on_examples(claim).witness
         return Finding(REFUTED, claim.factor, "not proportional", "none", witness or "the jet polynomials are not proportional")
-    c = jets_for((claim.left, claim.right), dimension)
-    top, bottom = factor_of_text(claim.factor, c)
+    top, bottom = factor_of_text(claim.factor, jets_for((claim.left, claim.right), dimension))
     found_top, found_bottom = factor.fraction()
-    if top.polynomial * found_bottom == bottom.polynomial * found_top:
+    if top / bottom == JetFraction(factor.ring, found_top, found_bottom):
         return Finding(PROVED, claim.factor, str(factor), str(factor))
     return Finding(REFUTED, claim.factor, str(factor), str(factor), f"the exact quotient is {factor}")
 
@@ -70,7 +70,7 @@ def vanishing(claim: Claim, dimension: int) -> Finding:
     if rest is None:
         return Finding(PROVED, "0", "0")
     witness = refute_on_examples(claim).witness
-    return Finding(REFUTED, "0", polynomial_text(rest, 3), witness=witness or "the jet polynomial is not zero")
+    return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness or "the jet polynomial is not zero")
 
 
 def zero_set(claim: Claim, dimension: int) -> Finding:

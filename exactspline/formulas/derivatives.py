@@ -1,6 +1,6 @@
 """§3: derivatives of a rational curve γ = p/w."""
 
-from exactspline.language import cross, det, formula
+from exactspline.language import cross, det, formula, norm2
 
 
 @formula("eq. (4)", symbol="D_1")
@@ -43,6 +43,18 @@ def acceleration(c):
 def jerk(c):
     """Third derivative by the quotient rule, three times."""
     return c.gamma.d(3)
+
+
+@formula("§4.2, §5", symbol=r"\|\gamma'\|^2")
+def speed_squared(c):
+    """``‖γ′‖²``."""
+    return norm2(c.gamma.d(1))
+
+
+@formula("§4.2, §5", symbol=r"\|D_1\|^2")
+def D1_squared(c):
+    """``‖D1‖²``: without a zero where the curve is regular."""
+    return norm2(D1(c))
 
 
 @formula("eq. (1)")

@@ -1,6 +1,6 @@
 """§4: plane curves."""
 
-from exactspline.formulas.derivatives import D1, D2, D3, D21
+from exactspline.formulas.derivatives import D1, D2, D3, D21, D1_squared, speed_squared
 from exactspline.language import det, dot, formula, norm2, perp
 
 
@@ -28,18 +28,6 @@ def f2(c):
     """Zero-curvature form of a rational plane curve: eq. (8) without its common factor w."""
     p, w = c.p, c.w
     return det(p.d(1), p.d(2)) * w - det(p, p.d(2)) * w.d(1) - det(p.d(1), p) * w.d(2)
-
-
-@formula("§4.2", curve="plane", symbol=r"\|\gamma'\|^2")
-def speed_squared(c):
-    """``‖γ′‖²``."""
-    return norm2(c.gamma.d(1))
-
-
-@formula("§4.2", curve="plane", symbol=r"\|D_1\|^2")
-def D1_squared(c):
-    """``‖D1‖²``: without a zero where the curve is regular."""
-    return norm2(D1(c))
 
 
 @formula("eq. (9)", curve="plane", symbol=r"\kappa^2")

@@ -48,6 +48,16 @@ class Order(Operand):
         return Order(self.order + order)
 
 
+def is_polynomial(formula: Any, dimension: int) -> bool:
+    """Whether a formula is a polynomial in the curve and its derivatives: no quotient on a rational curve.
+
+    >>> from exactspline.formulas.plane import f0, f2
+    >>> is_polynomial(f2, 2), is_polynomial(f0, 2)
+    (True, False)
+    """
+    return isinstance(_orders(formula, dimension), (Order, Vector))
+
+
 def order_of(formula: Any, dimension: int) -> int:
     """The highest derivative of the curve that a formula needs.
 
@@ -55,10 +65,13 @@ def order_of(formula: Any, dimension: int) -> int:
     >>> order_of(D3, 3)
     3
     """
-    from exactspline.quotients import Rational
-
-    result = formula(Curve(Vector(*[Order(0) for _ in range(dimension)]), Order(0)))
-    parts = [result.numerator, result.denominator] if isinstance(result, Rational) else [result]
+    result = _orders(formula, dimension)
+    parts = [result] if isinstance(result, (Order, Vector)) else [result.numerator, result.denominator]
     scalars = [x for part in parts for x in (part if isinstance(part, Vector) else [part])]
     highest: int = max(x.order for x in scalars)
     return highest
+
+
+def _orders(formula: Any, dimension: int) -> Any:
+    result = formula(Curve(Vector(*[Order(0) for _ in range(dimension)]), Order(0)))
+    return getattr(result, "joined", result)

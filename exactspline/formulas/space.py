@@ -1,0 +1,243 @@
+"""§5: space curves."""
+
+from exactspline.formulas.derivatives import D1, D1_D2_D3, D2, D3, D21, D1_squared, speed_squared, velocity_acceleration_jerk
+from exactspline.language import RuledSurface, cross, dot, formula, norm2
+
+
+@formula("eq. (14)", curve="space", symbol="B")
+def binormal(c):
+    """``γ′ × γ″``: the binormal direction, rational."""
+    return cross(c.gamma.d(1), c.gamma.d(2))
+
+
+@formula("eq. (14)", curve="space", symbol="N")
+def normal(c):
+    """``(γ′ × γ″) × γ′``: the principal normal direction, rational."""
+    return cross(binormal(c), c.gamma.d(1))
+
+
+@formula("§5", curve="space")
+def binormal_squared(c):
+    """``‖γ′ × γ″‖²``."""
+    return norm2(binormal(c))
+
+
+@formula("§5", curve="space")
+def D1_x_D2(c):
+    """``D1 × D2``."""
+    return cross(D1(c), D2(c))
+
+
+@formula("§5", curve="space")
+def D1_x_D2_x_D1(c):
+    """``(D1 × D2) × D1``."""
+    return cross(D1_x_D2(c), D1(c))
+
+
+@formula("§5", curve="space")
+def D1_x_D2_squared(c):
+    """``‖D1 × D2‖²``: without a zero where the curvature has none."""
+    return norm2(D1_x_D2(c))
+
+
+@formula("eq. (15)", curve="space", symbol=r"\kappa^2")
+def space_curvature_squared(c):
+    """Squared curvature ``‖γ′ × γ″‖² / ‖γ′‖⁶``, naive."""
+    return binormal_squared(c) / speed_squared(c) ** 3
+
+
+@formula("§5.1, before eq. (16)", curve="space", symbol=r"\kappa N")
+def curvature_vector(c):
+    """``κN = (γ′ × γ″) × γ′ / ‖γ′‖⁴``."""
+    return normal(c) / speed_squared(c) ** 2
+
+
+@formula("eq. (16)", curve="space")
+def radius_vector(c):
+    """``κ⁻¹N = (‖γ′‖² / ‖γ′ × γ″‖²) (γ′ × γ″) × γ′``."""
+    return (speed_squared(c) / binormal_squared(c)) * normal(c)
+
+
+@formula("eq. (17)", curve="space", symbol=r"\tau")
+def torsion(c):
+    """Torsion ``[γ′ γ″ γ‴] / ‖γ′ × γ″‖²``, naive."""
+    return velocity_acceleration_jerk(c) / binormal_squared(c)
+
+
+@formula("eq. (18)", curve="space", symbol=r"\tau")
+def torsion_reduced(c):
+    """Torsion ``w² [D1 D2 D3] / ‖D1 × D2‖²``, polynomials multiplied before dividing."""
+    return (c.w**2 * D1_D2_D3(c)) / D1_x_D2_squared(c)
+
+
+@formula("§5.3", curve="space")
+def tangent_developable(c):
+    """``γ + ζ γ′``, naive."""
+    return RuledSurface(c.gamma, c.gamma.d(1))
+
+
+@formula("§5.3", curve="space")
+def tangent_developable_reduced(c):
+    """``(p + λ D1) / w``."""
+    return RuledSurface(c.p / c.w, D1(c) / c.w)
+
+
+@formula("§5.3", curve="space")
+def binormal_scroll(c):
+    """``γ + ζ (γ′ × γ″)``, naive."""
+    return RuledSurface(c.gamma, binormal(c))
+
+
+@formula("§5.3", curve="space")
+def binormal_scroll_reduced(c):
+    """``(p + λ D1 × D2) / w``."""
+    return RuledSurface(c.p / c.w, D1_x_D2(c) / c.w)
+
+
+@formula("§5.3", curve="space")
+def normal_scroll(c):
+    """``γ + ζ (γ′ × γ″) × γ′``, naive."""
+    return RuledSurface(c.gamma, normal(c))
+
+
+@formula("§5.3", curve="space")
+def normal_scroll_reduced(c):
+    """``(p + λ (D1 × D2) × D1) / w``."""
+    return RuledSurface(c.p / c.w, D1_x_D2_x_D1(c) / c.w)
+
+
+@formula("§5.4", curve="space")
+def rectifying_developable(c):
+    """``γ + λ (τ γ′ + γ′ × γ″ / ‖γ′‖²)``, naive."""
+    return RuledSurface(c.gamma, torsion(c) * c.gamma.d(1) + binormal(c) / speed_squared(c))
+
+
+@formula("§5.4", curve="space")
+def rectifying_developable_reduced(c):
+    """``γ + λ ([D1 D2 D3] D1 / ‖D1 × D2‖² + D1 × D2 / ‖D1‖²)``, polynomials multiplied before dividing."""
+    return RuledSurface(c.gamma, (D1(c) * D1_D2_D3(c)) / D1_x_D2_squared(c) + D1_x_D2(c) / D1_squared(c))
+
+
+@formula("§5.4", curve="space")
+def darboux_squared(c):
+    """``‖τT + κB‖² = τ² + κ²`` for the unit vectors T and B."""
+    return torsion(c) ** 2 + space_curvature_squared(c)
+
+
+@formula("§5.4", curve="space")
+def rectifying_generator_squared(c):
+    """``‖τ γ′ + γ′ × γ″ / ‖γ′‖²‖²``."""
+    return norm2(rectifying_developable(c).generator)
+
+
+@formula("§5.4", curve="space")
+def rectifying_plane(c):
+    """``(τ γ′ + γ′ × γ″/‖γ′‖²) · N``: zero when the generator lies in the rectifying plane."""
+    return dot(rectifying_developable(c).generator, normal(c))
+
+
+@formula("§5.5", curve="space", symbol=r"\Psi")
+def psi(c):
+    """Ψ, with ``(1/κ)′ B = ‖γ′‖ Ψ`` for the derivative by the parameter and the unit binormal B."""
+    a, b = c.gamma.d(1), binormal(c)
+    top = 3 * dot(a, c.gamma.d(2)) * binormal_squared(c) - dot(b, cross(a, c.gamma.d(3))) * speed_squared(c)
+    return (top / binormal_squared(c) ** 2) * b
+
+
+@formula("§5.5", curve="space")
+def radius_squared(c):
+    """``1/κ²``."""
+    return speed_squared(c) ** 3 / binormal_squared(c)
+
+
+@formula("§5.5", curve="space")
+def radius_derivative_binormal(c):
+    """``½ (1/κ²)′ γ′ × γ″``: what ``‖γ′‖⁴ Ψ`` must be."""
+    return binormal(c) * (radius_squared(c).d(1) / 2)
+
+
+@formula("§5.5", curve="space")
+def radius_derivative_claimed(c):
+    """``‖γ′‖⁴ Ψ``."""
+    return psi(c) * speed_squared(c) ** 2
+
+
+@formula("§5.5", curve="space", symbol="E")
+def osculating_circle_centre(c):
+    """``γ + κ⁻¹N``: the evolute of a space curve in the sense of §5.5."""
+    return c.gamma + radius_vector(c)
+
+
+@formula("§5.5, by definition", curve="space", symbol="F")
+def focal_curve(c):
+    """The centre of the osculating sphere: the solution of ``(F − γ)·γ′ = 0`` and its first two derivatives, by Cramer's rule."""
+    a, b, e = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)
+    offset = cross(e, a) * speed_squared(c) + cross(a, b) * (3 * dot(a, b))
+    return c.gamma + offset / velocity_acceleration_jerk(c)
+
+
+@formula("eq. (19), derivative by arc length", curve="space")
+def focal_curve_by_arc_length(c):
+    """``γ + κ⁻¹N + (1/τ) Ψ``: eq. (19) with ``(1/κ)′`` taken by arc length."""
+    return c.gamma + radius_vector(c) + psi(c) / torsion(c)
+
+
+@formula("§5.5, reduced", curve="space")
+def focal_curve_reduced(c):
+    """The centre of the osculating sphere over D1, D2, D3."""
+    w, speed, stretch = c.w, D1_squared(c), dot(D1(c), D2(c))
+    first = cross(D3(c), D1(c)) * (speed * w) + cross(D21(c), D1(c)) * (speed * w) + D1_x_D2(c) * (3 * stretch * w - 2 * c.w.d(1) * speed)
+    return (c.p * (w**2 * D1_D2_D3(c)) + first) / (w**3 * D1_D2_D3(c))
+
+
+@formula("definition of the focal curve", curve="space")
+def focal_contact_1(c):
+    """``(F − γ)·γ′``: zero when the sphere around F touches to first order."""
+    return dot(focal_curve(c) - c.gamma, c.gamma.d(1))
+
+
+@formula("definition of the focal curve", curve="space")
+def focal_contact_2(c):
+    """``(F − γ)·γ″ − ‖γ′‖²``: zero when it touches to second order."""
+    return dot(focal_curve(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
+
+
+@formula("definition of the focal curve", curve="space")
+def focal_contact_3(c):
+    """``(F − γ)·γ‴ − 3 γ′·γ″``: zero when it touches to third order."""
+    return dot(focal_curve(c) - c.gamma, c.gamma.d(3)) - 3 * dot(c.gamma.d(1), c.gamma.d(2))
+
+
+@formula("eqs. (20), (21)", curve="space")
+def focal_surface(c):
+    """``γ + κ⁻¹N + μ γ′ × γ″``, naive."""
+    return RuledSurface(osculating_circle_centre(c), binormal(c))
+
+
+@formula("§5.6", curve="space")
+def focal_surface_reduced(c):
+    """``p/w + ‖D1‖² (D1 × D2) × D1 / (w² ‖D1 × D2‖²) + (μ/w⁴) D1 × D2``."""
+    directrix = c.p / c.w + (D1_x_D2_x_D1(c) * D1_squared(c)) / (c.w**2 * D1_x_D2_squared(c))
+    return RuledSurface(directrix, D1_x_D2(c) / c.w**4)
+
+
+@formula("§5.2, squaring", curve="space", symbol=r"(\kappa^2)'")
+def space_curvature_squared_derivative(c):
+    """Derivative of the squared curvature by the quotient rule."""
+    return space_curvature_squared(c).d(1)
+
+
+@formula("analogue of eq. (10)", curve="space")
+def space_critical_curvature(c):
+    """``(γ′×γ″)·(γ′×γ‴) ‖γ′‖² − 3 ‖γ′×γ″‖² (γ′·γ″)``: half of ``(κ²)′ ‖γ′‖⁸``, the direct approach in space."""
+    a, b = c.gamma.d(1), binormal(c)
+    return dot(b, cross(a, c.gamma.d(3))) * speed_squared(c) - 3 * binormal_squared(c) * dot(a, c.gamma.d(2))
+
+
+@formula("analogue of eq. (11)", curve="space")
+def space_critical_curvature_reduced(c):
+    """The direct approach in space over D1, D2, D3."""
+    w, a, b, speed = c.w, D1(c), D1_x_D2(c), D1_squared(c)
+    bend = D1_x_D2_squared(c)
+    jerk = dot(b, cross(a, D3(c))) + dot(b, cross(a, D21(c)))
+    return jerk * speed * w + 2 * w.d(1) * bend * speed - 3 * bend * dot(a, D2(c)) * w

@@ -1,0 +1,130 @@
+"""The fraction reading: quotients of differential polynomials in lowest terms.
+
+Where the jet reading carries out the naive algorithm, this one computes what the formula *is*, cancelling common factors after every operation: the
+way to prove an identity between large naive expressions without multiplying them out.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import fmpq_mpoly
+
+from exactspline.errors import FormulaError
+from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.readings.jet import Jet, JetRing, jet_curve
+
+
+class JetFraction(Operand):
+    """``top / bottom`` without common factor, the bottom monic.
+
+    >>> c = fraction_curve(2, 1)
+    >>> (c.gamma[0] * c.w).top == c.p[0].top
+    True
+    """
+
+    __slots__ = ("bottom", "ring", "top")
+    degree = recipe = 0
+
+    def __init__(self, ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> None:
+        self.ring, self.top, self.bottom = ring, top, bottom
+
+    def constant(self, value: Any) -> JetFraction:
+        """An exact constant."""
+        return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
+
+    def _other(self, other: Any) -> JetFraction | None:
+        if isinstance(other, JetFraction):
+            return other
+        return self.constant(other) if isinstance(other, CONSTANTS) else None
+
+    def __add__(self, other: Any) -> Any:
+        right = self._other(other)
+        if right is None:
+            return NotImplemented
+        shared = _gcd(self.bottom, right.bottom)
+        mine, its = self.bottom / shared, right.bottom / shared
+        top = self.top * its + right.top * mine
+        left = _gcd(top, shared)
+        return JetFraction(self.ring, top / left, mine * its * (shared / left))
+
+    def __mul__(self, other: Any) -> Any:
+        right = self._other(other)
+        if right is None:
+            return NotImplemented
+        a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
+        return JetFraction(self.ring, (self.top / a) * (right.top / b), (self.bottom / b) * (right.bottom / a))
+
+    def __truediv__(self, other: Any) -> Any:
+        right = self._other(other)
+        return NotImplemented if right is None else self * right.reciprocal()
+
+    def __rtruediv__(self, other: Any) -> Any:
+        left = self._other(other)
+        return NotImplemented if left is None else left * self.reciprocal()
+
+    def dividing(self, vector: Vector) -> Vector:
+        """A vector divided by this."""
+        inverse = self.reciprocal()
+        return Vector(*[a * inverse for a in vector])
+
+    def reciprocal(self) -> JetFraction:
+        """``1 / a``; `FormulaError` for zero."""
+        if not self.top:
+            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+        unit = self.top.leading_coefficient()
+        return JetFraction(self.ring, self.bottom / unit, self.top / unit)
+
+    def scaled(self, constant: Any) -> JetFraction:
+        """The fraction times an exact constant."""
+        return self * self.constant(constant)
+
+    def raised_to(self, other: Any) -> JetFraction:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1) -> JetFraction:
+        """The total derivative."""
+        result = self
+        for _ in range(order):
+            top, bottom = Jet(result.ring, result.top), Jet(result.ring, result.bottom)
+            if bottom.polynomial.total_degree() == 0:
+                result = JetFraction(result.ring, top.d().polynomial / bottom.polynomial.leading_coefficient(), result.ring.context.constant(1))
+                continue
+            numerator = (top.d() * bottom - top * bottom.d()).polynomial
+            shared = _gcd(numerator, result.bottom)
+            rest = result.bottom / shared
+            again = _gcd(numerator / shared, result.bottom)
+            result = JetFraction(result.ring, numerator / shared / again, rest * (result.bottom / again))
+        return result
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve."""
+        return not self.top
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, JetFraction) and self.top * other.bottom == other.top * self.bottom
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
+
+
+def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    """The monic greatest common divisor (of 0 and b: b made monic)."""
+    common = a.gcd(b)
+    return common / common.leading_coefficient() if common else common
+
+
+def fraction_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
+    """The indeterminate curve with its derivatives up to `order`.
+
+    >>> fraction_curve(2, 2).gamma.d(1)[0]
+    (x′·w − x·w′) / (w²)
+    """
+    jets = jet_curve(dimension, order, polynomial=polynomial)
+    one = jets.w.ring.context.constant(1)
+    p = Vector(*[JetFraction(x.ring, x.polynomial, one) for x in jets.p])
+    return Curve(p, JetFraction(jets.w.ring, jets.w.polynomial, one), polynomial=polynomial)
