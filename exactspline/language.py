@@ -26,6 +26,7 @@ __all__ = [
     "generalized_cross",
     "norm2",
     "perp",
+    "ruled",
     "triple",
     "wronskian",
 ]
@@ -91,6 +92,16 @@ class RuledSurface:
         nothing = [directrix[0].constant(0)] * len(directrix)
         first = _with_numerator(directrix, lambda v: Vector(*v, *nothing))
         return first + _with_numerator(generator, lambda v: Vector(*nothing, *v))
+
+
+def ruled(directrix: Any, generator: Any) -> Any:
+    """The ruled surface ``directrix + ζ generator`` (in the tree reading a node).
+
+    >>> ruled(Vector(1, 0, 0), Vector(0, 0, 1)).at(2)
+    Vector(1, 0, 2)
+    """
+    hook = getattr(directrix, "ruled", None)
+    return RuledSurface(directrix, generator) if hook is None else hook(generator)
 
 
 def _with_numerator(value: Any, change: Callable[[Any], Any]) -> Any:

@@ -76,7 +76,7 @@ class Rational(Operand):
         return self.product.value
 
     @property
-    def is_vector(self) -> bool:
+    def is_vector(self) -> bool:  # type: ignore[override]
         """Whether the numerator is a vector."""
         return isinstance(self.numerator, Vector)
 
@@ -106,6 +106,14 @@ class Rational(Operand):
         if isinstance(self.numerator, Vector):
             return tuple(a(t, side) / w for a in self.numerator)
         return self.numerator(t, side) / w
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function: cross-multiplied, so that common factors do not matter."""
+        if not isinstance(other, Rational) or self.is_vector != other.is_vector:
+            return NotImplemented
+        return bool(self.numerator * other.denominator == other.numerator * self.denominator)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __add__(self, other: Any) -> Any:
         """Rows T4 and T5."""

@@ -39,16 +39,16 @@ def _parts(f: BSpline, mesh: Mesh) -> Iterator[forms.Form]:
 
 def elevate(f: BSpline, by: int) -> BSpline:
     """Degree raised by multiplying every form with a power of u + v."""
-    if by < 0:
-        raise ShapeError(f"degree elevation by {by}", remedy="use reduce_degree to lower a degree")
+    if type(by) is not int or by < 0:
+        raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 0 (use reduce_degree to lower a degree)")
     lift = forms.raiser(by)
     return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.recipe)
 
 
 def reduce(f: BSpline, by: int) -> BSpline:
     """Degree lowered by dividing every form by a power of u + v, exactly or not at all."""
-    if by < 0:
-        raise ShapeError(f"degree reduction by {by}", remedy="use elevate_degree to raise a degree")
+    if type(by) is not int or by < 0:
+        raise ShapeError(f"degree reduction by {by}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)")
     if by > f.degree:
         raise ReductionError(f"degree {f.degree} cannot be lowered by {by}", remedy=f"at most by {f.degree}")
     lower = []
@@ -89,8 +89,8 @@ def _inner(f: BSpline, t: mpq) -> None:
 def insert_knot(f: BSpline, t: mpq, times: int) -> BSpline:
     """One more knot (or several) at t; the function stays."""
     _inner(f, t)
-    if times < 1:
-        raise KnotError(f"{times} knots to insert", remedy="insert at least one")
+    if type(times) is not int or times < 1:
+        raise KnotError(f"{times} knots to insert", remedy="insert a whole number of them, at least one")
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
     position = g.mesh.breaks.index(t) - 1
     lowered = min(g.continuity[position], f.degree) - times
@@ -103,7 +103,7 @@ def remove_knot(f: BSpline, t: mpq, times: int) -> BSpline:
     """One knot less (or several) at t, when enough derivatives agree there."""
     _inner(f, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
-    if not 1 <= times <= multiplicity:
+    if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
             f"{times} of {multiplicity} knots at {text(t)} to remove", remedy="remove at least one and at most as many as there are", knot=t
         )

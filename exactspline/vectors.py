@@ -35,13 +35,13 @@ class Operand:
         return self + (-other)  # type: ignore[operator]
 
     def __rsub__(self, other: Any) -> Any:
-        return -self + other  # type: ignore[operator]
+        return (-self).__add__(other)
 
     def __radd__(self, other: Any) -> Any:
-        return self + other  # type: ignore[operator]
+        return self.__add__(other)  # type: ignore[attr-defined]
 
     def __rmul__(self, other: Any) -> Any:
-        return self * other  # type: ignore[operator]
+        return self.__mul__(other)  # type: ignore[attr-defined]
 
     def __truediv__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):

@@ -1,7 +1,7 @@
 """§5: space curves."""
 
 from exactspline.formulas.derivatives import D1, D1_D2_D3, D2, D3, D21, D1_squared, speed_squared, velocity_acceleration_jerk
-from exactspline.language import RuledSurface, cross, dot, formula, norm2
+from exactspline.language import cross, dot, formula, norm2, ruled
 
 
 @formula("eq. (14)", curve="space", symbol="B")
@@ -73,61 +73,55 @@ def torsion_reduced(c):
 @formula("§5.3", curve="space")
 def tangent_developable(c):
     """``γ + ζ γ′``, naive."""
-    return RuledSurface(c.gamma, c.gamma.d(1))
+    return ruled(c.gamma, c.gamma.d(1))
 
 
 @formula("§5.3", curve="space")
 def tangent_developable_reduced(c):
     """``(p + λ D1) / w``."""
-    return RuledSurface(c.p / c.w, D1(c) / c.w)
+    return ruled(c.p / c.w, D1(c) / c.w)
 
 
 @formula("§5.3", curve="space")
 def binormal_scroll(c):
     """``γ + ζ (γ′ × γ″)``, naive."""
-    return RuledSurface(c.gamma, binormal(c))
+    return ruled(c.gamma, binormal(c))
 
 
 @formula("§5.3", curve="space")
 def binormal_scroll_reduced(c):
     """``(p + λ D1 × D2) / w``."""
-    return RuledSurface(c.p / c.w, D1_x_D2(c) / c.w)
+    return ruled(c.p / c.w, D1_x_D2(c) / c.w)
 
 
 @formula("§5.3", curve="space")
 def normal_scroll(c):
     """``γ + ζ (γ′ × γ″) × γ′``, naive."""
-    return RuledSurface(c.gamma, normal(c))
+    return ruled(c.gamma, normal(c))
 
 
 @formula("§5.3", curve="space")
 def normal_scroll_reduced(c):
     """``(p + λ (D1 × D2) × D1) / w``."""
-    return RuledSurface(c.p / c.w, D1_x_D2_x_D1(c) / c.w)
+    return ruled(c.p / c.w, D1_x_D2_x_D1(c) / c.w)
 
 
 @formula("§5.4", curve="space")
 def rectifying_developable(c):
     """``γ + λ (τ γ′ + γ′ × γ″ / ‖γ′‖²)``, naive."""
-    return RuledSurface(c.gamma, torsion(c) * c.gamma.d(1) + binormal(c) / speed_squared(c))
+    return ruled(c.gamma, torsion(c) * c.gamma.d(1) + binormal(c) / speed_squared(c))
 
 
 @formula("§5.4", curve="space")
 def rectifying_developable_reduced(c):
     """``γ + λ ([D1 D2 D3] D1 / ‖D1 × D2‖² + D1 × D2 / ‖D1‖²)``, polynomials multiplied before dividing."""
-    return RuledSurface(c.gamma, (D1(c) * D1_D2_D3(c)) / D1_x_D2_squared(c) + D1_x_D2(c) / D1_squared(c))
+    return ruled(c.gamma, (D1(c) * D1_D2_D3(c)) / D1_x_D2_squared(c) + D1_x_D2(c) / D1_squared(c))
 
 
 @formula("§5.4", curve="space")
-def darboux_squared(c):
-    """``‖τT + κB‖² = τ² + κ²`` for the unit vectors T and B."""
-    return torsion(c) ** 2 + space_curvature_squared(c)
-
-
-@formula("§5.4", curve="space")
-def rectifying_generator_squared(c):
-    """``‖τ γ′ + γ′ × γ″ / ‖γ′‖²‖²``."""
-    return norm2(rectifying_developable(c).generator)
+def rectifying_along_tangent(c):
+    """``(τ γ′ + γ′ × γ″/‖γ′‖²)·γ′``: ‖γ′‖² τ when λ = ζ/‖γ′‖ (the component of ζ(τT + κB) along T is ζτ)."""
+    return dot(rectifying_developable(c).generator, c.gamma.d(1))
 
 
 @formula("§5.4", curve="space")
@@ -136,30 +130,24 @@ def rectifying_plane(c):
     return dot(rectifying_developable(c).generator, normal(c))
 
 
+@formula("§5.5", curve="space")
+def psi_numerator(c):
+    """``3 (γ′·γ″) ‖γ′×γ″‖² − (γ′×γ″)·(γ′×γ‴) ‖γ′‖²``."""
+    a, b = c.gamma.d(1), binormal(c)
+    return 3 * dot(a, c.gamma.d(2)) * binormal_squared(c) - dot(b, cross(a, c.gamma.d(3))) * speed_squared(c)
+
+
 @formula("§5.5", curve="space", symbol=r"\Psi")
 def psi(c):
     """Ψ, with ``(1/κ)′ B = ‖γ′‖ Ψ`` for the derivative by the parameter and the unit binormal B."""
-    a, b = c.gamma.d(1), binormal(c)
-    top = 3 * dot(a, c.gamma.d(2)) * binormal_squared(c) - dot(b, cross(a, c.gamma.d(3))) * speed_squared(c)
-    return (top / binormal_squared(c) ** 2) * b
+    return (psi_numerator(c) / binormal_squared(c) ** 2) * binormal(c)
 
 
 @formula("§5.5", curve="space")
-def radius_squared(c):
-    """``1/κ²``."""
-    return speed_squared(c) ** 3 / binormal_squared(c)
-
-
-@formula("§5.5", curve="space")
-def radius_derivative_binormal(c):
-    """``½ (1/κ²)′ γ′ × γ″``: what ``‖γ′‖⁴ Ψ`` must be."""
-    return binormal(c) * (radius_squared(c).d(1) / 2)
-
-
-@formula("§5.5", curve="space")
-def radius_derivative_claimed(c):
-    """``‖γ′‖⁴ Ψ``."""
-    return psi(c) * speed_squared(c) ** 2
+def radius_logarithmic_derivative(c):
+    """``‖γ′‖² ‖γ′×γ″‖² (1/κ)′ κ`` from ``1/κ = ‖γ′‖³ / ‖γ′×γ″‖`` by the chain rule."""
+    a, b = speed_squared(c), binormal_squared(c)
+    return (3 * a.d(1) * b - a * b.d(1)) / 2
 
 
 @formula("§5.5", curve="space", symbol="E")
@@ -211,14 +199,14 @@ def focal_contact_3(c):
 @formula("eqs. (20), (21)", curve="space")
 def focal_surface(c):
     """``γ + κ⁻¹N + μ γ′ × γ″``, naive."""
-    return RuledSurface(osculating_circle_centre(c), binormal(c))
+    return ruled(osculating_circle_centre(c), binormal(c))
 
 
 @formula("§5.6", curve="space")
 def focal_surface_reduced(c):
     """``p/w + ‖D1‖² (D1 × D2) × D1 / (w² ‖D1 × D2‖²) + (μ/w⁴) D1 × D2``."""
     directrix = c.p / c.w + (D1_x_D2_x_D1(c) * D1_squared(c)) / (c.w**2 * D1_x_D2_squared(c))
-    return RuledSurface(directrix, D1_x_D2(c) / c.w**4)
+    return ruled(directrix, D1_x_D2(c) / c.w**4)
 
 
 @formula("§5.2, squaring", curve="space", symbol=r"(\kappa^2)'")

@@ -11,7 +11,7 @@ _GREEK = {"gamma": r"\gamma"}
 class LatexPrinter(Printer):
     r"""``[p'\ p'']\,w - [p\ p'']\,w'``."""
 
-    minus, cross, dot, between = "-", r"\times", r"\cdot", r"\,"
+    minus, cross, dot, between, ruling = "-", r"\times", r"\cdot", r"\,", r"\zeta"
 
     def atom(self, n: Node) -> tuple[str, int]:
         """A name or a number."""

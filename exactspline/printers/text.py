@@ -7,14 +7,14 @@ import re
 from exactspline.printers.walk import ATOM, Printer, named_binding, number
 from exactspline.readings.tree import Node
 
-_GREEK = {"gamma": "γ", "kappa": "κ", "tau": "τ"}
+_GREEK = {"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ"}
 _SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class TextPrinter(Printer):
     """``[p′ p″] w − [p p″] w′``."""
 
-    minus, cross, dot, between = "−", "×", "·", " "
+    minus, cross, dot, between, ruling = "−", "×", "·", " ", "ζ"
 
     def atom(self, n: Node) -> tuple[str, int]:
         """A name or a number."""
@@ -69,7 +69,7 @@ def symbol_text(symbol: str) -> str:
     """
     text = symbol.replace("'''", "‴").replace("''", "″").replace("'", "′").replace("\\ ", " ")
     text = text.replace(r"\times", "×").replace(r"\cdot", "·").replace(r"\perp", "⊥").replace(r"\|", "‖")
-    text = re.sub(r"\\(kappa|gamma|tau|bar)", lambda m: _GREEK.get(m[1], ""), text)
+    text = re.sub(r"\\(kappa|gamma|tau|Psi|bar)", lambda m: _GREEK.get(m[1], ""), text)
     text = re.sub(r"\^\{?(\d+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
     text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1/\2", text)
     return re.sub(r"\\(mathbf|left|right)|[_{}]", "", text)

@@ -25,6 +25,8 @@ class Printer(ABC):
         if n.op in "+-":
             left, right = n.args
             return f"{self(left)} {self.minus if n.op == '-' else '+'} {self.at(right, PRODUCT if n.op == '-' else SUM)}", SUM
+        if n.op == "ruled":
+            return f"{self(n.args[0])} + {self.ruling}{self.between}{self.at(n.args[1], PRODUCT)}", SUM
         if n.op == "neg":
             return f"{self.minus}{self.at(n.args[0], PRODUCT)}", SUM
         if n.op == "*":
@@ -55,9 +57,9 @@ class Printer(ABC):
         """A product of vectors."""
         parts = [self.at(a, POWER) for a in n.args]
         if n.op == "dot" and n.args[0] is n.args[1]:
-            return self.norm2(self(n.args[0])), ATOM
+            return self.norm2(self(n.args[0])), POWER
         if n.op == "det":
-            return self.bracket([self(a) for a in n.args]), ATOM
+            return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
         if n.op == "perp":
             return self.perp(self.at(n.args[0], ATOM)), ATOM
         if n.op == "generalized_cross":
@@ -68,6 +70,7 @@ class Printer(ABC):
     cross: str
     dot: str
     between: str
+    ruling: str
 
     @abstractmethod
     def atom(self, n: Node) -> tuple[str, int]:

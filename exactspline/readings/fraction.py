@@ -77,7 +77,8 @@ class JetFraction(Operand):
 
     def scaled(self, constant: Any) -> JetFraction:
         """The fraction times an exact constant."""
-        return self * self.constant(constant)
+        result: JetFraction = self * self.constant(constant)
+        return result
 
     def raised_to(self, other: Any) -> JetFraction:
         """Itself: degree elevation does not change a function."""

@@ -100,7 +100,7 @@ class Jet(Operand):
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):
-                if used:
+                if int(used) > 0:
                     name, k = ring.variables[i]
                     if k == ring.order:
                         raise FormulaError(f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}")

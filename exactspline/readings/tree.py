@@ -80,6 +80,20 @@ class Node(Operand):
         """The node of a product of vectors."""
         return Node(function.__name__, tuple(vectors), vector=function.__name__ in VECTOR_PRODUCTS)
 
+    def ruled(self, generator: Node) -> Node:
+        """The node of a ruled surface with this directrix."""
+        return Node("ruled", (self, generator))
+
+    @property
+    def generator(self) -> Node:
+        """The generator of a ruled surface."""
+        return self.args[1]
+
+    @property
+    def directrix(self) -> Node:
+        """The directrix of a ruled surface."""
+        return self.args[0]
+
     def __repr__(self) -> str:
         from exactspline.printers.text import print_text
 
