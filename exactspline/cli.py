@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from exactspline.commands import inspecting, ledger, objects
+from exactspline.commands import conditioning, inspecting, ledger, objects
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -16,7 +16,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for command in (ledger.prove, ledger.errata, objects.degrees, objects.derive, objects.curves, inspecting.inspect):
+COMMANDS = (ledger.prove, ledger.errata, objects.degrees, objects.derive, objects.curves, inspecting.inspect, conditioning.conditioning)
+for command in COMMANDS:
     app.command()(command)
 
 

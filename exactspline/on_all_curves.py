@@ -11,7 +11,7 @@ from exactspline.claims import Claim
 from exactspline.curves import example, example_names
 from exactspline.factors import Factor, factor_of_text, find_factor, jets_for, split
 from exactspline.formulas import find
-from exactspline.language import Vector
+from exactspline.language import Vector, cross
 from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
 from exactspline.readings.fraction import JetFraction
 from exactspline.readings.generic import generic_curve
@@ -19,8 +19,8 @@ from exactspline.readings.infinity import generic_drop
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
-#: Factors that have no zero where the curve is regular and w is without a zero.
-ZERO_FREE = frozenset({"w", "‖D1‖²"})
+#: Factors that have no zero where w has none, γ′ has none, and (in space) γ′ × γ″ has none.
+ZERO_FREE = frozenset({"w", "‖D1‖²", "‖b‖²"})
 #: The degrees for which the generic Bézier segment is computed.
 GENERIC_DEGREES = range(2, 7)
 
@@ -38,7 +38,14 @@ def prove(claim: Claim) -> tuple[str, Finding]:
         return ("generic", generic_coefficients(claim)) if claim.measure == "generic" else ("spline", refute_on_examples(claim))
     if claim.kind == "count":
         return "spline", on_one_curve.count(claim, example(claim.example))
-    decide = {"identity": identity, "vanishing": vanishing, "zero set": zero_set, "square class": square_class}[claim.kind]
+    decide = {
+        "identity": identity,
+        "vanishing": vanishing,
+        "zero set": zero_set,
+        "square class": square_class,
+        "same surface": same_surface,
+        "existence": existence,
+    }[claim.kind]
     findings = [decide(claim, dimension) for dimension in dimensions(claim)]
     return "jet", min(findings, key=lambda f: f.verdict == PROVED)
 
@@ -78,12 +85,33 @@ def zero_set(claim: Claim, dimension: int) -> Finding:
     first, *rest = claim.formulas
     factors = [factor_of(first, other, dimension) for other in rest]
     names = ", ".join(f"{find(first).name}/{other} = {f}" for other, f in zip(rest, factors, strict=True))
-    if all(f is not None and f.names <= ZERO_FREE for f in factors):
+    if claim.measure != "lowest terms" and all(f is not None and f.names <= ZERO_FREE for f in factors):
         return Finding(PROVED, "one zero set", "one zero set", names)
     refuted = refute_on_examples(claim)
     if refuted.verdict == REFUTED:
         return Finding(REFUTED, "one zero set", "different zero sets", witness=refuted.witness)
     return Finding(UNDECIDED, "one zero set", "", names)
+
+
+def same_surface(claim: Claim, dimension: int) -> Finding:
+    """Parallel generators and directrices that differ along them; the relation of the ruling parameters ζ (left) and λ (right)."""
+    c = jets_for((claim.left, claim.right), dimension)
+    a, b = find(claim.left)(c), find(claim.right)(c)
+    offset = b.directrix - a.directrix
+    if not (cross(a.generator, b.generator).is_zero and cross(offset, a.generator).is_zero):
+        return Finding(REFUTED, "one surface", "two surfaces", witness="the generators are not parallel, or the directrices differ across them")
+    stretch = find_factor(b.generator, a.generator)
+    shift = "" if offset.is_zero else f"{find_factor(offset, a.generator)} + "
+    return Finding(PROVED, "one surface", "one surface", f"ζ = {shift}{stretch} λ".replace("1 λ", "λ"))
+
+
+def existence(claim: Claim, dimension: int) -> Finding:
+    """That there is no rational form is refuted by one: a formula without roots, not the constant zero."""
+    value = split(find(claim.formula)(jets_for((claim.formula,), dimension)))[0]
+    rational = not all(x.is_zero for x in value)
+    return Finding(
+        REFUTED if rational else UNDECIDED, "not rational", "rational", witness=f"{claim.formula} is a quotient of polynomials in the curve"
+    )
 
 
 def square_class(claim: Claim, dimension: int) -> Finding:

@@ -16,8 +16,9 @@ from exactspline.factors import factor_of_text, split
 from exactspline.features import curvature_extrema
 from exactspline.form import is_square_class, zero_on_segment
 from exactspline.formulas import find
-from exactspline.language import Vector
-from exactspline.measure import control_point_count
+from exactspline.language import Vector, cross
+from exactspline.measure import control_point_count, in_lowest_terms
+from exactspline.quotients import Rational
 from exactspline.readings.degree import parse
 from exactspline.spline import BSpline
 from exactspline.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
@@ -73,7 +74,10 @@ def vanishing(claim: Claim, curve: Any) -> Finding:
 
 def zero_set(claim: Claim, curve: Any) -> Finding:
     """On every segment, what is left of each numerator after removing the other's factors has no zero."""
-    numerators = [(name, split(find(name)(curve))[0][0]) for name in claim.formulas]
+    values = [(name, find(name)(curve)) for name in claim.formulas]
+    if claim.measure == "lowest terms":
+        values = [(name, _lowest(value)) for name, value in values]
+    numerators = [(name, split(value)[0][0]) for name, value in values]
     if all(p.is_zero for _, p in numerators):
         return Finding(UNDECIDED, "one zero set", "0 = 0", witness=VACUOUS)
     first_name, first = numerators[0]
@@ -83,6 +87,10 @@ def zero_set(claim: Claim, curve: Any) -> Finding:
             if place:
                 return Finding(REFUTED, "one zero set", "different zero sets", witness=f"{a_name} vanishes {place}, {b_name} does not")
     return Finding(VERIFIED, "one zero set", "one zero set")
+
+
+def _lowest(value: Any) -> Any:
+    return in_lowest_terms(value) if isinstance(value, Rational) and all(value.denominator.polynomials) else value
 
 
 def _extra_zero(a: BSpline, b: BSpline) -> str:
@@ -184,6 +192,29 @@ def square_class(claim: Claim, curve: Any) -> Finding:
     return Finding(VERIFIED, "the same", f"{claim.right} is a square up to a constant on {squares} of {len(pairs)} segments")
 
 
+def same_surface(claim: Claim, curve: Any) -> Finding:
+    """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
+    a, b = find(claim.left)(curve), find(claim.right)(curve)
+    if split(a.generator)[0] and all(x.is_zero for x in split(a.generator)[0]):
+        return Finding(UNDECIDED, "one surface", "no surface: the generator vanishes", witness=VACUOUS)
+    for product in (cross(a.generator, b.generator), cross(b.directrix - a.directrix, a.generator)):
+        for x in split(product)[0]:
+            if not x.is_zero:
+                return Finding(REFUTED, "one surface", "two surfaces", witness=f"they differ {_where(x)}")
+    return Finding(VERIFIED, "one surface", "one surface")
+
+
+def existence(claim: Claim, curve: Any) -> Finding:
+    """The rational form on this curve."""
+    value = find(claim.formula)(curve)
+    _, denominator = split(value)
+    if denominator is not None and denominator.is_zero:
+        return Finding(UNDECIDED, "not rational", "does not exist here", witness=VACUOUS)
+    return Finding(
+        REFUTED, "not rational", f"rational of degree {value.degree}", witness=f"degree {value.degree} over {len(denominator.mesh)} segments"
+    )
+
+
 def spline_table(d1: int = 2, d2: int = 3) -> Any:
     """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive denominators."""
     state = 12345
@@ -208,4 +239,6 @@ _CHECKS = {
     "degree": degree,
     "coefficients": coefficients,
     "square class": square_class,
+    "same surface": same_surface,
+    "existence": existence,
 }

@@ -38,10 +38,10 @@ class Operand:
         return (-self).__add__(other)
 
     def __radd__(self, other: Any) -> Any:
-        return self.__add__(other)  # type: ignore[attr-defined]
+        return self.__add__(other)  # type: ignore[operator]
 
     def __rmul__(self, other: Any) -> Any:
-        return self.__mul__(other)  # type: ignore[attr-defined]
+        return self.__mul__(other)  # type: ignore[operator]
 
     def __truediv__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):

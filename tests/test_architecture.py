@@ -14,7 +14,7 @@ ROOT = Path(exactspline.__file__).parent
 #: Floors from the ground up; a room imports only from floors below its own, or from rooms of its own package.
 FLOORS = [
     ["errors"],
-    ["exact", "structure"],
+    ["exact", "structure", "writing"],
     ["form", "vectors"],
     ["language"],
     ["bezier_points", "knots", "quotients"],

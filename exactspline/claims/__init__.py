@@ -16,9 +16,9 @@ from exactspline.errors import ClaimError
 from exactspline.formulas import find
 
 #: The claim files, in the order of the paper.
-SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3")
+SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3", "section5")
 
-KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients", "count", "square class")
+KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients", "count", "square class", "same surface", "existence")
 VERDICTS = ("PROVED", "VERIFIED", "REFUTED", "UNDECIDED")
 
 
@@ -35,6 +35,8 @@ class Claim:
     - ``zero set``: all of ``formulas`` have one zero set;
     - ``coefficients``: no B-spline coefficient of ``formula`` vanishes;
     - ``count``: the numbers in ``claimed`` ("degree 96, 388 control points") are those of ``formula`` on the curve ``example``;
+    - ``same surface``: the ruled surfaces ``left`` and ``right`` are one: parallel generators, and directrices that differ along them;
+    - ``existence``: ``formula`` is not rational (refuted by the formula itself, which is a quotient of polynomials, and by the proof of what it is);
     - ``square class``: ``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is.
     """
 

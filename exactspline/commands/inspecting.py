@@ -91,5 +91,5 @@ def _draw(c: Any, found: Any, path: str) -> None:
     for name, form in (("zero_curvature", "minimal"), ("critical_curvature", APPROACHES[found.approach])):
         made = construction(name)
         f = made.on(c, form)
-        panels.append((f"{made.title}, degree {f.degree}", f, list(zeros(f))))
+        panels.append((f"{made.title}, degree {f.degree}", f, zeros(f, periodic=c.closed)))
     save(inspect_figure(c, panels), path)

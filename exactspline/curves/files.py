@@ -8,13 +8,13 @@ from __future__ import annotations
 import json
 import os
 import stat
-import tempfile
 from pathlib import Path
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.exact import rational
 from exactspline.nurbs import Nurbs
+from exactspline.writing import write_atomically
 
 #: Largest file read, in bytes: room for a hundred thousand control points.
 MAX_BYTES = 8 * 1024 * 1024
@@ -119,18 +119,5 @@ def curve_data(curve: Nurbs) -> dict[str, Any]:
 
 def write_json(path: str | os.PathLike[str], data: Any) -> None:
     """Write JSON atomically: the file is there whole or not at all."""
-    place = Path(path)
-    try:
-        handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name}.")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8") as stream:
-                stream.write(json.dumps(data, indent=1, ensure_ascii=False) + "\n")
-            os.chmod(temporary, 0o644)
-            os.replace(temporary, place)
-        except BaseException:
-            os.unlink(temporary)
-            raise
-    except OSError as error:
-        raise CurveFileError(
-            f"cannot be written ({error.strerror})", where=str(place), remedy="name a file in a folder that can be written"
-        ) from None
+    text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    write_atomically(path, lambda stream: stream.write(text.encode()))

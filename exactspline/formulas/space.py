@@ -28,6 +28,19 @@ def D1_x_D2(c):
     return cross(D1(c), D2(c))
 
 
+@formula("§5, as eq. (8)", curve="space", symbol="b")
+def binormal_form(c):
+    """``D1 × D2`` without its common factor w, as eq. (8) is in the plane."""
+    p, w = c.p, c.w
+    return cross(p.d(1), p.d(2)) * w - cross(p, p.d(2)) * w.d(1) - cross(p.d(1), p) * w.d(2)
+
+
+@formula("§5", curve="space", symbol=r"\|b\|^2")
+def binormal_form_squared(c):
+    """``‖D1 × D2‖² / w²``: without a zero where the curvature has none."""
+    return norm2(binormal_form(c))
+
+
 @formula("§5", curve="space")
 def D1_x_D2_x_D1(c):
     """``(D1 × D2) × D1``."""
@@ -50,6 +63,12 @@ def space_curvature_squared(c):
 def curvature_vector(c):
     """``κN = (γ′ × γ″) × γ′ / ‖γ′‖⁴``."""
     return normal(c) / speed_squared(c) ** 2
+
+
+@formula("§5.1", curve="space")
+def curvature_vector_squared(c):
+    """``‖κN‖²``."""
+    return norm2(curvature_vector(c))
 
 
 @formula("eq. (16)", curve="space")
@@ -154,6 +173,24 @@ def radius_logarithmic_derivative(c):
 def osculating_circle_centre(c):
     """``γ + κ⁻¹N``: the evolute of a space curve in the sense of §5.5."""
     return c.gamma + radius_vector(c)
+
+
+@formula("definition of the osculating circle", curve="space")
+def circle_contact_1(c):
+    """``(E − γ)·γ′``: zero when the centre lies in the normal plane."""
+    return dot(osculating_circle_centre(c) - c.gamma, c.gamma.d(1))
+
+
+@formula("definition of the osculating circle", curve="space")
+def circle_contact_2(c):
+    """``(E − γ)·γ″ − ‖γ′‖²``: zero when the circle touches to second order."""
+    return dot(osculating_circle_centre(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
+
+
+@formula("definition of the osculating circle", curve="space")
+def circle_contact_3(c):
+    """``(E − γ)·(γ′ × γ″)``: zero when the centre lies in the osculating plane."""
+    return dot(osculating_circle_centre(c) - c.gamma, binormal(c))
 
 
 @formula("§5.5, by definition", curve="space", symbol="F")
