@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactspline.vectors import CONSTANTS, Operand, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
+from exactspline.vectors import CONSTANTS, FieldOperand, Operand, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 
 __all__ = [
     "CONSTANTS",
     "Curve",
+    "FieldOperand",
     "Formula",
     "Operand",
     "RuledSurface",

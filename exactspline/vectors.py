@@ -68,6 +68,31 @@ class Operand:
             f"a {type(self).__name__} was used as a truth value", remedy="formulas must not branch; compare with == or use is_zero outside formulas"
         )
 
+    def beside(self, other: Any) -> Any:
+        """Another operand of the same reading, a constant made one; None for anything else."""
+        if type(other) is type(self):
+            return other
+        return self.constant(other) if isinstance(other, CONSTANTS) else None  # type: ignore[attr-defined]
+
+
+class FieldOperand(Operand):
+    """An operand that can be divided by: a reading with ``reciprocal`` gives true quotients instead of a `Rational`."""
+
+    __slots__ = ()
+
+    def __truediv__(self, other: Any) -> Any:
+        right = self.beside(other)
+        return NotImplemented if right is None else self * right.reciprocal()  # type: ignore[operator]
+
+    def __rtruediv__(self, other: Any) -> Any:
+        left = self.beside(other)
+        return NotImplemented if left is None else left * self.reciprocal()  # type: ignore[attr-defined]
+
+    def dividing(self, vector: Vector) -> Vector:
+        """A vector divided by this."""
+        inverse = self.reciprocal()  # type: ignore[attr-defined]
+        return Vector(*[a * inverse for a in vector])
+
 
 def _rational() -> Any:
     from exactspline.quotients import Rational

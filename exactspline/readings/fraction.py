@@ -11,11 +11,11 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.language import Curve, FieldOperand, Vector
 from exactspline.readings.jet import Jet, JetRing, jet_curve
 
 
-class JetFraction(Operand):
+class JetFraction(FieldOperand):
     """``top / bottom`` without common factor, the bottom monic.
 
     >>> c = fraction_curve(2, 1)
@@ -33,13 +33,8 @@ class JetFraction(Operand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def _other(self, other: Any) -> JetFraction | None:
-        if isinstance(other, JetFraction):
-            return other
-        return self.constant(other) if isinstance(other, CONSTANTS) else None
-
     def __add__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         shared = _gcd(self.bottom, right.bottom)
@@ -49,24 +44,11 @@ class JetFraction(Operand):
         return JetFraction(self.ring, top / left, mine * its * (shared / left))
 
     def __mul__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
         return JetFraction(self.ring, (self.top / a) * (right.top / b), (self.bottom / b) * (right.bottom / a))
-
-    def __truediv__(self, other: Any) -> Any:
-        right = self._other(other)
-        return NotImplemented if right is None else self * right.reciprocal()
-
-    def __rtruediv__(self, other: Any) -> Any:
-        left = self._other(other)
-        return NotImplemented if left is None else left * self.reciprocal()
-
-    def dividing(self, vector: Vector) -> Vector:
-        """A vector divided by this."""
-        inverse = self.reciprocal()
-        return Vector(*[a * inverse for a in vector])
 
     def reciprocal(self) -> JetFraction:
         """``1 / a``; `FormulaError` for zero."""

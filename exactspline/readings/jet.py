@@ -14,7 +14,7 @@ from gmpy2 import mpq
 from exactspline import structure
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.language import Curve, Operand, Vector
 
 PRIMES = ("", "′", "″", "‴")
 COORDINATES = "xyzuvst"
@@ -63,25 +63,20 @@ class Jet(Operand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def _other(self, other: Any) -> Jet | None:
-        if isinstance(other, Jet):
-            return other
-        return self.constant(other) if isinstance(other, CONSTANTS) else None
-
     def __add__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial + right.polynomial, (structure.SUM, self.recipe, right.recipe))
 
     def __sub__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (structure.DIFFERENCE, self.recipe, right.recipe))
 
     def __mul__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial * right.polynomial, (structure.PRODUCT, self.recipe, right.recipe))

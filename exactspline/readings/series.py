@@ -11,10 +11,10 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.language import Curve, FieldOperand, Vector
 
 
-class Series(Operand):
+class Series(FieldOperand):
     """``a_0 + a_1 h + a_2 h² + …`` as far as it is known.
 
     >>> h = Series([mpq(0), mpq(1), mpq(0), mpq(0)])
@@ -33,36 +33,18 @@ class Series(Operand):
         zero = self.coefficients[0] * 0
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
 
-    def _other(self, other: Any) -> Series | None:
-        if isinstance(other, Series):
-            return other
-        return self.constant(other) if isinstance(other, CONSTANTS) else None
-
     def __add__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
 
     def __mul__(self, other: Any) -> Any:
-        right = self._other(other)
+        right = self.beside(other)
         if right is None:
             return NotImplemented
         a, b = self.coefficients, right.coefficients
         return Series(sum(a[j] * b[i - j] for j in range(i + 1)) for i in range(min(len(a), len(b))))
-
-    def __truediv__(self, other: Any) -> Any:
-        right = self._other(other)
-        return NotImplemented if right is None else self * right.reciprocal()
-
-    def __rtruediv__(self, other: Any) -> Any:
-        left = self._other(other)
-        return NotImplemented if left is None else left * self.reciprocal()
-
-    def dividing(self, vector: Vector) -> Vector:
-        """A vector of series divided by this."""
-        inverse = self.reciprocal()
-        return Vector(*[a * inverse for a in vector])
 
     def reciprocal(self) -> Series:
         """``1 / a``; `FormulaError` when the value here is zero."""
