@@ -20,6 +20,8 @@ from exactspline.language import Vector
 from exactspline.spline import BSpline
 from exactspline.zeros import Jump, Root, ZeroSet, zeros
 
+#: The form whose sign is that of κκ′; the sign of all others is that of κ′.
+SQUARING = "squaring"
 #: What can happen at a knot, from bad to good.
 GAP, CORNER, SINGULAR, CURVATURE_JUMP, CONTINUOUS = "gap", "corner", "singular", "jump of the curvature", "continuous curvature"
 
@@ -225,8 +227,12 @@ def _extremum(curve: Any, root: Root, form: str, *, by_jump: bool) -> Feature:
     left, right = root.signs
     if left is None or right is None or left * right >= 0:
         return Feature("stationary", root, form)
-    kind = "maximum" if left > 0 else "minimum"
     sign = curvature_sign(curve, root)
+    if form == SQUARING:
+        left *= sign
+    if left == 0:
+        return Feature("stationary", root, form)
+    kind = "maximum" if left > 0 else "minimum"
     if sign == 0:
         return Feature(kind, root, form, by_jump, "minimum")
     return Feature(kind, root, form, by_jump, kind if sign > 0 else {"maximum": "minimum", "minimum": "maximum"}[kind])

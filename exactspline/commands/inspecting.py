@@ -15,6 +15,9 @@ def inspect(
     digits: Annotated[int, typer.Option("--digits", min=1, max=100_000, help="Digits of parameters and curvatures.")] = 20,
     approach: Annotated[str, typer.Option("--approach", help="squaring, direct, reduced, minimal, or all side by side.")] = "minimal",
     plot: Annotated[str, typer.Option("--plot", help="Draw the curve and the function that was solved into an SVG or PNG file.")] = "",
+    certificate: Annotated[
+        str, typer.Option("--certificate", help="Write a proof that these are all zeros (JSON; see exactspline.zeros.checker).")
+    ] = "",
     as_json: AsJson = False,
 ) -> None:
     """Inflections, curvature extrema and cusps of a plane curve, certified, to any number of digits."""
@@ -28,6 +31,8 @@ def inspect(
         data = inspection_data(c, found, digits, tick)
     if approach == "all":
         data["approaches"] = [asdict(row) for row in compare_approaches(c)]
+    if certificate:
+        _certify(c, found, certificate)
     if plot:
         _draw(c, found, plot)
     if as_json:
@@ -81,15 +86,23 @@ def _approaches(report: Any, rows: list[dict[str, Any]]) -> Any:
     return made
 
 
-def _draw(c: Any, found: Any, path: str) -> None:
+def _solved(c: Any, found: Any) -> list[tuple[Any, Any, Any]]:
+    """The constructions that were solved, their functions and their zeros."""
     from exactspline.constructions import construction
+    from exactspline.features import zero_form
     from exactspline.inspection import APPROACHES
-    from exactspline.plot import inspect_figure, save
-    from exactspline.zeros import zeros
 
-    panels = []
-    for name, form in (("zero_curvature", "minimal"), ("critical_curvature", APPROACHES[found.approach])):
-        made = construction(name)
-        f = made.on(c, form)
-        panels.append((f"{made.title}, degree {f.degree}", f, zeros(f, periodic=c.closed)))
-    save(inspect_figure(c, panels), path)
+    forms = (("zero_curvature", "minimal"), ("critical_curvature", APPROACHES[found.approach]))
+    return [(construction(name), *zero_form(c, name, form)) for name, form in forms]
+
+
+def _certify(c: Any, found: Any, path: str) -> None:
+    from exactspline.curves import write_json
+
+    write_json(path, [{"curve": c.name, "function": made.name, "certificate": zero_set.certificate()} for made, _, zero_set in _solved(c, found)])
+
+
+def _draw(c: Any, found: Any, path: str) -> None:
+    from exactspline.plot import inspect_figure, save
+
+    save(inspect_figure(c, [(f"{made.title}, degree {f.degree}", f, zero_set) for made, f, zero_set in _solved(c, found)]), path)

@@ -1,0 +1,198 @@
+"""Features of plane curves: counts known exactly, agreement between approaches, curvature values, degenerate input."""
+
+import json
+
+import mpmath
+import pytest
+from gmpy2 import mpq
+from typer.testing import CliRunner
+
+from exactspline import Nurbs
+from exactspline.cli import app
+from exactspline.curves import example, example_names
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.features import (
+    constant_pieces,
+    critical_points,
+    curvature_extrema,
+    cusps,
+    inflections,
+    joint,
+    singularities,
+    straight_pieces,
+    zero_form,
+)
+from exactspline.inspection import APPROACHES, compare_approaches, curvature_value, inspect_curve
+from exactspline.zeros import checker
+from tests.test_shared_curves import FILES, read_curve
+
+PLANE = [name for name in example_names() if example(name).dimension == 2]
+
+
+def test_an_ellipse_has_four_vertices_the_seam_counted_once():
+    found = curvature_extrema(example("ellipse"))
+    assert [(f.root.exact, f.kind, f.of_absolute) for f in found] == [
+        (0, "maximum", "maximum"), (1, "minimum", "minimum"), (2, "maximum", "maximum"), (3, "minimum", "minimum")
+    ]  # fmt: skip
+    assert [curvature_value(example("ellipse"), f.root, 30) for f in found] == [2, mpmath.mpf(1) / 4] * 2
+
+
+def test_the_vertices_of_a_skew_ellipse_are_conjugate_algebraic_numbers():
+    found = curvature_extrema(example("ellipse_skew"))
+    assert len(found) == 4
+    # opposite vertices are two segments apart
+    for first, second in zip(found[:2], found[2:], strict=True):
+        (a, b), (c, d) = (f.root.refine(60) for f in (first, second))
+        assert a + 2 <= d
+        assert c <= b + 2
+    values = [curvature_value(example("ellipse_skew"), f.root, 40) for f in found]
+    with mpmath.workdps(45):
+        # (2x + y, x + 3y): half axes a, b with a² + b² = 15 and ab = 5; the curvatures there are a/b² and b/a²
+        a2, b2 = (mpmath.mpf(15) + mpmath.sqrt(125)) / 2, (mpmath.mpf(15) - mpmath.sqrt(125)) / 2
+        assert abs(values[0] - mpmath.sqrt(a2) / b2) < mpmath.mpf(10) ** -38
+        assert abs(values[1] - mpmath.sqrt(b2) / a2) < mpmath.mpf(10) ** -38
+
+
+def test_the_six_segment_cubic_has_what_figure_1_says():
+    curve = example("six_segment_cubic")
+    found = curvature_extrema(curve)
+    assert [f.by_jump for f in found].count(True) == 2
+    assert [f.root.exact for f in found if f.by_jump] == [3, 4]
+    assert len(found) == 8
+    assert [f.kind for f in inflections(curve)] == ["inflection"] * 2
+    by_name = {row.name: row for row in compare_approaches(curve)}
+    assert by_name["squaring"].invented == 2
+    squared = zero_form(curve, "critical_curvature", "squaring")[1]
+    direct = zero_form(curve, "critical_curvature", "direct")[1]
+    assert [root for root in squared if root not in list(direct)] == [f.root for f in inflections(curve)]
+
+
+def test_a_circle_has_constant_curvature():
+    assert constant_pieces(example("circle")) == [(0, 4)]
+    assert critical_points(example("circle")) == inflections(example("circle")) == singularities(example("circle")) == []
+
+
+def test_a_cusp_is_neither_an_inflection_nor_an_extremum():
+    curve = example("cusp")
+    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("cusp", mpq(1, 2))]
+    assert len(cusps(curve)) == 1
+    assert inflections(curve) == critical_points(curve) == []
+
+
+def test_motion_that_stops_and_goes_on_is_no_cusp():
+    """(u³, u⁴) has γ′ = 0 with the tangent kept; (u³, u³) along a line as well."""
+    stops = Nurbs(4, [0] * 5 + [1] * 5, [(-1, 1), ("1/2", -1), (0, 1), ("-1/2", -1), (1, 1)])
+    assert [(f.kind, f.root.exact) for f in singularities(stops)] == [("stop", mpq(1, 2))]
+
+
+def test_knots_are_told_apart():
+    assert joint(example("jump"), mpq(1)) == "gap"
+    assert joint(example("straight_between_arcs"), mpq(1)) == "jump of the curvature"
+    assert joint(example("six_segment_cubic"), mpq(3)) == "continuous curvature"
+    corner = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+    assert joint(corner, mpq(1)) == "corner"
+    back = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (0, 0)])
+    assert joint(back, mpq(1)) == "corner"
+    assert straight_pieces(example("straight_between_arcs")) == [(1, 2)]
+
+
+def test_curvature_that_changes_its_sign_by_a_jump():
+    """Two arcs of opposite bend with a common tangent: an inflection at the knot, no extremum."""
+    curve = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (3, -1), (4, 0)])
+    (f,) = inflections(curve)
+    assert (f.kind, f.root.exact, f.by_jump) == ("inflection", 1, True)
+    assert not [f for f in curvature_extrema(curve) if f.root == 1]
+
+
+def agrees(curve):
+    rows = {row.name: row for row in compare_approaches(curve)}
+    assert not any(row.missing for row in rows.values())
+    assert not any(rows[name].invented for name in ("direct", "reduced"))
+    extra = {f.root for f in (*inflections(curve), *singularities(curve))}
+    true = list(zero_form(curve, "critical_curvature")[1])
+    assert {root for root in zero_form(curve, "critical_curvature", "squaring")[1] if root not in true} <= extra
+    kinds = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in APPROACHES]
+    assert all(found == kinds[0] for found in kinds)
+
+
+@pytest.mark.parametrize("name", PLANE)
+def test_all_approaches_agree_on_the_example_curves(name):
+    agrees(example(name))
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
+def test_all_approaches_agree_on_real_curves(file):
+    curve = read_curve(file)
+    if curve.dimension == 2:
+        agrees(curve)
+    else:
+        with pytest.raises(ShapeError, match="plane"):
+            inspect_curve(curve)
+
+
+@pytest.mark.parametrize("name", ["rational_cubic_s", "rational_quartic", "ellipse_turned", "six_segment_cubic"])
+def test_curvature_is_greatest_where_it_says_so(name):
+    """Exactly: κ² on both sides of an extremum of |κ|, at rational parameters nearby, is beyond none."""
+    from exactspline.formulas import find
+
+    curve = example(name)
+    kappa = find("curvature_squared")(curve)
+    a, b = curve.domain
+    for f in curvature_extrema(curve):
+        low, high = f.root.refine(12)
+        h = mpq(1, 1000)
+        if not a < low - h or not high + h < b or f.of_absolute == "":
+            continue
+        centre = kappa((low + high) / 2)
+        for t in (low - h, high + h):
+            assert (kappa(t) < centre) == (f.of_absolute == "maximum")
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, [str(a) for a in arguments])
+
+
+def test_inspect_prints_what_it_found(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    result = run("inspect", "ellipse_skew", "--digits", 50)
+    assert result.exit_code == 0
+    assert "0.557536515835051410132825074912507419474995695480529" in result.output
+    data = json.loads(run("inspect", "six_segment_cubic", "--json", "--approach", "all").output)
+    assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6]
+    assert [f["kind"] for f in data["inflections"]] == ["inflection"] * 2
+    assert "κ′ ≡ 0" in run("inspect", "circle").output
+
+
+def test_a_thousand_digits_enclose_the_root(monkeypatch):
+    data = json.loads(run("inspect", "rational_cubic", "--digits", 1000, "--json").output)
+    low, high = (mpq(x) for x in data["critical"][0]["interval"])
+    assert 0 < high - low <= mpq(1, 10**1000)
+    f, _ = zero_form(example("rational_cubic"), "critical_curvature", "paper")
+    assert f(low) * f(high) < 0
+
+
+def test_certificates_are_written_and_checked(tmp_path):
+    file = tmp_path / "certificate.json"
+    assert run("inspect", "rational_quartic", "--certificate", file).exit_code == 0
+    written = json.loads(file.read_text())
+    assert {part["function"] for part in written} == {"zero_curvature", "critical_curvature"}
+    for part in written:
+        checker.check(part["certificate"])
+    written[1]["certificate"]["segments"][0]["coefficients"][0] = "12345"
+    with pytest.raises(ValueError, match=r"."):
+        checker.check(written[1]["certificate"])
+
+
+def test_a_picture_is_written(tmp_path):
+    pytest.importorskip("matplotlib")
+    file = tmp_path / "ellipse.svg"
+    assert run("inspect", "ellipse", "--plot", file).exit_code == 0
+    assert file.read_text().lstrip().startswith("<?xml")
+    assert run("inspect", "ellipse", "--plot", tmp_path / "ellipse.doc").exit_code != 0
+
+
+def test_what_cannot_be_inspected_says_why():
+    with pytest.raises(ShapeError, match="plane"):
+        inspect_curve(example("twisted_cubic"))
+    with pytest.raises(FormulaError, match="squaring, direct, reduced, minimal"):
+        inspect_curve(example("circle"), "best")
