@@ -16,9 +16,10 @@ from exactspline.language import Curve, Formula, Vector
 from exactspline.measure import in_lowest_terms
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree, parse
+from exactspline.readings.fraction import JetFraction, fraction_curve
 from exactspline.readings.infinity import drop_of, expansion_curve
-from exactspline.readings.jet import Jet, jet_curve
-from exactspline.readings.order import order_of
+from exactspline.readings.jet import Jet
+from exactspline.readings.order import is_polynomial, order_of
 
 MINIMAL = "minimal"
 
@@ -57,6 +58,17 @@ CONSTRUCTIONS = {
         ),
         Construction("curvature_squared", "squared curvature", "plane", {"naive": "curvature_squared"}, False),
         Construction("evolute", "evolute", "plane", {"naive": "evolute", "paper": "evolute_reduced"}, False),
+        Construction("zero_torsion", "zero torsion", "space", {"naive": "velocity_acceleration_jerk", "paper": "D1_D2_D3"}, True),
+        Construction("torsion", "torsion", "space", {"naive": "torsion", "paper": "torsion_reduced"}, False),
+        Construction("focal_curve", "focal curve", "space", {"naive": "focal_curve", "reduced": "focal_curve_reduced"}, False),
+        Construction("circle_centres", "centres of the osculating circles", "space", {"naive": "osculating_circle_centre"}, False),
+        Construction(
+            "space_critical_curvature",
+            "critical curvature of a space curve",
+            "space",
+            {"direct": "space_critical_curvature", "squaring": "space_curvature_squared_derivative", "reduced": "space_critical_curvature_reduced"},
+            True,
+        ),
     )
 }
 
@@ -93,18 +105,35 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
     (3d − 6, 8d − 12)
     """
     formula = c.formula(MINIMAL)
-    jets = jet_curve(dimension, order_of(formula, dimension), polynomial=polynomial)
-    parts, denominator = split(formula(jets))
-    everything = parts if denominator is None else [*parts, denominator]
-    common = everything[0].polynomial
-    if denominator is not None:
-        for part in everything[1:]:
-            common = common.gcd(part.polynomial)
-        everything = [Jet(part.ring, part.polynomial / common) for part in everything]
-    kept = everything[: len(parts)] if c.zero_set else everything
-    degrees = [_true_degree(Vector(*kept[: len(parts)]), dimension, polynomial)]
-    degrees += [_true_degree(Vector(kept[-1]), dimension, polynomial)] if len(kept) > len(parts) else []
-    return degrees[0] if len(degrees) == 1 else degrees[0].max(degrees[1])
+    orders = max(order_of(c.formula(form), dimension) for form in c.forms)
+    jets = fraction_curve(dimension, orders, polynomial=polynomial)
+    parts, _ = split(formula(jets))
+    if c.zero_set:
+        return _below_polynomial_form(c, parts[0], jets, dimension, polynomial)
+    denominator = parts[0].bottom
+    for part in parts[1:]:
+        denominator = denominator * (part.bottom / denominator.gcd(part.bottom))
+    numerators = _true_degree(Vector(*[Jet(part.ring, part.top * (denominator / part.bottom)) for part in parts]), dimension, polynomial)
+    if denominator.total_degree() <= 0:
+        return numerators
+    return numerators.max(_true_degree(Vector(Jet(parts[0].ring, denominator)), dimension, polynomial))
+
+
+def _below_polynomial_form(c: Construction, minimal: JetFraction, jets: Curve, dimension: int, polynomial: bool) -> Degree:
+    """The degree of a polynomial form less that of the factor by which it exceeds the minimal one: cheaper than expanding the minimal form."""
+    form = next((c.formula(f) for f in c.forms if polynomial or is_polynomial(c.formula(f), dimension)), None)
+    if form is None:
+        return _true_degree(Vector(Jet(minimal.ring, minimal.top)), dimension, polynomial)
+    excess = form(jets) * minimal.constant(1) / JetFraction(minimal.ring, minimal.top, minimal.constant(1).top)
+    k, m, drop, _ = drop_of(form, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), form.name)
+    if excess.top.total_degree() <= 0:
+        return parse(f"{k}d-{m + drop}")
+
+    def factor(expansion: Curve) -> Any:
+        return substitute(Jet(minimal.ring, excess.top), expansion)
+
+    less_k, less_m, less_drop, _ = drop_of(factor, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), "the factor")
+    return parse(f"{k - less_k}d-{m + drop - less_m - less_drop}")
 
 
 def _true_degree(jets: Vector, dimension: int, polynomial: bool) -> Degree:

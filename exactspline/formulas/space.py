@@ -1,7 +1,7 @@
 """§5: space curves."""
 
 from exactspline.formulas.derivatives import D1, D1_D2_D3, D2, D3, D21, D1_squared, speed_squared, velocity_acceleration_jerk
-from exactspline.language import cross, dot, formula, norm2, ruled
+from exactspline.language import cross, det, dot, formula, norm2, ruled
 
 
 @formula("eq. (14)", curve="space", symbol="B")
@@ -266,3 +266,30 @@ def space_critical_curvature_reduced(c):
     bend = D1_x_D2_squared(c)
     jerk = dot(b, cross(a, D3(c))) + dot(b, cross(a, D21(c)))
     return jerk * speed * w + 2 * w.d(1) * bend * speed - 3 * bend * dot(a, D2(c)) * w
+
+
+@formula("Frenet equations", curve="space")
+def torsion_by_frenet(c):
+    """``−B′·N / ‖γ′‖`` for the unit vectors B and N, written with ``γ′ × γ″`` and ``(γ′ × γ″) × γ′``."""
+    return -dot(binormal(c).d(1), normal(c)) / (binormal_squared(c) * speed_squared(c))
+
+
+@formula("definition of a geodesic", curve="space")
+def rectifying_geodesic(c):
+    """``[γ′ γ″ γ′ × G]``: zero when γ is a geodesic of the rectifying developable with generator G."""
+    a = c.gamma.d(1)
+    return det(a, c.gamma.d(2), cross(a, rectifying_developable(c).generator))
+
+
+@formula("definition of a developable", curve="space")
+def rectifying_development(c):
+    """``[γ′ G G′]`` of the reduced generator: zero when the rectifying developable is one."""
+    generator = rectifying_developable_reduced(c).generator
+    return det(c.gamma.d(1), generator, generator.d(1))
+
+
+@formula("definition of a developable", curve="space")
+def focal_development(c):
+    """``[δ′ B B′]``: zero when the focal surface is developable."""
+    surface = focal_surface_reduced(c)
+    return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))

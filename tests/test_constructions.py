@@ -1,0 +1,81 @@
+"""The minimal forms: identical to the naive ones, of the degree proved for symbolic d, and no lower on generic curves."""
+
+import random
+from functools import cache
+
+import pytest
+
+from exactspline import Nurbs
+from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, symbolic_minimum
+from exactspline.curves import example
+from exactspline.errors import FormulaError, ReductionError
+from exactspline.factors import split
+from exactspline.formulas import find
+from exactspline.measure import in_lowest_terms, lowest_terms, true_degree
+
+DIMENSION = {"plane": 2, "space": 3}
+
+
+def generic(degree, dimension, *, polynomial):
+    """A Bézier curve with no accident in its data: random integers, the same every time."""
+    numbers = random.Random(17 * degree + dimension)
+    points = [[numbers.randint(-50, 50) for _ in range(dimension)] for _ in range(degree + 1)]
+    weights = None if polynomial else [numbers.randint(1, 30) for _ in points]
+    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points, weights)
+
+
+@cache
+def proved_degree(name, polynomial):
+    c = construction(name)
+    return symbolic_minimum(c, DIMENSION[c.curve], polynomial=polynomial)
+
+
+@pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
+@pytest.mark.parametrize("degree", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("name", CONSTRUCTIONS)
+def test_generic_curves_attain_the_proved_degree_and_no_lower(name, degree, polynomial):
+    c = construction(name)
+    dimension = DIMENSION[c.curve]
+    curve = generic(degree, dimension, polynomial=polynomial)
+    try:
+        value = c.on(curve, MINIMAL)
+    except ReductionError:
+        assert degree == 2  # a parabola in space has no torsion and no focal curve
+        return
+    proved = proved_degree(name, polynomial).at({"d": degree})
+    if dimension == 3 and degree == 2:
+        assert true_degree(value) <= max(proved, 6)  # a conic is planar: its degrees are those of §4
+        return
+    assert true_degree(value) == proved
+
+
+@pytest.mark.parametrize("name", CONSTRUCTIONS)
+def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
+    c = construction(name)
+    curve = example("rational_cubic_spline" if c.curve == "plane" else "rational_space_cubic")
+    naive, minimal = c.formula(MINIMAL)(curve), c.on(curve, MINIMAL)
+    (ps, k), (qs, m) = split(naive), split(in_lowest_terms(naive))
+    for p, q in zip(ps, qs, strict=True):
+        assert p * m == q * k
+    assert true_degree(minimal) == max(n for _, n in lowest_terms(naive)) if not c.zero_set else minimal.degree == minimal.true_degree
+
+
+def test_a_vertex_form_of_the_ellipse_has_degree_four():
+    """96 by squaring, 12 in the paper, 4 in lowest terms; and an ellipse has four vertices."""
+    ellipse = example("ellipse_skew")
+    made = construction("critical_curvature")
+    assert [made.on(ellipse, form).degree for form in ("squaring", "paper", MINIMAL)] == [96, 12, 4]
+
+
+def test_the_torsion_form_of_a_rational_space_cubic_is_constant():
+    assert construction("zero_torsion").on(example("rational_space_cubic"), MINIMAL).degree == 0
+
+
+def test_unknown_names_are_refused():
+    with pytest.raises(FormulaError, match="no construction"):
+        construction("involute")
+
+
+def test_a_denominator_that_vanishes_on_a_segment_is_named():
+    with pytest.raises(ReductionError, match=r"\[1, 2\]"):
+        lowest_terms(find("evolute")(example("straight_between_arcs")))
