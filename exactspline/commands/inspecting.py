@@ -105,4 +105,4 @@ def _certify(c: Any, found: Any, path: str) -> None:
 def _draw(c: Any, found: Any, path: str) -> None:
     from exactspline.plot import inspect_figure, save
 
-    save(inspect_figure(c, [(f"{made.title}, degree {f.degree}", f, zero_set) for made, f, zero_set in _solved(c, found)]), path)
+    save(inspect_figure(c, [(made.title, f, zero_set) for made, f, zero_set in _solved(c, found)]), path)
