@@ -104,7 +104,7 @@ def test_curvature_that_changes_its_sign_by_a_jump():
     assert not [f for f in curvature_extrema(curve) if f.root == 1]
 
 
-def agrees(curve):
+def check_agreement(curve):
     rows = {row.name: row for row in compare_approaches(curve)}
     assert not any(row.missing for row in rows.values())
     assert not any(rows[name].invented for name in ("direct", "reduced"))
@@ -117,14 +117,14 @@ def agrees(curve):
 
 @pytest.mark.parametrize("name", PLANE)
 def test_all_approaches_agree_on_the_example_curves(name):
-    agrees(example(name))
+    check_agreement(example(name))
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
 def test_all_approaches_agree_on_real_curves(file):
     curve = read_curve(file)
     if curve.dimension == 2:
-        agrees(curve)
+        check_agreement(curve)
     else:
         with pytest.raises(ShapeError, match="plane"):
             inspect_curve(curve)

@@ -42,8 +42,9 @@ def _print_ledger(rows: list[Any], claims: Sequence[Any], curves: list[Any] | No
     if curves is None:
         out.print(report.ledger([row for row in rows if not row.curve], "For all curves", digits))
         concrete = [row for row in rows if row.curve]
-        out.print("\n[bold]On the example curves[/bold], exactly (each in full with --curve NAME)")
-        out.print(report.summary(concrete))
+        if concrete:
+            out.print("\n[bold]On the example curves[/bold], exactly (each in full with --curve NAME)")
+            out.print(report.summary(concrete))
         differing = [row for row in concrete if not row.as_recorded]
         if differing:
             out.print(report.ledger(differing, "Not as recorded", digits))
