@@ -17,7 +17,7 @@ from exactspline.errors import ShapeError
 from exactspline.exact import ratio, rational, text
 from exactspline.form import ONE, is_square_class, primitive, zero_on_segment
 from exactspline.formulas import find
-from exactspline.language import Curve, Vector
+from exactspline.language import Curve, RuledSurface, Vector
 from exactspline.measure import in_lowest_terms
 from exactspline.quotients import Rational
 from exactspline.spline import BSpline
@@ -41,6 +41,8 @@ class Derived:
     form: str
     pieces: tuple[Piece, ...]
     missing: tuple[tuple[Interval, str], ...]
+    #: Whether it is a ruled surface: then the values are directrix and generator side by side.
+    ruled: bool = False
 
     def __call__(self, t: Any) -> Any:
         """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
@@ -101,23 +103,37 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     else:
         formula = find(name)
         needed = formula.curve
-        compute = (lambda c: in_lowest_terms(formula(c))) if form == MINIMAL else formula
+        compute = (lambda c: in_lowest_terms(_joined(formula(c)))) if form == MINIMAL else (lambda c: _joined(formula(c)))
     if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
-    value = formula(curve)
+    found = formula(curve)
+    value, ruled = _joined(found), isinstance(found, RuledSurface)
     if not isinstance(value, Rational):
-        return Derived(name, form, (Piece(curve.domain, compute(curve)),), ())
+        return Derived(name, form, (Piece(curve.domain, compute(curve)),), (), ruled)
     missing = tuple((interval, _why_missing(name)) for interval in intervals_where(value.denominator, lambda c: not c))
     pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(value.denominator, bool))
     if not pieces:
         raise ShapeError(
             f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain", remedy="choose a curve that is not straight"
         )
-    return Derived(name, form, pieces, missing)
+    return Derived(name, form, pieces, missing, ruled)
+
+
+def _joined(value: Any) -> Any:
+    return value.joined if isinstance(value, RuledSurface) else value
+
+
+#: Why an object does not exist where its denominator vanishes identically, by the beginning of its name.
+_MISSING = {
+    "evolute": "the curve is straight (its curvature vanishes identically)",
+    "focal_curve": "the curve is planar (its torsion vanishes identically)",
+    "torsion": "the curve is straight (its curvature vanishes identically)",
+    "circle_centres": "the curve is straight (its curvature vanishes identically)",
+}
 
 
 def _why_missing(name: str) -> str:
-    return "the curve is straight (its curvature vanishes identically)" if name.startswith("evolute") else "the denominator vanishes identically"
+    return next((why for start, why in _MISSING.items() if name.startswith(start)), "the denominator vanishes identically")
 
 
 @dataclass(frozen=True)

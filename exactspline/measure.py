@@ -22,13 +22,14 @@ from exactspline.spline import BSpline
 class Measure:
     """What one formula costs on one curve.
 
-    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for what vanishes identically), ``control_points`` of the representation.
+    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for what vanishes identically; no true degree where a denominator
+    vanishes on a whole segment), ``control_points`` of the representation.
     """
 
     formula: str
     nominal: Degree
     represented: int
-    true: int
+    true: int | None
     control_points: int
 
 
@@ -43,7 +44,7 @@ def measure(formula: Formula, curve: Any) -> Measure:
     value = formula(curve)
     value = getattr(value, "joined", value)
     nominal = formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree
-    return Measure(formula.name, nominal, value.degree, true_degree(value), control_point_count(value))
+    return Measure(formula.name, nominal, value.degree, true_degree_or_none(value), control_point_count(value))
 
 
 def measurable(dimension: int) -> list[Formula]:
@@ -74,6 +75,14 @@ def true_degree(value: Any) -> int:
     if value.is_zero:
         return -1
     return max(n for _, n in lowest_terms(value))
+
+
+def true_degree_or_none(value: Any) -> int | None:
+    """The true degree, None where a denominator vanishes on a whole segment."""
+    try:
+        return true_degree(value)
+    except ReductionError:
+        return None
 
 
 def lowest_terms(value: Rational) -> list[tuple[list[fmpz_poly], int]]:

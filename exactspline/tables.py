@@ -12,7 +12,7 @@ from exactspline.errors import ReductionError
 from exactspline.formulas import find
 from exactspline.interrogate import Derived
 from exactspline.language import Vector
-from exactspline.measure import control_point_count, measurable, measure, true_degree
+from exactspline.measure import control_point_count, measurable, measure, true_degree_or_none
 from exactspline.printers.text import print_text
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree, degree_curve
@@ -27,7 +27,7 @@ class DegreeRow:
     form: str
     nominal: str
     represented: int
-    true: int
+    true: int | None
     control_points: int
     generic: str
     text: str
@@ -57,9 +57,9 @@ def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
     try:
         value = c.on(curve, form)
     except ReductionError as error:
-        return DegreeRow(c.name, form, nominal, -1, -1, 0, "–", str(error))
+        return DegreeRow(c.name, form, nominal, -1, None, 0, "–", str(error))
     generic = str(minimum) if form == MINIMAL else "–"
-    return DegreeRow(c.name, form, nominal, value.degree, true_degree(value), control_point_count(value), generic, text)
+    return DegreeRow(c.name, form, nominal, value.degree, true_degree_or_none(value), control_point_count(value), generic, text)
 
 
 def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:
@@ -83,6 +83,7 @@ def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
         "name": derived.name,
         "form": derived.form,
         "curve": curve,
+        "layout": "directrix, generator" if derived.ruled else "",
         "pieces": [_piece(piece.interval, piece.value) for piece in derived.pieces],
         "missing": [{"interval": [str(a), str(b)], "reason": reason} for (a, b), reason in derived.missing],
     }

@@ -62,6 +62,32 @@ def test_degrees_and_curves():
     assert {"circle", "ellipse", "parabola", "cusp", "straight_line", "twisted_cubic", "helix_like", "six_segment_cubic"} <= set(names)
 
 
+@pytest.mark.parametrize("name", ["straight_line", "planar_in_space", "space_line", "jump", "twisted_cubic"])
+def test_degrees_go_on_where_an_object_does_not_exist(name):
+    for option in ([], ["--formulas"]):
+        rows = json.loads(CliRunner().invoke(app, ["degrees", "--curve", name, "--json", *option]).stdout)[0]["formulas"]
+        assert len(rows) > 5
+
+
+def test_a_ruled_surface_is_written_with_directrix_and_generator(tmp_path):
+    file = tmp_path / "surface.json"
+    assert CliRunner().invoke(app, ["derive", "tangent_developable_reduced", "rational_space_cubic", "-o", str(file)]).exit_code == 0
+    data = json.loads(file.read_text())
+    assert data["layout"] == "directrix, generator"
+    assert all(len(point) == 7 for point in data["pieces"][0]["homogeneous_control_points"])
+
+
+def test_what_does_not_exist_says_why():
+    for name, curve, reason in [
+        ("focal_curve", "planar_in_space", "planar"),
+        ("evolute", "straight_cubic", "straight"),
+        ("torsion", "space_line", "straight"),
+    ]:
+        done = run("derive", name, curve)
+        assert (done.returncode, done.stderr.count("\n")) == (2, 1)
+        assert reason in done.stderr
+
+
 def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
     from dataclasses import replace
 

@@ -36,7 +36,8 @@ def _print_degrees(results: list[tuple[Any, list[Any]]]) -> None:
         numbers = ("nominal", "represented", "true", "control points", "generic true degree")
         made = report.table("formula", "form", *numbers, "what it is", title=f"{c.name}: {described(c)}", right=numbers)
         for row in rows:
-            counts = (str(row.nominal), str(row.represented), str(row.true), str(row.control_points), str(row.generic))
+            true = "–" if row.true is None else str(row.true)
+            counts = (str(row.nominal), str(row.represented), true, str(row.control_points), str(row.generic))
             made.add_row(row.formula, row.form, *counts, row.text)
         out.print(made)
         out.print()
