@@ -12,7 +12,7 @@ from gmpy2 import mpq
 
 from exactspline.constructions import MINIMAL
 from exactspline.errors import ExactSplineError, FormulaError
-from exactspline.features import constant_pieces, critical_points, inflections, singularities, straight_pieces, zero_form
+from exactspline.features import constant_pieces, critical_points, curvature_sign, inflections, singularities, straight_pieces, zero_form
 from exactspline.formulas import find
 from exactspline.interrogate import plane
 from exactspline.language import Curve, Vector
@@ -103,6 +103,9 @@ def curvature_value(curve: Any, root: Root, digits: int, side: str = "right") ->
     """
     from mpmath import iv, mp
 
+    sign = curvature_sign(curve, root)
+    if sign == 0:
+        return mp.mpf(0)
     precision = digits + 10
     while True:
         low, high = root.refine(precision)
@@ -110,9 +113,9 @@ def curvature_value(curve: Any, root: Root, digits: int, side: str = "right") ->
         try:
             iv.dps = precision + 10
             c = _enclosed(curve, low, high, side, iv)
-            squared, sign = find("curvature_squared")(c).value, find("f0")(c).value
-            if squared.a > 0 or low == high:
-                kappa = iv.sqrt(squared) * (1 if sign > 0 else -1 if sign < 0 else 0)
+            squared = find("curvature_squared")(c).value
+            if squared.a > 0:
+                kappa = iv.sqrt(squared) * sign
                 if kappa.delta <= mp.mpf(10) ** -digits * max(1, abs(kappa.mid)):
                     with mp.workdps(digits + 5):
                         return mp.mpf(kappa.mid)

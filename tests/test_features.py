@@ -7,7 +7,7 @@ import pytest
 from gmpy2 import mpq
 from typer.testing import CliRunner
 
-from exactspline import Nurbs
+from exactspline import BSpline, Nurbs
 from exactspline.cli import app
 from exactspline.curves import example, example_names
 from exactspline.errors import FormulaError, ShapeError
@@ -146,6 +146,29 @@ def test_curvature_is_greatest_where_it_says_so(name):
         centre = kappa((low + high) / 2)
         for t in (low - h, high + h):
             assert (kappa(t) < centre) == (f.of_absolute == "maximum")
+
+
+def test_the_curvature_may_vanish_at_its_own_extremum():
+    """(t, t⁴) has κ = κ′ = 0 at 0; so has a sextic at an irrational parameter: the value there is exactly 0."""
+    flat = Nurbs(4, [0] * 5 + [1] * 5, [(-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1)])
+    f = next(f for f in curvature_extrema(flat) if f.root == mpq(1, 2))
+    assert (f.root.exact, f.kind, f.of_absolute) == (mpq(1, 2), "minimum", "minimum")
+    assert curvature_value(flat, f.root, 20) == 0
+    t = BSpline.bezier([-2, 2])
+    bend = (t * t - 2) ** 2  # y″ with double zeros at ±√2
+    y = t.elevate_degree(5) * 0 + integral(integral(bend))
+    curve = Nurbs(6, [0] * 7 + [1] * 7, list(zip(t.elevate_degree(5).control_points, y.control_points, strict=True)))
+    flats = [f for f in curvature_extrema(curve) if curvature_value(curve, f.root, 15) == 0]
+    assert [f.kind for f in flats] == ["minimum", "minimum"]
+    assert [f.kind for f in inflections(curve)] == ["undulation", "undulation"]
+
+
+def integral(f):
+    """An antiderivative on [0, 1], by its Bézier points."""
+    sums = [mpq(0)]
+    for b in f.control_points:
+        sums.append(sums[-1] + b / (f.degree + 1))
+    return BSpline.bezier(sums)
 
 
 def run(*arguments):
