@@ -7,6 +7,7 @@ nothing else. On a closed curve the seam is a knot like any other and counts onc
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 from flint import fmpz_poly
@@ -20,8 +21,8 @@ from exactspline.language import Vector
 from exactspline.spline import BSpline
 from exactspline.zeros import Jump, Root, ZeroSet, zeros
 
-#: The form whose sign is that of κκ′; the sign of all others is that of κ′.
-SQUARING = "squaring"
+#: The form whose sign is that of κκ′; the sign of all others is that of κ′, with the paper's f2 and g2 an odd power of w away from it.
+SQUARING, PAPER = "squaring", "paper"
 #: What can happen at a knot, from bad to good.
 GAP, CORNER, SINGULAR, CURVATURE_JUMP, CONTINUOUS = "gap", "corner", "singular", "jump of the curvature", "continuous curvature"
 
@@ -30,10 +31,11 @@ GAP, CORNER, SINGULAR, CURVATURE_JUMP, CONTINUOUS = "gap", "corner", "singular",
 class Feature:
     """A point of the curve: what it is, its parameter as a certified root, and how it was found.
 
-    ``kind`` is ``cusp`` or ``stop`` (γ′ = 0, the direction turned round or kept), ``inflection``, ``undulation`` or ``flat end`` (κ = 0, its sign
-    changed, kept, or the domain ends there), ``maximum`` or ``minimum`` (of κ), ``stationary`` (κ′ = 0, no extremum). ``of_absolute`` is ``maximum``
-    or ``minimum`` of the absolute curvature, empty where it is neither. ``by_jump`` tells that the sign changes at a knot without a zero on
-    both sides.
+    ``kind`` is ``cusp``, ``stop`` or ``corner`` (γ′ = 0, the direction turned round, kept, or turned by an angle), ``singular end`` (γ′ = 0 where
+    the domain ends), ``rest`` (an end of a stretch on which the curve stands still), ``inflection``, ``undulation`` or ``flat end`` (κ = 0, its
+    sign changed, kept, or the domain ends there), ``maximum`` or ``minimum`` (of κ), ``stationary`` (κ′ = 0, no extremum). ``of_absolute`` is
+    ``maximum`` or ``minimum`` of the absolute curvature, empty where it is neither. ``by_jump`` tells that the sign changes at a knot without a
+    zero on both sides.
     """
 
     kind: str
@@ -59,9 +61,13 @@ def singularities(curve: Any) -> list[Feature]:
     """
     common = _common_factor(find("D1")(plane(curve)))
     found = zeros(common, periodic=curve.closed)
-    ends = {curve.domain[0], curve.domain[1]} if not curve.closed else set()
     inner = [Feature("cusp" if root.multiplicity % 2 else "stop", root, "D1") for root in found if not root.at_knot]
-    knots = [Feature(_at_knot(curve, t), _knot_root(t), "D1") for t in curve.breakpoints if t not in ends and joint(curve, t) == SINGULAR]
+    a, b = curve.domain
+    seam = [a] if curve.closed else []
+    knots = [Feature(_at_knot(curve, t), _knot_root(t), "D1") for t in (*seam, *curve.breakpoints[1:-1]) if joint(curve, t) == SINGULAR]
+    if not curve.closed:
+        stands = [t for t, side in ((a, "right"), (b, "left")) if all(c(t, side) == 0 for c in find("D1")(curve))]
+        knots += [Feature("singular end", _knot_root(t), "D1") for t in stands]
     return sorted(inner + knots, key=lambda f: f.root)
 
 
@@ -124,6 +130,8 @@ def _at_knot(curve: Any, t: mpq) -> str:
     """Whether the direction turns round at a singular knot: by the limits of the direction on both sides."""
     left, right = _sides(curve, t)
     (ax, ay), (bx, by) = _direction(curve, left, "left"), _direction(curve, right, "right")
+    if ax == ay == 0 or bx == by == 0:
+        return "rest"
     return "stop" if ax * by == ay * bx and ax * bx + ay * by > 0 else "cusp" if ax * by == ay * bx else CORNER
 
 
@@ -140,6 +148,8 @@ def _direction(curve: Any, t: mpq, side: str) -> tuple[mpq, mpq]:
 def zero_form(curve: Any, name: str, form: str = MINIMAL) -> tuple[BSpline, ZeroSet]:
     """The form of a zero-set construction on a curve, and its certified zeros."""
     f = construction(name).on(plane(curve), form)
+    if form == PAPER and curve.w(curve.domain[0]) < 0:
+        f = -f
     return f, zeros(f, periodic=curve.closed)
 
 
@@ -156,11 +166,16 @@ def inflections(curve: Any, form: str = MINIMAL) -> list[Feature]:
     """
     singular = {f.root for f in singularities(curve)}
     _, found = zero_form(curve, "zero_curvature", form)
-    features = [Feature(_flat(root), root, form) for root in found if root not in singular]
+    features = [Feature(_flat(root), root, form) for root in found if root not in singular and _tangent_at(curve, root)]
     for jump in found.jumps:
         if jump.sign_change and joint(curve, jump.parameter) in (CURVATURE_JUMP, CONTINUOUS):
             features.append(Feature("inflection", _jump_root(jump), form, by_jump=True))
     return sorted(features, key=lambda f: f.root)
+
+
+def _tangent_at(curve: Any, root: Root) -> bool:
+    """Whether the curve has one tangent at a root: everywhere but at knots that are gaps, corners or singular."""
+    return not root.at_knot or not _inside(curve, root.low) or joint(curve, root.low) in (CURVATURE_JUMP, CONTINUOUS)
 
 
 def _flat(root: Root) -> str:
@@ -176,12 +191,21 @@ def straight_pieces(curve: Any) -> list[tuple[mpq, mpq]]:
     >>> straight_pieces(example("straight_between_arcs"))
     [(mpq(1,1), mpq(2,1))]
     """
-    return [(s.low, s.high) for s in zero_form(curve, "zero_curvature")[1].stretches]
+    return _split_at_joints(curve, zero_form(curve, "zero_curvature")[1])
 
 
 def constant_pieces(curve: Any) -> list[tuple[mpq, mpq]]:
     """The intervals on which the curvature is constant: circular arcs and straight pieces."""
-    return [(s.low, s.high) for s in zero_form(curve, "critical_curvature")[1].stretches]
+    return _split_at_joints(curve, zero_form(curve, "critical_curvature")[1])
+
+
+def _split_at_joints(curve: Any, found: ZeroSet) -> list[tuple[mpq, mpq]]:
+    """The stretches of a zero set, cut at the knots where the curve is not smooth to second order."""
+    pieces = []
+    for stretch in found.stretches:
+        cuts = [t for t in curve.breakpoints[1:-1] if stretch.low < t < stretch.high and joint(curve, t) != CONTINUOUS]
+        pieces += pairwise([stretch.low, *cuts, stretch.high])
+    return pieces
 
 
 def curvature_extrema(curve: Any, form: str = MINIMAL) -> list[Feature]:

@@ -16,7 +16,7 @@ from exactspline.factors import factor_of_text, split
 from exactspline.features import curvature_extrema
 from exactspline.form import is_square_class, zero_on_segment
 from exactspline.formulas import find
-from exactspline.language import Vector, cross
+from exactspline.language import RuledSurface, Vector, cross
 from exactspline.measure import control_point_count, in_lowest_terms
 from exactspline.quotients import Rational
 from exactspline.readings.degree import parse
@@ -27,7 +27,19 @@ from exactspline.zeros import zeros
 
 def check(claim: Claim, curve: Any) -> Finding:
     """What one curve says of a claim."""
+    if claim.curve != "table" and (gone := _missing(claim, curve)):
+        return Finding(UNDECIDED, claim.claimed or claim.factor, gone, witness=VACUOUS)
     return _CHECKS[claim.kind](claim, curve)
+
+
+def _missing(claim: Claim, curve: Any) -> str:
+    """The formula of a claim that does not exist on this curve, because a denominator vanishes on a whole segment; empty when all exist."""
+    for name in claim.named:
+        value = find(name)(curve)
+        parts = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
+        if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
+            return f"{name} does not exist on all of this curve: 0/0"
+    return ""
 
 
 def identity(claim: Claim, curve: Any) -> Finding:
@@ -195,7 +207,7 @@ def square_class(claim: Claim, curve: Any) -> Finding:
 def same_surface(claim: Claim, curve: Any) -> Finding:
     """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
     a, b = find(claim.left)(curve), find(claim.right)(curve)
-    if split(a.generator)[0] and all(x.is_zero for x in split(a.generator)[0]):
+    if any(all(x.is_zero for x in split(surface.generator)[0]) for surface in (a, b)):
         return Finding(UNDECIDED, "one surface", "no surface: the generator vanishes", witness=VACUOUS)
     for product in (cross(a.generator, b.generator), cross(b.directrix - a.directrix, a.generator)):
         for x in split(product)[0]:

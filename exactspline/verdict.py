@@ -9,7 +9,7 @@ from exactspline.claims import Claim
 
 PROVED, VERIFIED, REFUTED, UNDECIDED = "PROVED", "VERIFIED", "REFUTED", "UNDECIDED"
 #: What `witness` says where both sides vanish: no success, and no failure either.
-VACUOUS = "vacuous: both sides vanish identically"
+VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
 
 
 @dataclass
