@@ -60,4 +60,4 @@ def _checked(claim: Claim, curve: Any, name: str) -> Row:
         finding = on_one_curve.check(claim, curve)
     except ExactSplineError as error:
         finding = Finding(UNDECIDED, claim.claimed, witness=str(error))
-    return row(claim, "spline", name, finding, perf_counter() - start)
+    return row(claim, "spline", name or "(unnamed curve)", finding, perf_counter() - start)

@@ -201,7 +201,7 @@ def constant_pieces(curve: Any) -> list[tuple[mpq, mpq]]:
 
 def _split_at_joints(curve: Any, found: ZeroSet) -> list[tuple[mpq, mpq]]:
     """The stretches of a zero set, cut at the knots where the curve is not smooth to second order."""
-    pieces = []
+    pieces: list[tuple[mpq, mpq]] = []
     for stretch in found.stretches:
         cuts = [t for t in curve.breakpoints[1:-1] if stretch.low < t < stretch.high and joint(curve, t) != CONTINUOUS]
         pieces += pairwise([stretch.low, *cuts, stretch.high])
@@ -227,9 +227,12 @@ def critical_points(curve: Any, form: str = MINIMAL) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``)."""
     singular = {f.root for f in singularities(curve)}
     _, found = zero_form(curve, "critical_curvature", form)
+    true = list(zero_form(curve, "critical_curvature")[1]) if form == SQUARING else []
     features = []
-    for root in found:
-        if root in singular or (root.at_knot and _inside(curve, root.low) and joint(curve, root.low) != CONTINUOUS):
+    for solved in found:
+        # squaring adds roots where κ = 0; what remains is judged by κ′ itself
+        root = next((r for r in true if r == solved), None) if form == SQUARING else solved
+        if root is None or root in singular or (root.at_knot and _inside(curve, root.low) and joint(curve, root.low) != CONTINUOUS):
             continue
         features.append(_extremum(curve, root, form, by_jump=False))
     for jump in found.jumps:
@@ -252,7 +255,7 @@ def _extremum(curve: Any, root: Root, form: str, *, by_jump: bool) -> Feature:
     if left is None or right is None or left * right >= 0:
         return Feature("stationary", root, form)
     sign = curvature_sign(curve, root)
-    if form == SQUARING:
+    if form == SQUARING and by_jump:
         left *= sign
     if left == 0:
         return Feature("stationary", root, form)

@@ -49,9 +49,7 @@ def inspect_curve(curve: Any, approach: str = "minimal") -> Inspection:
         raise FormulaError(f"no approach is called {approach!r}", remedy=f"there are {', '.join(APPROACHES)}, all")
     plane(curve)
     critical = critical_points(curve, APPROACHES[approach])
-    invented = {f.root for f in (*inflections(curve), *singularities(curve))} if approach == "squaring" else set()
-    kept = [f for f in critical if f.root not in invented]
-    return Inspection(approach, singularities(curve), inflections(curve), kept, straight_pieces(curve), constant_pieces(curve))
+    return Inspection(approach, singularities(curve), inflections(curve), critical, straight_pieces(curve), constant_pieces(curve))
 
 
 @dataclass(frozen=True)

@@ -140,6 +140,8 @@ def degree(claim: Claim, curve: Any) -> Finding:
     )
     if claim.measure == "true":
         computed = max(p.true_degree for p in split(value)[0])
+        if computed < 0:
+            return Finding(UNDECIDED, str(claimed), "0", witness=VACUOUS)
         lower = " (lower on this curve)" if computed < claimed else ""
         return Finding(VERIFIED if computed <= claimed else REFUTED, str(claimed), f"{computed}{lower}")
     computed = value.degree
@@ -153,15 +155,14 @@ def degree(claim: Claim, curve: Any) -> Finding:
 
 
 def coefficients(claim: Claim, curve: Any) -> Finding:
-    """No control point of any component is zero."""
+    """No control point is zero (of a vector: none is the zero vector)."""
     value = find(claim.formula)(curve)
     components = list(value) if isinstance(value, Vector) else [value]
     if all(p.is_zero for p in components):
         return Finding(UNDECIDED, "none vanishes", "all vanish", witness=VACUOUS)
-    for k, p in enumerate(components):
-        for i, b in enumerate(p.control_points):
-            if b == 0:
-                return Finding(REFUTED, "none vanishes", "one vanishes", witness=f"coefficient {i} of component {k} of {claim.formula} is 0")
+    for i, point in enumerate(zip(*[p.control_points for p in components], strict=True)):
+        if not any(point):
+            return Finding(REFUTED, "none vanishes", "one vanishes", witness=f"coefficient {i} of {claim.formula} is 0")
     return Finding(VERIFIED, "none vanishes", "none vanishes")
 
 

@@ -1,0 +1,88 @@
+"""Features where it is easy to be wrong: negative weight functions, seams, ends, corners, curves that stand still, squaring."""
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import Nurbs
+from exactspline.audit import audit
+from exactspline.claims import select
+from exactspline.curves import example
+from exactspline.features import constant_pieces, curvature_extrema, inflections, singularities, straight_pieces
+from exactspline.inspection import APPROACHES, inspect_curve
+
+
+def bezier(points, weights=None):
+    n = len(points)
+    return Nurbs(n - 1, [0] * n + [1] * n, points, weights)
+
+
+def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
+    points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
+    plus, minus = bezier(points, weights), bezier(points, [-w for w in weights])
+    for approach in APPROACHES:
+        found = [[(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical] for c in (plus, minus)]
+        assert found[0] == found[1]
+        assert found[0]
+
+
+def test_a_singular_seam_is_counted_once():
+    curve = bezier([(0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0)])
+    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("corner", 0)]
+
+
+def test_a_curve_that_starts_from_rest_is_singular_there():
+    curve = bezier([(0, 0), (0, 0), (1, 1), (2, 0)])
+    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("singular end", 0)]
+    assert not [f for f in inflections(curve) if f.root == 0]
+    assert not [f for f in inspect_curve(curve).critical if f.root == 0]
+
+
+def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
+    """y = x⁴: κ = κ′ = 0 at 0, a minimum; y = x³: κ = 0 there but κ′ is not."""
+    quartic = bezier([(-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1)])
+    cubic = bezier([(-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1)])
+    for approach in APPROACHES:
+        assert ("minimum", mpq(1, 2)) in [(f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical]
+        assert not [f for f in inspect_curve(cubic, approach).critical if f.root == mpq(1, 2)]
+
+
+@pytest.mark.parametrize(
+    ("knots", "points"),
+    [
+        ([0] * 4 + [1] * 4 + [2] * 4, [(0, 0), (0, 1), (1, 1), (2, 1), (12, 0), (13, 0), (14, 0), (14, 5)]),
+        ([0] * 4 + [1] * 3 + [2] * 4, [(0, 0), (0, 1), (1, 1), (2, 1), (2, 0), (2, -1), (3, -1)]),
+    ],
+    ids=["gap", "corner"],
+)
+def test_a_gap_or_a_corner_is_no_inflection(knots, points):
+    assert not [f for f in inflections(Nurbs(3, knots, points)) if f.root == 1]
+
+
+def test_a_rest_is_no_cusp():
+    curve = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (1, 0), (2, 0)])
+    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("rest", 1), ("rest", 2)]
+
+
+def test_pieces_end_at_corners_and_where_the_curvature_jumps():
+    assert straight_pieces(Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])) == [(0, 1), (1, 2)]
+    arcs = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(1, 0), (1, 1), (0, 1), (-2, 1), (-2, -1)], weights=[1, 1, 2, 2, 4])
+    assert constant_pieces(arcs) == [(0, 1), (1, 2)]
+    assert not curvature_extrema(arcs)
+
+
+@pytest.mark.parametrize(
+    ("name", "ids"), [("straight_line", ["C4.3a", "E7", "E12"]), ("planar_in_space", ["E19", "C5.5b"]), ("space_line", ["C5.5c", "C5.4a"])]
+)
+def test_what_does_not_exist_is_not_verified(name, ids):
+    """x/0 = y/0 is no success, however true after multiplication."""
+    rows = list(audit(select(ids), [example(name)]))
+    assert rows
+    assert {row.verdict for row in rows if row.kind != "degree"} == {"UNDECIDED"}
+    assert all(row.as_recorded for row in rows)
+
+
+def test_unnamed_curves_are_judged_like_named_ones():
+    rows = list(audit(select(["C4.1"]), [bezier([(0, 0), (1, 2), (3, 1)], [1, 2, 1])]))
+    assert all(row.as_recorded for row in rows)
+    line = list(audit(select(["C3b"]), [bezier([(0, 0), (1, 2)], [1, 2])]))
+    assert all(row.as_recorded for row in line)
