@@ -8,10 +8,12 @@ from typing import Any
 
 from exactspline import on_all_curves, on_one_curve
 from exactspline.claims import Claim
+from exactspline.companions import argument
 from exactspline.curves import example, example_names
 from exactspline.errors import ExactSplineError
 from exactspline.verdict import UNDECIDED, Finding, Row, row
 
+UNNAMED = "(unnamed curve)"
 TABLE = "splines of degrees 2 and 3 over different knots"
 
 
@@ -38,7 +40,7 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[
         calls += [lambda claim=claim: _checked(claim, on_one_curve.spline_table(), TABLE) for claim in chosen if claim.curve == "table"]
     for curve in concrete:
         calls += [
-            lambda claim=claim, curve=curve: _checked(claim, curve, curve.name)
+            lambda claim=claim, curve=curve: _checked(claim, curve, curve.name or UNNAMED, argument(claim.curve, curve)[1])
             for claim in chosen
             if claim.speaks_of(curve.dimension, curve.polynomial)
         ]
@@ -54,10 +56,10 @@ def _proved(claim: Claim) -> Row:
     return row(claim, reading, "", finding, perf_counter() - start)
 
 
-def _checked(claim: Claim, curve: Any, name: str) -> Row:
+def _checked(claim: Claim, curve: Any, name: str, beside: str = "") -> Row:
     start = perf_counter()
     try:
         finding = on_one_curve.check(claim, curve)
     except ExactSplineError as error:
         finding = Finding(UNDECIDED, claim.claimed, witness=str(error))
-    return row(claim, "spline", name or "(unnamed curve)", finding, perf_counter() - start)
+    return row(claim, f"spline{beside}", name, finding, perf_counter() - start)

@@ -16,8 +16,8 @@ from exactspline.language import Curve, Formula, Vector
 from exactspline.measure import in_lowest_terms
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree, parse
-from exactspline.readings.fraction import JetFraction, fraction_curve
-from exactspline.readings.infinity import drop_of, expansion_curve
+from exactspline.readings.fraction import JetFraction, fraction_argument, fraction_curve
+from exactspline.readings.infinity import drop_of, expansion_argument, expansion_curve
 from exactspline.readings.jet import Jet
 from exactspline.readings.order import is_polynomial, order_of
 
@@ -104,26 +104,39 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
     >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
     (3d − 6, 8d − 12)
     """
-    formula = c.formula(MINIMAL)
+    if not c.zero_set:
+        return lowest_degree(c.formula(MINIMAL), dimension, polynomial=polynomial)
     orders = max(order_of(c.formula(form), dimension) for form in c.forms)
     jets = fraction_curve(dimension, orders, polynomial=polynomial)
-    parts, _ = split(formula(jets))
-    if c.zero_set:
-        return _below_polynomial_form(c, parts[0], jets, dimension, polynomial)
+    parts, _ = split(c.formula(MINIMAL)(jets))
+    return _below_polynomial_form(c, parts[0], jets, dimension, polynomial)
+
+
+def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
+    """The degree of a formula in lowest terms on the generic argument of its kind, for symbolic d: an upper bound on every one.
+
+    Of two curves the degree in the parameter of the first is meant.
+
+    >>> lowest_degree(find("plane_bisector"), 2)
+    4d − 2
+    """
+    order = order_of(formula, dimension)
+    parts, _ = split(formula(fraction_argument(formula.curve, dimension, order, polynomial=polynomial)))
     denominator = parts[0].bottom
     for part in parts[1:]:
         denominator = denominator * (part.bottom / denominator.gcd(part.bottom))
-    numerators = _true_degree(Vector(*[Jet(part.ring, part.top * (denominator / part.bottom)) for part in parts]), dimension, polynomial)
+    at_infinity = (formula.curve, dimension, order, polynomial)
+    numerators = _true_degree(Vector(*[Jet(part.ring, part.top * (denominator / part.bottom)) for part in parts]), *at_infinity)
     if denominator.total_degree() <= 0:
         return numerators
-    return numerators.max(_true_degree(Vector(Jet(parts[0].ring, denominator)), dimension, polynomial))
+    return numerators.max(_true_degree(Vector(Jet(parts[0].ring, denominator)), *at_infinity))
 
 
 def _below_polynomial_form(c: Construction, minimal: JetFraction, jets: Curve, dimension: int, polynomial: bool) -> Degree:
     """The degree of a polynomial form less that of the factor by which it exceeds the minimal one: cheaper than expanding the minimal form."""
     form = next((c.formula(f) for f in c.forms if polynomial or is_polynomial(c.formula(f), dimension)), None)
     if form is None:
-        return _true_degree(Vector(Jet(minimal.ring, minimal.top)), dimension, polynomial)
+        return _true_degree(Vector(Jet(minimal.ring, minimal.top)), "curve", dimension, minimal.ring.order, polynomial)
     excess = form(jets) * minimal.constant(1) / JetFraction(minimal.ring, minimal.top, minimal.constant(1).top)
     k, m, drop, _ = drop_of(form, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), form.name)
     if excess.top.total_degree() <= 0:
@@ -136,9 +149,9 @@ def _below_polynomial_form(c: Construction, minimal: JetFraction, jets: Curve, d
     return parse(f"{k - less_k}d-{m + drop - less_m - less_drop}")
 
 
-def _true_degree(jets: Vector, dimension: int, polynomial: bool) -> Degree:
-    def reading(expansion: Curve) -> Vector:
+def _true_degree(jets: Vector, kind: str, dimension: int, order: int, polynomial: bool) -> Degree:
+    def reading(expansion: Any) -> Vector:
         return Vector(*[substitute(jet, expansion) for jet in jets])
 
-    k, m, drop, _ = drop_of(reading, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), "the minimal form")
+    k, m, drop, _ = drop_of(reading, lambda terms: expansion_argument(kind, dimension, terms, order, polynomial=polynomial), "the minimal form")
     return parse(f"{k}d-{m + drop}") if k else Degree.number(-m - drop)

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exactspline.claims import Claim, all_claims
-from exactspline.on_all_curves import dimensions, prove
+from exactspline.formulas import find
+from exactspline.on_all_curves import dimensions, factor_of, prove
 from exactspline.verdict import PROVED, REFUTED, VERIFIED
 
 
@@ -62,7 +63,7 @@ def _truth(claim: Claim) -> tuple[str, ...]:
 def check(claim: Claim) -> tuple[str, ...]:
     """Three lines of Python that show that the claim fails."""
     d = dimensions(claim)[0]
-    if claim.kind == "identity":
+    if claim.kind == "identity" and factor_of(claim.left, claim.right, d) is not None:
         return ("from exactspline.on_all_curves import factor_of", f'factor = factor_of("{claim.left}", "{claim.right}", {d})', "print(factor)")
     if claim.kind == "vanishing":
         return (
@@ -70,11 +71,19 @@ def check(claim: Claim) -> tuple[str, ...]:
             "from exactspline.formulas import find",
             f'print(find("{claim.left}")(jets_for(("{claim.left}",), {d})))',
         )
+    if claim.kind == "degree" and claim.measure == "lowest terms":
+        return (
+            "from exactspline.constructions import lowest_degree",
+            "from exactspline.formulas import find",
+            f'print(lowest_degree(find("{claim.formula}"), {d}))',
+        )
     if claim.kind == "degree":
+        parameter = f', parameter="{claim.parameter}"' if claim.parameter != "s" else ""
         return (
             "from exactspline.formulas import find",
-            "from exactspline.readings.degree import degree_curve",
-            f'print(find("{claim.formula}")(degree_curve({d}, polynomial={claim.of == "polynomial"})).degree)',
+            "from exactspline.readings.degree import degree_argument",
+            f'print(find("{claim.formula}")(degree_argument("{find(claim.formula).curve}", {d}, '
+            f"polynomial={claim.of == 'polynomial'}{parameter})).degree)",
         )
     if claim.kind == "count":
         return (

@@ -13,11 +13,11 @@ from gmpy2 import mpq
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
 from exactspline.formulas import all_formulas, find
-from exactspline.language import Curve, RuledSurface, Vector
+from exactspline.language import DIMENSIONS, RuledSurface, Vector, operands
 from exactspline.printers.text import print_text, symbol_text
 from exactspline.quotients import Rational
-from exactspline.readings.fraction import fraction_curve
-from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, jet_curve, polynomial_text
+from exactspline.readings.fraction import fraction_argument
+from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, jet_argument, polynomial_text
 from exactspline.readings.order import is_polynomial, order_of
 from exactspline.readings.tree import trace
 
@@ -78,10 +78,11 @@ def substitute(jet: Jet, curve: Any) -> Any:
     >>> substitute(jet_curve(2, 1).w.d(1), example("rational_cubic")) == example("rational_cubic").w.d(1)
     True
     """
-    known = dict(zip([name for name in jet.ring.names if name != "w"], curve.p, strict=True)) | {"w": curve.w}
-    total = curve.w.constant(0)
+    known = operands(curve)
+    one = known["w"]
+    total = one.constant(0)
     for exponents, c in jet.polynomial.terms():
-        term = curve.w.constant(mpq(int(c.p), int(c.q)))
+        term = one.constant(mpq(int(c.p), int(c.q)))
         for (name, order), e in zip(jet.ring.variables, exponents, strict=True):
             if e:
                 term = term * known[name].d(order) ** int(e)
@@ -89,9 +90,10 @@ def substitute(jet: Jet, curve: Any) -> Any:
     return total
 
 
-def jets_for(names: tuple[str, ...], dimension: int) -> Curve:
-    """The indeterminate rational curve with as many derivatives as the named formulas need, in the fraction reading."""
-    return fraction_curve(dimension, max((order_of(find(name), dimension) for name in names), default=0))
+def jets_for(names: tuple[str, ...], dimension: int) -> Any:
+    """The indeterminate rational curve (and point, or two curves) with as many derivatives as the named formulas need, in the fraction reading."""
+    kind = next((find(name).curve for name in names if find(name).curve in ("pair", "point", "plane point")), "curve")
+    return fraction_argument(kind, dimension, max((order_of(find(name), dimension) for name in names), default=0))
 
 
 def find_factor(left: Any, right: Any) -> Factor | None:
@@ -113,25 +115,25 @@ def find_factor(left: Any, right: Any) -> Factor | None:
     quotient = ps[pivot] / qs[pivot]
     if any(p != quotient * q for p, q in zip(ps, qs, strict=True)):
         return None
-    return factored(quotient.ring, quotient.top, quotient.bottom, len(quotient.ring.names) - 1)
+    return factored(quotient.ring, quotient.top, quotient.bottom)
 
 
-def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly, dimension: int) -> Factor:
+def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
     """A quotient of jet polynomials as a product of named irreducible ones."""
     a, tops = top.factor()
     b, bottoms = bottom.factor()
     constant, powers = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q)), []
     for sign, factors in ((1, tops), (-1, bottoms)):
         for p, e in factors:
-            name, unit = name_of(Jet(ring, p), dimension)
+            name, unit = name_of(Jet(ring, p))
             constant *= unit ** (sign * int(e))
             powers.append((name, p / int(unit.numerator) * int(unit.denominator), sign * int(e)))
     return Factor(constant, tuple(sorted(powers, key=lambda item: (item[0] != "w", item[0]))), ring)
 
 
-def name_of(jet: Jet, dimension: int) -> tuple[str, mpq]:
+def name_of(jet: Jet) -> tuple[str, mpq]:
     """The name of an irreducible jet polynomial and its quotient by what the name stands for; its text where it has none."""
-    for name, other in named_parts(jet.ring, dimension):
+    for name, other in named_parts(jet.ring):
         if len(other.polynomial) == len(jet.polynomial):
             quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
             if jet.polynomial == other.polynomial * quotient:
@@ -139,18 +141,21 @@ def name_of(jet: Jet, dimension: int) -> tuple[str, mpq]:
     return f"({polynomial_text(jet)})", mpq(1)
 
 
-def named_parts(ring: JetRing, dimension: int) -> list[tuple[str, Jet]]:
-    """w and the scalar polynomial formulas of the library that this ring can express."""
-    return _named_parts(ring.names, ring.order, dimension)
+def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
+    """The denominators and the scalar polynomial formulas of the library that this ring can express."""
+    return _named_parts(ring.kind, ring.dimension, ring.order, "w" not in ring.names)
 
 
 @cache
-def _named_parts(names: tuple[str, ...], order: int, dimension: int) -> list[tuple[str, Jet]]:
-    c = jet_curve(dimension, order, polynomial="w" not in names)
-    parts = [("w", c.w)] if "w" in names else []
+def _named_parts(kind: str, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Jet]]:
+    c = jet_argument(kind, dimension, order, polynomial=polynomial)
+    known = operands(c)
+    parts = [] if polynomial else [(known[name].ring.primes(known[name].ring.index[name, 0]), known[name]) for name in ("w", "W") if name in known]
+    kinds = {"pair": ("pair",), "point": ("curve", "plane", "plane point") if dimension == 2 else ("curve", "space", "point")}
     for formula in all_formulas().values():
         if (
-            formula.curve in ("curve", {2: "plane", 3: "space"}.get(dimension))
+            formula.curve in kinds.get(kind, ("curve", "plane", "space"))
+            and dimension in DIMENSIONS[formula.curve]
             and is_polynomial(formula, dimension)
             and order_of(formula, dimension) <= order
         ):
@@ -160,18 +165,20 @@ def _named_parts(names: tuple[str, ...], order: int, dimension: int) -> list[tup
     return parts
 
 
-def factor_of_text(text: str, curve: Curve) -> tuple[Any, Any]:
+def factor_of_text(text: str, curve: Any) -> tuple[Any, Any]:
     """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the curve.
 
     Raises `ClaimError` when it cannot be read.
     """
-    top = bottom = curve.w.constant(1)
+    known = operands(curve)
+    one = known["w"]
+    top = bottom = one.constant(1)
     for part in text.split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
             raise ClaimError(f"the factor {text!r} cannot be read", where=part, remedy='write for example "2 w^29 f2"')
         name, exponent = match[1], int(match[2] or 1)
-        value = curve.w if name == "w" else find(name)(curve) if name[0].isalpha() else curve.w.constant(rational(name))
+        value = known[name] if name in ("w", "W") else find(name)(curve) if name[0].isalpha() else one.constant(rational(name))
         if exponent > 0:
             top = top * value**exponent
         else:

@@ -8,32 +8,35 @@ from typing import Any
 
 from exactspline import on_one_curve
 from exactspline.claims import Claim
+from exactspline.constructions import lowest_degree
 from exactspline.curves import example, example_names
 from exactspline.factors import Factor, factor_of_text, find_factor, jets_for, split
 from exactspline.formulas import find
-from exactspline.language import Vector, cross
-from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
-from exactspline.readings.fraction import JetFraction
+from exactspline.language import DIMENSIONS, Vector, cross, embedded
+from exactspline.readings.degree import Degree, degree_argument, equal_from, parse
+from exactspline.readings.fraction import JetFraction, fraction_argument
 from exactspline.readings.generic import generic_curve
 from exactspline.readings.infinity import generic_drop
 from exactspline.readings.jet import Jet, polynomial_text
+from exactspline.readings.order import order_of
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
 #: Factors that have no zero where w has none, γ′ has none, and (in space) γ′ × γ″ has none.
-ZERO_FREE = frozenset({"w", "‖D1‖²", "‖b‖²"})
+ZERO_FREE = frozenset({"w", "w̄", "‖D1‖²", "‖b‖²"})
 #: The degrees for which the generic Bézier segment is computed.
 GENERIC_DEGREES = range(2, 7)
 
 
 def dimensions(claim: Claim) -> tuple[int, ...]:
     """The dimensions a claim speaks of."""
-    return {"plane": (2,), "space": (3,), "curve": (2, 3), "table": (3,)}[claim.curve]
+    return DIMENSIONS[claim.curve]
 
 
 def prove(claim: Claim) -> tuple[str, Finding]:
     """The reading a claim is decided in, and what was found."""
     if claim.kind == "degree":
-        return ("infinity", true_degree(claim)) if claim.measure == "true" else ("degree", nominal_degree(claim))
+        decide_degree = {"true": true_degree, "lowest terms": lowest_degree_of}.get(claim.measure)
+        return ("degree", nominal_degree(claim)) if decide_degree is None else ("infinity", decide_degree(claim))
     if claim.kind == "coefficients":
         return ("generic", generic_coefficients(claim)) if claim.measure == "generic" else ("spline", refute_on_examples(claim))
     if claim.kind == "count":
@@ -45,6 +48,7 @@ def prove(claim: Claim) -> tuple[str, Finding]:
         "square class": square_class,
         "same surface": same_surface,
         "existence": existence,
+        "iso-curve": iso_curve,
     }[claim.kind]
     findings = [decide(claim, dimension) for dimension in dimensions(claim)]
     return "jet", min(findings, key=lambda f: f.verdict == PROVED)
@@ -105,6 +109,23 @@ def same_surface(claim: Claim, dimension: int) -> Finding:
     return Finding(PROVED, "one surface", "one surface", f"ζ = {shift}{stretch} λ".replace("1 λ", "λ"))
 
 
+def iso_curve(claim: Claim, dimension: int) -> Finding:
+    """The plane curve `left` is the curve ζ = 0 of the ruled surface `right` of the same plane curve in space."""
+    left, right = find(claim.left), find(claim.right)
+    c = fraction_argument(left.curve, dimension, max(order_of(left, dimension), order_of(right, dimension + 1)))
+    plane, space = left(c), right(embedded(c)).directrix
+    agree = plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero
+    return Finding(PROVED if agree else REFUTED, "the curve ζ = 0", "the curve ζ = 0" if agree else "another curve")
+
+
+def lowest_degree_of(claim: Claim) -> Finding:
+    """The degree of the quotient in lowest terms on the generic curve, for symbolic d."""
+    claimed = parse(claim.claimed)
+    computed = [lowest_degree(find(claim.formula), dimension) for dimension in dimensions(claim)]
+    holds = all(degree == claimed for degree in computed)
+    return Finding(PROVED if holds else REFUTED, str(claimed), str(computed[0]), witness="in lowest terms, its leading terms counted")
+
+
 def existence(claim: Claim, dimension: int) -> Finding:
     """That there is no rational form is refuted by one: a formula without roots, not the constant zero."""
     value = split(find(claim.formula)(jets_for((claim.formula,), dimension)))[0]
@@ -126,8 +147,12 @@ def square_class(claim: Claim, dimension: int) -> Finding:
 
 def nominal_degree(claim: Claim) -> Finding:
     """The degree reading against the claimed degree, for all degrees from some d₀ on."""
-    operands = degree_table() if claim.curve == "table" else degree_curve(dimensions(claim)[0], polynomial=claim.of == "polynomial")
-    computed, claimed = find(claim.formula)(operands).degree, parse(claim.claimed)
+    if claim.curve == "table":
+        handed = degree_table()
+    else:
+        kind, polynomial = find(claim.formula).curve, claim.of == "polynomial"
+        handed = degree_argument(kind, dimensions(claim)[0], polynomial=polynomial, parameter=claim.parameter, counting=claim.counting)
+    computed, claimed = find(claim.formula)(handed).degree, parse(claim.claimed)
     if claim.relation == "≥":
         holds = equal_from(computed.max(claimed), computed)
         return Finding(PROVED if holds == 1 else REFUTED, f"≥ {claimed}", str(computed), witness="" if holds == 1 else f"{computed} < {claimed}")

@@ -10,24 +10,28 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.claims import Claim
+from exactspline.companions import argument
 from exactspline.errors import ClaimError
 from exactspline.exact import text
 from exactspline.factors import factor_of_text, split
 from exactspline.features import curvature_extrema
 from exactspline.form import is_square_class, zero_on_segment
 from exactspline.formulas import find
-from exactspline.language import RuledSurface, Vector, cross
-from exactspline.measure import control_point_count, in_lowest_terms
+from exactspline.language import Curve, Pair, RuledSurface, Vector, cross, embedded
+from exactspline.measure import control_point_count, in_lowest_terms, true_degree
 from exactspline.quotients import Rational
 from exactspline.readings.degree import parse
 from exactspline.spline import BSpline
+from exactspline.surface import TensorSpline
+from exactspline.surface_lines import Degrees
 from exactspline.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
 from exactspline.zeros import zeros
 
 
 def check(claim: Claim, curve: Any) -> Finding:
     """What one curve says of a claim."""
-    if claim.curve != "table" and (gone := _missing(claim, curve)):
+    curve, _ = argument(claim.curve, curve)
+    if claim.curve != "table" and claim.kind != "iso-curve" and (gone := _missing(claim, curve)):
         return Finding(UNDECIDED, claim.claimed or claim.factor, gone, witness=VACUOUS)
     return _CHECKS[claim.kind](claim, curve)
 
@@ -60,12 +64,17 @@ def identity(claim: Claim, curve: Any) -> Finding:
 
 def printed_factor(factor: str, curve: Any) -> str:
     """The factor on this curve: powers of w are 1 where the curve is polynomial."""
-    only_w = all(part.split("^")[0] == "w" for part in factor.split())
-    return f"{factor} = 1 (polynomial: w = 1)" if curve.polynomial and only_w and factor != "1" else factor
+    only_w = all(part.split("^")[0] in ("w", "W") for part in factor.split())
+    polynomial = all(c.polynomial for c in curve.together() if isinstance(c, Curve))
+    return f"{factor} = 1 (polynomial: w = 1)" if polynomial and only_w and factor != "1" else factor
 
 
-def _where(difference: BSpline) -> str:
-    """A parameter at which a spline that is not zero does not vanish, and its value there."""
+def _where(difference: Any) -> str:
+    """A parameter (two, of a spline in two) at which a spline that is not zero does not vanish, and its value there."""
+    if isinstance(difference, TensorSpline):
+        (a, b), (c, d) = difference.domain
+        line = next(line for j in range(1, 10**6) if not (line := difference.at_t(c + (d - c) / mpq(j + 1))).is_zero)
+        return f"{_where(line)} of the first curve and an inner one of the second"
     for i, c in enumerate(difference.polynomials):
         if c:
             a, b = difference.breakpoints[i : i + 2]
@@ -136,8 +145,11 @@ def degree(claim: Claim, curve: Any) -> Finding:
     """The degree of the spline at hand against the claim."""
     value = find(claim.formula)(curve)
     claimed = parse(claim.claimed).at(
-        {name: curve.degree if hasattr(curve, "degree") else curve.degrees[name] for name in parse(claim.claimed).names}
+        {name: curve.degrees[name] if claim.curve == "table" else _curve_degree(claim, curve) for name in parse(claim.claimed).names}
     )
+    if claim.measure == "lowest terms":
+        computed = true_degree(_profile(value))
+        return Finding(VERIFIED if computed <= claimed else REFUTED, str(claimed), f"{computed}{' (lower here)' if computed < claimed else ''}")
     if claim.measure == "true":
         computed = max(p.true_degree for p in split(value)[0])
         if computed < 0:
@@ -145,6 +157,8 @@ def degree(claim: Claim, curve: Any) -> Finding:
         lower = " (lower on this curve)" if computed < claimed else ""
         return Finding(VERIFIED if computed <= claimed else REFUTED, str(claimed), f"{computed}{lower}")
     computed = value.degree
+    if isinstance(computed, Degrees):
+        computed = computed.s if claim.parameter == "s" else computed.t
     holds = computed >= claimed if claim.relation == "≥" else computed == claimed
     return Finding(
         VERIFIED if holds else REFUTED,
@@ -152,6 +166,23 @@ def degree(claim: Claim, curve: Any) -> Finding:
         str(computed),
         witness="" if holds else f"{computed}, not {claimed}",
     )
+
+
+def _curve_degree(claim: Claim, curve: Any) -> int:
+    """The degree of the curve whose parameter is counted."""
+    if isinstance(curve, Pair):
+        curve = curve.first if claim.parameter == "s" else curve.second
+        return int(max(max(p.degree) for p in curve.p))
+    return int(max(p.degree for p in curve.p))
+
+
+def _profile(value: Any) -> Any:
+    """A quotient in two parameters at a fixed second one; any other as it is."""
+    if not isinstance(value.denominator, TensorSpline):
+        return value
+    a, b = value.denominator.domain[1]
+    t = a + (b - a) * mpq(2, 7)
+    return Rational(Vector(*[x.at_t(t) for x in value.numerator]), value.denominator.at_t(t))
 
 
 def coefficients(claim: Claim, curve: Any) -> Finding:
@@ -168,7 +199,9 @@ def coefficients(claim: Claim, curve: Any) -> Finding:
 
 def count(claim: Claim, curve: Any) -> Finding:
     """The numbers of a caption, out of the objects themselves: only those that are claimed are computed."""
-    value = find(claim.formula)(curve)
+    handed, _ = argument(claim.curve, curve)
+    value = find(claim.formula)(handed)
+    value = getattr(value, "joined", value)
     numerators = split(value)[0]
     counters = {
         "degree": lambda: value.degree,
@@ -245,6 +278,15 @@ def spline_table(d1: int = 2, d2: int = 3) -> Any:
     return SimpleNamespace(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]), degrees={"d1": d1, "d2": d2})
 
 
+def iso_curve(claim: Claim, curve: Any) -> Finding:
+    """The plane curve and the directrix, compared as quotients."""
+    plane, space = find(claim.left)(curve), find(claim.right)(embedded(curve)).directrix
+    if plane.denominator.is_zero:
+        return Finding(UNDECIDED, "the curve ζ = 0", "does not exist here", witness=VACUOUS)
+    agree = plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero
+    return Finding(VERIFIED if agree else REFUTED, "the curve ζ = 0", "the curve ζ = 0" if agree else "another curve")
+
+
 _CHECKS = {
     "identity": identity,
     "vanishing": vanishing,
@@ -254,4 +296,5 @@ _CHECKS = {
     "square class": square_class,
     "same surface": same_surface,
     "existence": existence,
+    "iso-curve": iso_curve,
 }

@@ -16,16 +16,29 @@ from exactspline.language import CONSTANTS, Operand, Vector
 
 
 class Product:
-    """A denominator: a product of operands, multiplied out when first asked for."""
+    """A denominator: a product of operands, multiplied out when first asked for; `factors` are what it was once made of."""
 
-    __slots__ = ("_value", "parts")
+    __slots__ = ("_value", "factors", "parts")
 
-    def __init__(self, *parts: Any) -> None:
+    def __init__(self, *parts: Any, factors: tuple[Any, ...] | None = None) -> None:
         self.parts: tuple[Any, ...] = parts
+        self.factors: tuple[Any, ...] = parts if factors is None else factors
         self._value: Any = None
 
     def __mul__(self, other: Product) -> Product:
-        return Product(*self._factors(), *other._factors())
+        return Product(*self._factors(), *other._factors(), factors=self.factors + other.factors)
+
+    def missing(self, other: Product) -> list[Any]:
+        """The factors of another product that this one lacks, as often as it lacks them."""
+        rest = list(self.factors)
+        lacking = []
+        for factor in other.factors:
+            found = next((i for i, own in enumerate(rest) if _agree(own, factor)), None)
+            if found is None:
+                lacking.append(factor)
+            else:
+                rest.pop(found)
+        return lacking
 
     def _factors(self) -> tuple[Any, ...]:
         return self.parts if self._value is None else (self._value,)
@@ -100,12 +113,12 @@ class Rational(Operand):
     def __repr__(self) -> str:
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 
-    def __call__(self, t: Any, side: str = "right") -> Any:
-        """Value at a parameter: an exact number, or a tuple of them for a vector; `ZeroDivisionError` at a pole."""
-        w = self.denominator(t, side)
+    def __call__(self, *place: Any, **side: str) -> Any:
+        """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector; `ZeroDivisionError` at a pole."""
+        w = self.denominator(*place, **side)
         if isinstance(self.numerator, Vector):
-            return tuple(a(t, side) / w for a in self.numerator)
-        return self.numerator(t, side) / w
+            return tuple(a(*place, **side) / w for a in self.numerator)
+        return self.numerator(*place, **side) / w
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function: cross-multiplied, so that common factors do not matter."""
@@ -161,9 +174,17 @@ class Rational(Operand):
         result = self
         for _ in range(order):
             p, w = result.numerator, result.denominator
-            product = Product(w, w)
+            product = Product(w, w, factors=result.product.factors * 2)
             result = Rational((p.d(1) * w - p * w.d(1)).raised_to(product.value), product)
         return result
+
+    def levelled(self, other: Any) -> tuple[Rational, Any]:
+        """This quotient and another (or what is none) over one denominator, their numerators multiplied by the factors they lack."""
+        if not isinstance(other, Rational):
+            return self, Rational(other * self.denominator, self.product)
+        mine, its = self.product.missing(other.product), other.product.missing(self.product)
+        shared = Product(*self.product._factors(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
+        return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
     def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Rational:
         """A product of vectors that is linear in each: of the numerators, over the product of the denominators."""
@@ -175,8 +196,9 @@ class Rational(Operand):
 
     def raised(self) -> tuple[Any, Any]:
         """Numerator and denominator raised to one degree: control points and weights of a NURBS."""
-        w = self.denominator
-        highest = max([w, *(self.numerator if self.is_vector else [self.numerator])], key=lambda x: x.degree)
+        w = highest = self.denominator
+        for x in self.numerator if self.is_vector else [self.numerator]:
+            highest = highest.raised_to(x)
         return self.numerator.raised_to(highest), w.raised_to(highest)
 
     def raised_to(self, other: Any) -> Rational:
@@ -192,6 +214,12 @@ def _scalar(r: Rational) -> Any:
 
 def _fits(other: Any) -> bool:
     return isinstance(other, (Operand, Vector, *CONSTANTS))
+
+
+def _all_times(a: Any, factors: list[Any]) -> Any:
+    if not factors:
+        return a
+    return a * Product(*factors).value
 
 
 def _times(a: Any, b: Any) -> Any:

@@ -11,7 +11,7 @@ from exactspline import BSpline, Nurbs, Rational, Vector
 from exactspline.curves import example
 from exactspline.errors import FormulaError
 from exactspline.formulas import all_formulas
-from exactspline.language import Curve, RuledSurface, det, generalized_cross, norm2
+from exactspline.language import DIMENSIONS, Curve, RuledSurface, det, generalized_cross, norm2
 from exactspline.printers.latex import print_latex
 from exactspline.printers.text import print_text
 from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
@@ -20,8 +20,8 @@ from exactspline.readings.order import Order, order_of
 from exactspline.readings.series import Series, series_curve, taylor
 from exactspline.readings.tree import Traced, evaluate, operation_counts, trace
 
-FORMULAS = all_formulas()
-DIMENSIONS = {"curve": (2, 3), "plane": (2,), "space": (3,), "table": (3,)}
+#: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
+FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("curve", "plane", "space", "table")}
 CASES = [(name, dimension) for name, f in FORMULAS.items() for dimension in DIMENSIONS[f.curve]]
 OF_CURVES = [(name, dimension) for name, dimension in CASES if FORMULAS[name].curve != "table"]
 TRACES = {(name, dimension, expand): trace(FORMULAS[name], dimension, expand=expand) for name, dimension in CASES for expand in (False, True)}

@@ -14,11 +14,12 @@ from importlib import resources
 
 from exactspline.errors import ClaimError
 from exactspline.formulas import find
+from exactspline.language import DIMENSIONS
 
 #: The claim files, in the order of the paper.
-SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3", "section5")
+SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3", "section5", "section6_1", "section6_2")
 
-KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients", "count", "square class", "same surface", "existence")
+KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients", "count", "square class", "same surface", "existence", "iso-curve")
 VERDICTS = ("PROVED", "VERIFIED", "REFUTED", "UNDECIDED")
 
 
@@ -26,10 +27,12 @@ VERDICTS = ("PROVED", "VERIFIED", "REFUTED", "UNDECIDED")
 class Claim:
     """One checkable statement.
 
-    ``curve`` is what it speaks of: ``curve`` (any dimension), ``plane``, ``space`` or ``table``. ``polynomial`` claims speak of polynomial curves,
-    ``rational`` ones of rational curves, the others of both. What else is set depends on the kind:
+    ``curve`` is what it speaks of, as of a `Formula`: ``curve`` (any dimension), ``plane``, ``space``, ``table``, a ``pair`` of curves, a
+    ``point`` and a curve. ``polynomial`` claims speak of polynomial curves, ``rational`` ones of rational curves, the others of both. What else is
+    set depends on the kind:
 
-    - ``degree``: ``formula``, ``claimed`` (in d), ``measure`` (``nominal`` or ``true``), ``relation`` (``=`` or ``≥``);
+    - ``degree``: ``formula``, ``claimed`` (in d), ``measure`` (``nominal``, ``true`` or ``lowest terms``), ``relation`` (``=`` or
+      ``≥``); of two curves in the ``parameter`` s or s̄; with the ``counting`` ``part by part`` as (24) counts;
     - ``identity``: ``left = factor · right``;
     - ``vanishing``: ``left`` is identically zero;
     - ``zero set``: all of ``formulas`` have one zero set;
@@ -37,6 +40,7 @@ class Claim:
     - ``count``: the numbers in ``claimed`` ("degree 96, 388 control points") are those of ``formula`` on the curve ``example``;
     - ``same surface``: the ruled surfaces ``left`` and ``right`` are one: parallel generators, and directrices that differ along them;
     - ``existence``: ``formula`` is not rational (refuted by the formula itself, which is a quotient of polynomials, and by the proof of what it is);
+    - ``iso-curve``: the plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right``;
     - ``square class``: ``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is.
     """
 
@@ -49,6 +53,8 @@ class Claim:
     of: str = "both"
     formula: str = ""
     claimed: str = ""
+    parameter: str = "s"
+    counting: str = ""
     measure: str = "nominal"
     relation: str = "="
     left: str = ""
@@ -67,10 +73,9 @@ class Claim:
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about curves of that dimension and kind."""
-        if self.example or self.measure == "generic":
+        if self.example or self.counting or self.measure == "generic":
             return False
-        fits = {"curve": True, "plane": dimension == 2, "space": dimension == 3, "table": False}[self.curve]
-        return fits and self.of in ("both", "polynomial" if polynomial else "rational")
+        return self.curve != "table" and dimension in DIMENSIONS[self.curve] and self.of in ("both", "polynomial" if polynomial else "rational")
 
 
 def _claim(entry: dict[str, object], place: str) -> Claim:

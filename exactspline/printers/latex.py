@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.printers.walk import ATOM, PRODUCT, Printer, named_binding, number
+from exactspline.printers.walk import ATOM, PRODUCT, Printer, leaf, named_binding, number
 from exactspline.readings.tree import Node
 
 _GREEK = {"gamma": r"\gamma"}
@@ -20,8 +20,10 @@ class LatexPrinter(Printer):
             top, slash, bottom = text.partition("/")
             return (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else text), binding
         if n.op == "named":
-            return n.value.symbol, named_binding(n)
-        return _GREEK.get(n.value, n.value), ATOM
+            return (rf"\bar{{{n.value.symbol}}}" if n.value.barred else n.value.symbol), named_binding(n)
+        name, barred = leaf(n.value)
+        symbol = _GREEK.get(name, name)
+        return (rf"\bar{{{symbol}}}" if barred else symbol), ATOM
 
     def quotient(self, a: Node, b: Node) -> tuple[str, int]:
         """A fraction."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from exactspline.printers.walk import ATOM, Printer, named_binding, number
+from exactspline.printers.walk import ATOM, Printer, leaf, named_binding, number
 from exactspline.readings.tree import Node
 
-_GREEK = {"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ"}
+_GREEK = {"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "delta": "δ"}
+_SUBSCRIPT = {ord("_"): None, **str.maketrans("123", "₁₂₃")}
 _SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -21,8 +22,9 @@ class TextPrinter(Printer):
         if n.op == "number":
             return number(n.value)
         if n.op == "named":
-            return symbol_text(n.value.symbol), named_binding(n)
-        return _GREEK.get(n.value, n.value), ATOM
+            return _barred(symbol_text(n.value.symbol), n.value.barred), named_binding(n)
+        name, barred = leaf(n.value)
+        return _barred(_GREEK.get(name, name).translate(_SUBSCRIPT), barred), ATOM
 
     def quotient(self, a: Node, b: Node) -> tuple[str, int]:
         """``a/b``."""
@@ -61,6 +63,11 @@ class TextPrinter(Printer):
         return f"⋀({', '.join(parts)})"
 
 
+def _barred(text: str, barred: bool) -> str:
+    """A bar over the first letter."""
+    return f"{text[0]}\u0304{text[1:]}" if barred else text
+
+
 def symbol_text(symbol: str) -> str:
     r"""A LaTeX symbol as text.
 
@@ -69,7 +76,7 @@ def symbol_text(symbol: str) -> str:
     """
     text = symbol.replace("'''", "‴").replace("''", "″").replace("'", "′").replace("\\ ", " ")
     text = text.replace(r"\times", "×").replace(r"\cdot", "·").replace(r"\perp", "⊥").replace(r"\|", "‖")
-    text = re.sub(r"\\(kappa|gamma|tau|Psi|bar)", lambda m: _GREEK.get(m[1], ""), text)
+    text = re.sub(r"\\(kappa|gamma|tau|Psi|delta|bar)", lambda m: _GREEK.get(m[1], ""), text)
     text = re.sub(r"\^\{?(\d+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
     text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1/\2", text)
     return re.sub(r"\\(mathbf|left|right)|[_{}]", "", text)

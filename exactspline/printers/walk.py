@@ -122,3 +122,17 @@ def number(value: Any) -> tuple[str, int]:
     """A constant: fractions bind like products."""
     text = str(value)
     return text, ATOM if text.isdigit() else PRODUCT
+
+
+#: Names of leaves that people write otherwise.
+LEAVES = {"point": "Q", "axis_x": "e_1", "axis_y": "e_2", "axis_z": "e_3"}
+
+
+def leaf(value: str) -> tuple[str, bool]:
+    """The name of a leaf, and whether it gets a bar: it is of the second of two curves.
+
+    >>> leaf("second.p"), leaf("gamma")
+    (('p', True), ('gamma', False))
+    """
+    path, _, name = value.rpartition(".")
+    return LEAVES.get(name, name), path == "second"

@@ -14,7 +14,8 @@ from gmpy2 import mpq
 
 from exactspline import structure
 from exactspline.errors import FormulaError
-from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.language import BARRED, CONSTANTS, COORDINATES, Curve, Operand, assemble
+from exactspline.quotients import Rational
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
 Term = tuple[tuple[tuple[str, int], ...], int]
@@ -219,6 +220,46 @@ def degree_curve(dimension: int, *, polynomial: bool = False, name: str = "d") -
     >>> degree_curve(2).gamma.d(2).degree
     4d
     """
-    d = Degree.named(name)
-    p = Vector(*[Degree.named(name) for _ in range(dimension)])
-    return Curve(p, Degree.number(0) if polynomial else d, polynomial=polynomial)
+    curve: Curve = degree_argument("curve", dimension, polynomial=polynomial, name=name)
+    return curve
+
+
+class Still(Degree):
+    """The degree 0 of what does not depend on the parameter that is counted: derivatives leave it."""
+
+    __slots__ = ()
+
+    def d(self, order: int = 1) -> Degree:
+        """Itself: it is no derivative by the parameter that is counted."""
+        return Still(self.terms)
+
+
+class DifferentiatedPartByPart(Rational):
+    """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one.
+
+    No rule of Table 1: it is how (24) and (35) come to give γ′ the degree d − 1 "either polynomial or rational".
+    """
+
+    __slots__ = ()
+
+    def d(self, order: int = 1) -> Rational:
+        """The degrees of both lowered."""
+        return DifferentiatedPartByPart(self.numerator.d(order), self.denominator.d(order))
+
+
+def degree_argument(kind: str, dimension: int, *, polynomial: bool = False, name: str = "d", parameter: str = "s", counting: str = "") -> Any:
+    """What formulas of a kind are handed: degrees in one parameter, ``s`` that of the first curve or ``s̄`` that of the second one.
+
+    With the `counting` ``part by part`` a rational curve is differentiated as (24) does it.
+
+    >>> c = degree_argument("pair", 3)
+    >>> (c.first.p.d(1) * c.second.w.d(1)).degree
+    d − 1
+    """
+    counted = BARRED + "W" if parameter == "s̄" else COORDINATES + "w"
+    argument = assemble(kind, dimension, lambda x: Degree.named(name) if x in counted else Still([((), 0)]), Degree.number(0), polynomial=polynomial)
+    if counting == "part by part":
+        for curve in argument.together():
+            if isinstance(curve, Curve) and not polynomial:
+                curve.gamma = DifferentiatedPartByPart(curve.p, curve.w)
+    return argument

@@ -11,8 +11,8 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.language import Curve, FieldOperand, Vector
-from exactspline.readings.jet import Jet, JetRing, jet_curve
+from exactspline.language import Curve, FieldOperand
+from exactspline.readings.jet import Jet, JetRing, jet_argument
 
 
 class JetFraction(FieldOperand):
@@ -107,7 +107,11 @@ def fraction_curve(dimension: int, order: int, *, polynomial: bool = False) -> C
     >>> fraction_curve(2, 2).gamma.d(1)[0]
     (x′·w − x·w′) / (w²)
     """
-    jets = jet_curve(dimension, order, polynomial=polynomial)
-    one = jets.w.ring.context.constant(1)
-    p = Vector(*[JetFraction(x.ring, x.polynomial, one) for x in jets.p])
-    return Curve(p, JetFraction(jets.w.ring, jets.w.polynomial, one), polynomial=polynomial)
+    curve: Curve = fraction_argument("curve", dimension, order, polynomial=polynomial)
+    return curve
+
+
+def fraction_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
+    """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves."""
+    jets = jet_argument(kind, dimension, order, polynomial=polynomial)
+    return jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))

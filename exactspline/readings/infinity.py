@@ -14,7 +14,8 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_poly
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.language import BARRED, CONSTANTS, COORDINATES, POINT, Curve, Operand, Vector, assemble
+from exactspline.readings.order import order_of
 
 #: More vanishing terms than any formula of the library has.
 MAX_TERMS = 40
@@ -107,14 +108,43 @@ def _lcm(powers: dict[int, Any]) -> int:
     return lcm(*[int(c.q) for c in powers.values()])
 
 
+class StillExpansion(Expansion):
+    """What does not depend on the parameter that goes to infinity: a constant there, and so are its derivatives by a parameter of its own."""
+
+    __slots__ = ("derivatives",)
+
+    derivatives: list[StillExpansion]
+
+    def d(self, order: int = 1) -> Expansion:
+        """The derivative of that order: another constant."""
+        constant: Expansion = self.derivatives[order]
+        return constant
+
+
+def expansion_argument(kind: str, dimension: int, terms: int, order: int, *, polynomial: bool = False) -> Any:
+    """What formulas of a kind are handed at infinity of the first parameter; the second curve and the point stay constant."""
+    first = [*COORDINATES[:dimension], *([] if polynomial else ["w"])]
+    second = [*BARRED[:dimension], *([] if polynomial else ["W"])] if kind == "pair" else []
+    still = second + (list(POINT[:dimension]) if kind.endswith("point") else [])
+    names = [f"{name}{i}" for name in first for i in range(terms)] + [f"{name}{i}" for name in still for i in range(order + 1)]
+    context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
+    known = dict(zip(names, context.gens()[1:], strict=True))
+    zero = context.constant(0)
+
+    def operand(name: str) -> Expansion:
+        if name in first:
+            return Expansion(context, 1, 0, [known[f"{name}{i}"] for i in range(terms)])
+        constants = [StillExpansion(context, 0, 0, [known[f"{name}{i}"], *[zero] * (terms - 1)]) for i in range(order + 1)]
+        constants[0].derivatives = constants
+        return constants[0]
+
+    return assemble(kind, dimension, operand, operand(first[0]).constant(1), polynomial=polynomial)
+
+
 def expansion_curve(dimension: int, terms: int, *, polynomial: bool = False) -> Curve:
     """The generic curve at infinity, to so many terms."""
-    names = [*"xyzuvst"[:dimension], *([] if polynomial else ["w"])]
-    context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}" for name in names for i in range(terms)]], Ordering.degrevlex)
-    gens = context.gens()[1:]
-    functions = [Expansion(context, 1, 0, list(gens[i * terms : (i + 1) * terms])) for i in range(len(names))]
-    w = functions[0].constant(1) if polynomial else functions[-1]
-    return Curve(Vector(*functions[:dimension]), w, polynomial=polynomial)
+    curve: Curve = expansion_argument("curve", dimension, terms, 0, polynomial=polynomial)
+    return curve
 
 
 def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
@@ -129,10 +159,11 @@ def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int
 
     Raises `FormulaError` for formulas that are no polynomial of the curve, or not homogeneous.
     """
-    return drop_of(formula, lambda terms: expansion_curve(dimension, terms), formula.name)
+    order = order_of(formula, dimension)
+    return drop_of(formula, lambda terms: expansion_argument(formula.curve, dimension, terms, order), formula.name)
 
 
-def drop_of(formula: Callable[[Curve], Any], curve: Callable[[int], Curve], name: str) -> tuple[int, int, int, tuple[int, ...]]:
+def drop_of(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str) -> tuple[int, int, int, tuple[int, ...]]:
     """The same for any function of a curve at infinity that is known to as many terms as needed."""
     for terms in range(1, MAX_TERMS):
         result = formula(curve(terms))

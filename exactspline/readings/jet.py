@@ -14,26 +14,35 @@ from gmpy2 import mpq
 from exactspline import structure
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import Curve, Operand, Vector
+from exactspline.language import BARRED, COORDINATES, POINT, Curve, Operand, assemble
 
 PRIMES = ("", "′", "″", "‴")
-COORDINATES = "xyzuvst"
 
 
 class JetRing:
-    """Polynomials in the derivatives up to `order` of the functions with the given names.
+    """Polynomials in the derivatives up to `order` of the functions with the given names, and in constants.
 
     >>> ring = JetRing(("x", "w"), 2)
     >>> (ring["x"].d() * ring["w"] - ring["x"] * ring["w"].d()).d()
     x″·w − x·w″
     """
 
-    def __init__(self, names: tuple[str, ...], order: int) -> None:
-        self.names, self.order = names, order
-        self.variables = [(name, i) for name in names for i in range(order + 1)]
+    def __init__(self, names: tuple[str, ...], order: int, constants: tuple[str, ...] = ()) -> None:
+        self.names, self.order, self.constants = names, order, constants
+        self.variables = [(name, i) for name in names for i in range(order + 1)] + [(name, 0) for name in constants]
         self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
+
+    @property
+    def kind(self) -> str:
+        """The kind of argument that it describes: ``pair``, ``point`` or ``curve``."""
+        return "pair" if BARRED[0] in self.names else "point" if self.constants else "curve"
+
+    @property
+    def dimension(self) -> int:
+        """Number of coordinates of the curve."""
+        return sum(name in COORDINATES for name in self.names)
 
     def __getitem__(self, name: str) -> Jet:
         return Jet(self, self.gens[self.index[name, 0]])
@@ -45,9 +54,14 @@ class JetRing:
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
         name, order = self.variables[i]
+        if name in BARRED + "W":
+            name = name.lower() + "\u0304"
+        elif name in POINT:
+            name = "Q" + COORDINATES[POINT.index(name)].translate(SUBSCRIPTS)
         return name + (PRIMES[order] if order < len(PRIMES) else f"⁽{str(order).translate(SUPERSCRIPTS)}⁾")
 
 
+SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
@@ -97,6 +111,8 @@ class Jet(Operand):
             for i, used in enumerate(result.degrees()):
                 if int(used) > 0:
                     name, k = ring.variables[i]
+                    if name in ring.constants:
+                        continue
                     if k == ring.order:
                         raise FormulaError(f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}")
                     total += result.derivative(i) * ring.gens[i + 1]
@@ -110,9 +126,11 @@ class Jet(Operand):
 
     @property
     def grading(self) -> tuple[int, int]:
-        """Degree k and weight m (number of primes); `FormulaError` when it is not homogeneous in both."""
+        """Degree k in the functions and weight m (number of primes); `FormulaError` when it is not homogeneous in both."""
         orders = [k for _, k in self.ring.variables]
-        gradings = {(sum(e), sum(x * k for x, k in zip(e, orders, strict=True))) for e in ([int(x) for x in m] for m in self.polynomial.monoms())}
+        functions = len(self.ring.variables) - len(self.ring.constants)
+        monomials = ([int(x) for x in m] for m in self.polynomial.monoms())
+        gradings = {(sum(e[:functions]), sum(x * k for x, k in zip(e, orders, strict=True))) for e in monomials}
         if len(gradings) != 1:
             raise FormulaError(f"a polynomial with the gradings {sorted(gradings)}", remedy="degree and weight exist for homogeneous ones only")
         return gradings.pop()
@@ -155,7 +173,19 @@ def jet_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
     >>> jet_curve(2, 2).w.d(2)
     w″
     """
-    names = tuple(COORDINATES[:dimension]) + (() if polynomial else ("w",))
-    ring = JetRing(names, order)
-    p = Vector(*[ring[name] for name in names[:dimension]])
-    return Curve(p, ring.number(1) if polynomial else ring["w"], polynomial=polynomial)
+    curve: Curve = jet_argument("curve", dimension, order, polynomial=polynomial)
+    return curve
+
+
+def jet_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
+    """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves.
+
+    >>> c = jet_argument("pair", 3, 1)
+    >>> c.first.p[0] * c.second.w.d(1)
+    x·w̄′
+    """
+    names = [*COORDINATES[:dimension], *([] if polynomial else ["w"])]
+    if kind == "pair":
+        names += [*BARRED[:dimension], *([] if polynomial else ["W"])]
+    ring = JetRing(tuple(names), order, tuple(POINT[:dimension]) if kind.endswith("point") else ())
+    return assemble(kind, dimension, ring.__getitem__, ring.number(1), polynomial=polynomial)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.language import CONSTANTS, Curve, Operand, Vector
+from exactspline.language import CONSTANTS, Operand, Vector, assemble
 
 
 class Order(Operand):
@@ -73,5 +73,5 @@ def order_of(formula: Any, dimension: int) -> int:
 
 
 def _orders(formula: Any, dimension: int) -> Any:
-    result = formula(Curve(Vector(*[Order(0) for _ in range(dimension)]), Order(0)))
+    result = formula(assemble(getattr(formula, "curve", "curve"), dimension, lambda _: Order(0), Order(0)))
     return getattr(result, "joined", result)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import Any
+from operator import attrgetter
+from typing import Any, NamedTuple
 
 from exactspline import language
 from exactspline.errors import FormulaError
@@ -100,23 +101,37 @@ class Node(Operand):
         return print_text(self)
 
 
+class NamedCall(NamedTuple):
+    """The symbol of a formula that another one calls, and whether it is called on the second of two curves (then it gets a bar)."""
+
+    symbol: str
+    barred: bool
+
+
 class Traced:
-    """The curve of the tree reading: its operands are leaves, and formulas called on it keep their names."""
+    """The argument of the tree reading, curve or pair: its operands are leaves, and formulas called on it keep their names.
 
-    vectors = ("p", "gamma")
+    A leaf of one curve of a pair has that curve in its name: ``second.p``.
+    """
 
-    def __init__(self, dimension: int = 3, *, expand: bool = False) -> None:
-        self.dimension, self.polynomial, self._expand = dimension, False, expand
+    vectors = ("p", "gamma", "point", "axis_x", "axis_y", "axis_z")
 
-    def __getattr__(self, name: str) -> Node:
+    def __init__(self, dimension: int = 3, *, expand: bool = False, path: str = "") -> None:
+        self.dimension, self.polynomial, self._expand, self._path = dimension, False, expand, path
+
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        return Node("leaf", value=name, vector=name in self.vectors)
+        if name in ("first", "second"):
+            return Traced(self.dimension, expand=self._expand, path=f"{name}.")
+        return Node("leaf", value=self._path + name, vector=name in self.vectors)
 
     def calls(self, formula: Formula) -> Any:
         """A formula called by another one: a node with its symbol (only its body where it has none, or when expanding)."""
         body = formula.function(self)
-        return body if self._expand or not formula.symbol else Node("named", (body,), formula, vector=getattr(body, "is_vector", False))
+        if self._expand or not formula.symbol:
+            return body
+        return Node("named", (body,), NamedCall(formula.symbol, self._path == "second."), vector=getattr(body, "is_vector", False))
 
 
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
@@ -147,7 +162,7 @@ _BINARY = {"+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a
 
 def _apply(n: Node, args: list[Any], c: Any) -> Any:
     if n.op == "leaf":
-        return getattr(c, n.value)
+        return attrgetter(n.value)(c)
     if n.op == "number":
         return n.value
     if n.op == "named":
