@@ -83,6 +83,13 @@ def plane(curve: Any) -> Any:
     return curve
 
 
+def space(curve: Any) -> Any:
+    """The curve itself, if it is one in space; `ShapeError` otherwise."""
+    if curve.dimension != 3:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in space")
+    return curve
+
+
 def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
