@@ -138,7 +138,7 @@ def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
     (True, False)
     """
     product = sum(x * y for x, y in zip(a, b, strict=True))
-    return product > 0 and product**2 == sum(x * x for x in a) * sum(y * y for y in b)
+    return bool(product > 0 and product**2 == sum(x * x for x in a) * sum(y * y for y in b))
 
 
 def limit_direction(v: Vector, t: mpq, side: str) -> tuple[mpq, ...]:

@@ -96,12 +96,17 @@ def lowest_terms(value: Rational) -> list[tuple[list[fmpz_poly], int]]:
         raise ReductionError(
             f"the denominator vanishes on all of [{text(a)}, {text(b)}]", where=f"segment {gap}", remedy="leave this segment out", segment=gap
         )
-    scalars = _scalars(value)
+    return _lowest_rows(_scalars(value))
+
+
+def _lowest_rows(scalars: list[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
+    """The lowest terms of several splines segment by segment; 0/1 where the last one vanishes on a whole segment."""
     n = max(s.degree for s in scalars)
     rows = []
     for forms in zip(*[s.forms for s in scalars], strict=True):
         scale = _common([m for _, m in forms])
-        rows.append(_lowest([c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)], n))
+        homogeneous = [c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)]
+        rows.append(_lowest(homogeneous, n) if homogeneous[-1] else ([*[fmpz_poly([])] * (len(scalars) - 1), fmpz_poly([1])], 0))
     return rows
 
 
@@ -143,7 +148,23 @@ def in_lowest_terms(value: Any) -> Any:
         return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
     if isinstance(value, BSpline):
         return value.constant(0) if value.is_zero else value.reduce_degree(value.degree - value.true_degree)
-    rows, mesh = lowest_terms(value), value.denominator.mesh
+    return _over_rows(value, lowest_terms(value))
+
+
+def where_it_exists(value: Rational) -> Rational:
+    """A quotient in lowest terms segment by segment, 0/1 on segments where its denominator vanishes identically.
+
+    >>> from exactspline.curves import example
+    >>> from exactspline.formulas import find
+    >>> where_it_exists(find("torsion")(example("space_line")))(0)
+    mpq(0,1)
+    """
+    return _over_rows(value, _lowest_rows(_scalars(value)))
+
+
+def _over_rows(value: Rational, rows: list[tuple[list[fmpz_poly], int]]) -> Rational:
+    """The quotient whose segments are the rows, raised to one degree."""
+    mesh = value.denominator.mesh
     n = max(degree for _, degree in rows)
     columns = zip(*[[(c * raiser(n - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
     *numerator, denominator = [BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns]

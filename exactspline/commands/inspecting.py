@@ -20,25 +20,37 @@ def inspect(
     ] = "",
     as_json: AsJson = False,
 ) -> None:
-    """Inflections, curvature extrema and cusps of a plane curve, certified, to any number of digits."""
-    from exactspline.curves import load
-    from exactspline.inspection import compare_approaches, inspect_curve, inspection_data
+    """Cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified, to any number of digits."""
+    from exactspline.curves import load, write_json
 
-    c = load(curve)
+    inspected = [_inspected(c, approach, digits) for c in _with_plane_curve(load(curve))]
+    if certificate:
+        write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
+    if plot:
+        _draw(*inspected[0][:2], plot)
+    if as_json:
+        print_json(inspected[0][2] | ({"as_plane_curve": inspected[1][2]} if len(inspected) > 1 else {}))
+        return
+    for c, _, data in inspected:
+        _print(c, data)
+
+
+def _with_plane_curve(c: Any) -> list[Any]:
+    from exactspline.planar import with_plane_curves
+
+    return with_plane_curves([c])
+
+
+def _inspected(c: Any, approach: str, digits: int) -> tuple[Any, Any, dict[str, Any]]:
+    """A curve, its inspection, and all of it as data."""
+    from exactspline.inspection import compare_approaches, groups_of, inspect_curve, inspection_data
+
     found = inspect_curve(c, "minimal" if approach == "all" else approach)
-    count = len(found.singularities) + len(found.inflections) + len(found.critical)
-    with _ticking(count) as tick:
+    with _ticking(sum(len(getattr(found, name)) for name in groups_of(c))) as tick:
         data = inspection_data(c, found, digits, tick)
     if approach == "all":
         data["approaches"] = [asdict(row) for row in compare_approaches(c)]
-    if certificate:
-        _certify(c, found, certificate)
-    if plot:
-        _draw(c, found, plot)
-    if as_json:
-        print_json(data)
-    else:
-        _print(c, data)
+    return c, found, data
 
 
 def _ticking(count: int) -> Any:
@@ -60,20 +72,31 @@ def _ticking(count: int) -> Any:
 
 def _print(c: Any, data: dict[str, Any]) -> None:
     from exactspline import report
+    from exactspline.inspection import groups_of
 
     out = report.console()
     closed = ", closed" if c.closed else ""
-    made = report.table("what", "parameter", "exactly", "curvature", "remark", title=f"{c.name}: {described(c)}{closed}")
-    for group in ("singularities", "inflections", "critical"):
+    in_space = c.dimension == 3
+    columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
+    made = report.table(*columns, title=f"{c.name}: {described(c)}{closed}")
+    for group in groups_of(c):
         for f in data[group]:
             remark = " at a knot, by a jump" if f["by_jump"] else " at a knot" if f["at_knot"] else ""
             kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
-            absolute = f"{f['of_absolute']} of |κ|" if f.get("of_absolute") else ""
-            made.add_row(kind, f["decimal"], f["parameter"] or "–", f.get("curvature", ""), absolute + remark)
+            absolute = f"{f['of_absolute']} of |κ|" if f.get("of_absolute") and not in_space else ""
+            values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
+            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, (absolute + remark).strip())
+    empty = ("",) * (len(columns) - 4)
     for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0")):
         for a, b in data[name]:
-            made.add_row(what, f"[{a}, {b}]", f"[{a}, {b}]", "", "")
-    out.print(made if made.row_count else f"{c.name}: no singular points, no inflections, no extrema of the curvature inside", markup=False)
+            made.add_row(what, f"[{a}, {b}]", f"[{a}, {b}]", *empty, "")
+    for piece in data.get("planar", []):
+        interval = f"[{', '.join(piece['interval'])}]"
+        made.add_row("planar, τ ≡ 0", interval, interval, *empty, f"in the plane {piece['plane']}")
+    nothing = "no singular points, no inflections, no extrema of the curvature inside" + (", no zeros of the torsion" if in_space else "")
+    out.print(made if made.row_count else f"{c.name}: {nothing}", markup=False)
+    if data.get("plane"):
+        out.print(f"{c.name} lies in the plane {data['plane']}: it has no torsion, no focal curve and no osculating spheres\n", markup=False)
     if "approaches" in data:
         out.print(_approaches(report, data["approaches"]))
 
@@ -86,23 +109,15 @@ def _approaches(report: Any, rows: list[dict[str, Any]]) -> Any:
     return made
 
 
-def _solved(c: Any, found: Any) -> list[tuple[Any, Any, Any]]:
-    """The constructions that were solved, their functions and their zeros."""
-    from exactspline.constructions import construction
-    from exactspline.features import zero_form
-    from exactspline.inspection import APPROACHES
+def _proofs(c: Any, found: Any) -> list[dict[str, Any]]:
+    """The certificates of all that was solved."""
+    from exactspline.inspection import solved
 
-    forms = (("zero_curvature", "minimal"), ("critical_curvature", APPROACHES[found.approach]))
-    return [(construction(name), *zero_form(c, name, form)) for name, form in forms]
-
-
-def _certify(c: Any, found: Any, path: str) -> None:
-    from exactspline.curves import write_json
-
-    write_json(path, [{"curve": c.name, "function": made.name, "certificate": zero_set.certificate()} for made, _, zero_set in _solved(c, found)])
+    return [{"curve": c.name, "function": name, "certificate": zero_set.certificate()} for name, _, _, zero_set in solved(c, found.approach)]
 
 
 def _draw(c: Any, found: Any, path: str) -> None:
+    from exactspline.inspection import solved
     from exactspline.plot import inspect_figure, save
 
-    save(inspect_figure(c, [(made.title, f, zero_set) for made, f, zero_set in _solved(c, found)]), path)
+    save(inspect_figure(c, [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]), path)
