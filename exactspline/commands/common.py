@@ -31,6 +31,13 @@ def loaded(names: Iterable[str]) -> tuple[list[Any], bool]:
     return curves, good
 
 
+def also_in_their_planes(curves: list[Any]) -> list[Any]:
+    """The curves, each space curve in a coordinate plane followed by itself as a plane curve."""
+    from exactspline.planar import with_plane_curves
+
+    return with_plane_curves(curves)
+
+
 def print_json(data: Any) -> None:
     """JSON on standard output."""
     sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from exactspline.commands.common import AsJson, described, print_json
+from exactspline.commands.common import AsJson, also_in_their_planes, described, print_json
 
 
 def inspect(
@@ -23,7 +23,7 @@ def inspect(
     """Cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified, to any number of digits."""
     from exactspline.curves import load, write_json
 
-    inspected = [_inspected(c, approach, digits) for c in _with_plane_curve(load(curve))]
+    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes([load(curve)])]
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
     if plot:
@@ -33,12 +33,6 @@ def inspect(
         return
     for c, _, data in inspected:
         _print(c, data)
-
-
-def _with_plane_curve(c: Any) -> list[Any]:
-    from exactspline.planar import with_plane_curves
-
-    return with_plane_curves([c])
 
 
 def _inspected(c: Any, approach: str, digits: int) -> tuple[Any, Any, dict[str, Any]]:

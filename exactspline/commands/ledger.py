@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from exactspline.commands.common import AsJson, CurveFiles, Digits, described, loaded, print_json, tracked
+from exactspline.commands.common import AsJson, CurveFiles, Digits, also_in_their_planes, described, loaded, print_json, tracked
 
 
 def prove(
@@ -23,7 +23,8 @@ def prove(
     from exactspline.claims import select
 
     claims = select(claim or [])
-    curves, good = loaded(curve) if curve else (None, True)
+    given, good = loaded(curve or [])
+    curves = also_in_their_planes(given) if curve else None
     rows = tracked(tasks(claims, curves), "proving")
     if as_json:
         print_json([row.data() for row in rows])

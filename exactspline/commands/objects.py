@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from exactspline.commands.common import AsJson, CurveFiles, described, loaded, print_json, tracked
+from exactspline.commands.common import AsJson, CurveFiles, also_in_their_planes, described, loaded, print_json, tracked
 
 
 def degrees(
@@ -19,7 +19,7 @@ def degrees(
 
     chosen, good = loaded(curve or ["rational_cubic", "rational_space_cubic"] if formulas else curve or ["rational_cubic", "six_segment_cubic"])
     make = formula_table if formulas else construction_table
-    results = [(c, tracked(make(c), c.name)) for c in chosen]
+    results = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
     if as_json:
         print_json([{"curve": c.name, "formulas": [row.data() for row in rows]} for c, rows in results])
     else:
