@@ -6,19 +6,20 @@ A construction is a name with formulas: ``naive`` as the algorithm computes it, 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.factors import split, substitute
 from exactspline.formulas import find
-from exactspline.language import Curve, Formula, Vector
+from exactspline.language import Curve, Formula, RuledSurface, Vector
 from exactspline.measure import in_lowest_terms
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree, parse
 from exactspline.readings.fraction import JetFraction, fraction_argument, fraction_curve
 from exactspline.readings.infinity import drop_of, expansion_argument, expansion_curve
-from exactspline.readings.jet import Jet
+from exactspline.readings.jet import Jet, jet_curve
 from exactspline.readings.order import is_polynomial, order_of
 
 MINIMAL = "minimal"
@@ -26,13 +27,17 @@ MINIMAL = "minimal"
 
 @dataclass(frozen=True)
 class Construction:
-    """A derived object: its name, its forms as names of formulas, and whether only its zero set matters (then a positive factor may go)."""
+    """A derived object: its name, its forms as names of formulas, and whether only its zero set matters (then a positive factor may go).
+
+    A ruled surface is directrix and generator side by side; what its minimal form is, `exactspline.measure.in_lowest_terms` says.
+    """
 
     name: str
     title: str
     curve: str
     forms: dict[str, str]
     zero_set: bool
+    ruled: bool = False
 
     def formula(self, form: str) -> Formula:
         """The formula of a form; the minimal one is made from the first."""
@@ -45,8 +50,8 @@ class Construction:
         value = self.formula(form)(curve)
         if form == MINIMAL:
             value = in_lowest_terms(value)
-            return in_lowest_terms(numerator(value)) if self.zero_set else value
-        return numerator(value) if self.zero_set else value
+            return in_lowest_terms(numerator(value)) if self.zero_set else joined(value)
+        return numerator(value) if self.zero_set else joined(value)
 
 
 CONSTRUCTIONS = {
@@ -68,6 +73,16 @@ CONSTRUCTIONS = {
             "space",
             {"direct": "space_critical_curvature", "squaring": "space_curvature_squared_derivative", "reduced": "space_critical_curvature_reduced"},
             True,
+        ),
+        *(
+            Construction(name, title, "space", {"naive": name, "paper": f"{name}_reduced"}, False, ruled=True)
+            for name, title in (
+                ("tangent_developable", "tangent developable"),
+                ("binormal_scroll", "binormal scroll"),
+                ("normal_scroll", "normal scroll"),
+                ("rectifying_developable", "rectifying developable"),
+                ("focal_surface", "focal surface"),
+            )
         ),
     )
 }
@@ -96,6 +111,11 @@ def numerator(value: Any) -> Any:
     return value.numerator if isinstance(value, Rational) else value
 
 
+def joined(value: Any) -> Any:
+    """Of a ruled surface directrix and generator side by side, anything else as it is."""
+    return value.joined if isinstance(value, RuledSurface) else value
+
+
 def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = False) -> Degree:
     """The true degree of the minimal form on the generic curve of degree d, for symbolic d: an upper bound on every curve.
 
@@ -108,8 +128,18 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
         return lowest_degree(c.formula(MINIMAL), dimension, polynomial=polynomial)
     orders = max(order_of(c.formula(form), dimension) for form in c.forms)
     jets = fraction_curve(dimension, orders, polynomial=polynomial)
-    parts, _ = split(c.formula(MINIMAL)(jets))
-    return _below_polynomial_form(c, parts[0], jets, dimension, polynomial)
+    value = c.formula(MINIMAL)(jets)
+    if isinstance(value, RuledSurface):
+        at_infinity = ("curve", dimension, orders, polynomial)
+        return _degree_of_quotient(list(value.directrix), *at_infinity).max(_degree_of_generator(c, value, dimension, polynomial))
+    if not c.zero_set:
+        return lowest_degree(c.formula(MINIMAL), dimension, polynomial=polynomial)
+    parts, _ = split(value)
+    form = next((c.formula(f) for f in c.forms if polynomial or is_polynomial(c.formula(f), dimension)), None)
+    minimal = Vector(Jet(parts[0].ring, parts[0].top))
+    if form is None:
+        return _true_degree(minimal, "curve", dimension, orders, polynomial)
+    return _degree_below(form, minimal, dimension, polynomial)
 
 
 def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
@@ -122,28 +152,52 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     """
     order = order_of(formula, dimension)
     parts, _ = split(formula(fraction_argument(formula.curve, dimension, order, polynomial=polynomial)))
+    return _degree_of_quotient(parts, formula.curve, dimension, order, polynomial)
+
+
+def _degree_of_generator(c: Construction, surface: RuledSurface, dimension: int, polynomial: bool) -> Degree:
+    """The degree of the generator as a primitive polynomial vector."""
+    generator, _ = _over_common_denominator(list(surface.generator))
+    common = generator[0].polynomial
+    for jet in generator[1:]:
+        common = common.gcd(jet.polynomial)
+    last = c.formula(list(c.forms)[-1])
+
+    def form(curve: Curve) -> Any:
+        return numerator(last(curve).generator)
+
+    return _degree_below(form, Vector(*[Jet(jet.ring, jet.polynomial / common) for jet in generator]), dimension, polynomial)
+
+
+def _over_common_denominator(parts: list[JetFraction]) -> tuple[list[Jet], Jet]:
+    """Numerators and least common denominator of jet fractions."""
     denominator = parts[0].bottom
     for part in parts[1:]:
         denominator = denominator * (part.bottom / denominator.gcd(part.bottom))
-    at_infinity = (formula.curve, dimension, order, polynomial)
-    numerators = _true_degree(Vector(*[Jet(part.ring, part.top * (denominator / part.bottom)) for part in parts]), *at_infinity)
-    if denominator.total_degree() <= 0:
+    return [Jet(part.ring, part.top * (denominator / part.bottom)) for part in parts], Jet(parts[0].ring, denominator)
+
+
+def _degree_of_quotient(parts: list[JetFraction], kind: str, dimension: int, order: int, polynomial: bool) -> Degree:
+    """The larger of the true degrees of numerators and denominator."""
+    tops, denominator = _over_common_denominator(parts)
+    numerators = _true_degree(Vector(*tops), kind, dimension, order, polynomial)
+    if denominator.polynomial.total_degree() <= 0:
         return numerators
-    return numerators.max(_true_degree(Vector(Jet(parts[0].ring, denominator)), *at_infinity))
+    return numerators.max(_true_degree(Vector(denominator), kind, dimension, order, polynomial))
 
 
-def _below_polynomial_form(c: Construction, minimal: JetFraction, jets: Curve, dimension: int, polynomial: bool) -> Degree:
+def _degree_below(form: Callable[[Curve], Any], minimal: Vector, dimension: int, polynomial: bool) -> Degree:
     """The degree of a polynomial form less that of the factor by which it exceeds the minimal one: cheaper than expanding the minimal form."""
-    form = next((c.formula(f) for f in c.forms if polynomial or is_polynomial(c.formula(f), dimension)), None)
-    if form is None:
-        return _true_degree(Vector(Jet(minimal.ring, minimal.top)), "curve", dimension, minimal.ring.order, polynomial)
-    excess = form(jets) * minimal.constant(1) / JetFraction(minimal.ring, minimal.top, minimal.constant(1).top)
-    k, m, drop, _ = drop_of(form, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), form.name)
-    if excess.top.total_degree() <= 0:
+    ring, curve = minimal[0].ring, jet_curve(dimension, minimal[0].ring.order, polynomial=polynomial)
+    exceeding = form(curve)
+    pairs = zip(exceeding if isinstance(exceeding, Vector) else [exceeding], minimal, strict=True)
+    excess = next(Jet(ring, top.polynomial / least.polynomial) for top, least in pairs if least.polynomial)
+    k, m, drop, _ = drop_of(form, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), "the form")
+    if excess.polynomial.total_degree() <= 0:
         return parse(f"{k}d-{m + drop}")
 
     def factor(expansion: Curve) -> Any:
-        return substitute(Jet(minimal.ring, excess.top), expansion)
+        return substitute(excess, expansion)
 
     less_k, less_m, less_drop, _ = drop_of(factor, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), "the factor")
     return parse(f"{k - less_k}d-{m + drop - less_m - less_drop}")

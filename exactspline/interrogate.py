@@ -12,7 +12,7 @@ from typing import Any
 from flint import fmpz_poly
 from gmpy2 import isqrt, mpq, mpz
 
-from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction
+from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, joined
 from exactspline.errors import ShapeError
 from exactspline.exact import ratio, rational, text
 from exactspline.form import ONE, is_square_class, primitive, zero_on_segment
@@ -110,11 +110,11 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     else:
         formula = find(name)
         needed = formula.curve
-        compute = (lambda c: in_lowest_terms(_joined(formula(c)))) if form == MINIMAL else (lambda c: _joined(formula(c)))
+        compute = (lambda c: joined(in_lowest_terms(formula(c)))) if form == MINIMAL else (lambda c: joined(formula(c)))
     if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
     found = formula(curve)
-    value, ruled = _joined(found), isinstance(found, RuledSurface)
+    value, ruled = joined(found), isinstance(found, RuledSurface)
     if not isinstance(value, Rational):
         return Derived(name, form, (Piece(curve.domain, compute(curve)),), (), ruled)
     missing = tuple((interval, _why_missing(name)) for interval in intervals_where(value.denominator, lambda c: not c))
@@ -126,16 +126,14 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     return Derived(name, form, pieces, missing, ruled)
 
 
-def _joined(value: Any) -> Any:
-    return value.joined if isinstance(value, RuledSurface) else value
-
-
 #: Why an object does not exist where its denominator vanishes identically, by the beginning of its name.
 _MISSING = {
     "evolute": "the curve is straight (its curvature vanishes identically)",
     "focal_curve": "the curve is planar (its torsion vanishes identically)",
     "torsion": "the curve is straight (its curvature vanishes identically)",
     "circle_centres": "the curve is straight (its curvature vanishes identically)",
+    "rectifying_developable": "the curve is straight (its curvature vanishes identically)",
+    "focal_surface": "the curve is straight (its curvature vanishes identically)",
 }
 
 

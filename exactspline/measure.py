@@ -12,7 +12,7 @@ from exactspline.exact import text
 from exactspline.factors import split
 from exactspline.form import ONE, raiser
 from exactspline.formulas import all_formulas
-from exactspline.language import Formula, Vector
+from exactspline.language import Formula, RuledSurface, Vector
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree, degree_curve
 from exactspline.spline import BSpline
@@ -117,13 +117,15 @@ def _common(denominators: list[Any]) -> Any:
     return total
 
 
-def _lowest(forms: list[fmpz_poly], n: int) -> tuple[list[fmpz_poly], int]:
+def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tuple[list[fmpz_poly], int]:
+    """Forms of degree n without their common factor, which is made positive, or so that the last form becomes so, at a parameter inside."""
     common = fmpz_poly([])
     for c in forms:
         common = common.gcd(c)
     left = n - common.degree() - (n - max(c.degree() for c in forms))
     forms = [c // common for c in forms]
-    sign = next(sign for j in range(1, left + 3) if (sign := _sign_at(forms[-1], j)))
+    judge, most = (forms[-1], left) if sign_of_last else (common, n)
+    sign = next(sign for j in range(1, most + 3) if (sign := _sign_at(judge, j)))
     return ([-c for c in forms] if sign < 0 else forms), left
 
 
@@ -142,13 +144,44 @@ def in_lowest_terms(value: Any) -> Any:
     >>> from exactspline.formulas import find
     >>> in_lowest_terms(find("evolute")(example("circle"))).degree
     0
+
+    Of a ruled surface the directrix is reduced to q/v like any quotient; the ruling parameter is free, so that any factor may be taken out of the
+    generator: what is left is g/v with g the primitive polynomial vector of its direction, segment by segment. As a quotient (q + ζ g)/v this is
+    the surface of least degree in s with this directrix.
     """
+    if isinstance(value, RuledSurface):
+        directrix, generator = in_lowest_terms(value.directrix), primitive_part(value.generator)
+        if isinstance(directrix, Vector):
+            return RuledSurface(directrix, generator)
+        return RuledSurface(directrix, Rational(generator, directrix.product))
     if isinstance(value, Vector):
         by = min(c.degree - c.true_degree for c in value if not c.is_zero) if not value.is_zero else 0
         return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
     if isinstance(value, BSpline):
         return value.constant(0) if value.is_zero else value.reduce_degree(value.degree - value.true_degree)
     return _over_rows(value, lowest_terms(value))
+
+
+def primitive_part(value: Any) -> Vector:
+    """The polynomial vector of least degree with the direction of a vector or a vector quotient, segment by segment.
+
+    It points the same way as the vector does in the first half of each segment (but for parameters at which the vector vanishes).
+
+    >>> from exactspline.curves import example
+    >>> from exactspline.formulas import find
+    >>> primitive_part(find("normal")(example("rational_space_cubic"))).degree
+    7
+    """
+    if isinstance(value, Rational):
+        value = where_it_exists(value).numerator
+    n, mesh, rows = value.degree, value[0].mesh, []
+    for forms in zip(*[c.forms for c in value], strict=True):
+        scale = _common([m for _, m in forms])
+        parts = [c * (scale // m) * raiser(n - x.degree) for (c, m), x in zip(forms, value, strict=True)]
+        rows.append(_lowest(parts, n, sign_of_last=False) if any(parts) else (parts, 0))
+    highest = max(degree for _, degree in rows)
+    columns = zip(*[[(c * raiser(highest - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
+    return Vector(*[BSpline.from_forms(highest, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns])
 
 
 def where_it_exists(value: Rational) -> Rational:

@@ -12,13 +12,14 @@ from exactspline.constructions import lowest_degree
 from exactspline.curves import example, example_names
 from exactspline.factors import Factor, factor_of_text, find_factor, jets_for, split
 from exactspline.formulas import find
-from exactspline.language import DIMENSIONS, Vector, cross, embedded
+from exactspline.language import DIMENSIONS, Vector, embedded
 from exactspline.readings.degree import Degree, degree_argument, equal_from, parse
 from exactspline.readings.fraction import JetFraction, fraction_argument
 from exactspline.readings.generic import generic_curve
 from exactspline.readings.infinity import generic_drop
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.order import order_of
+from exactspline.ruled import differences
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
 #: Factors that have no zero where w has none, γ′ has none, and (in space) γ′ × γ″ has none.
@@ -102,7 +103,7 @@ def same_surface(claim: Claim, dimension: int) -> Finding:
     c = jets_for((claim.left, claim.right), dimension)
     a, b = find(claim.left)(c), find(claim.right)(c)
     offset = b.directrix - a.directrix
-    if not (cross(a.generator, b.generator).is_zero and cross(offset, a.generator).is_zero):
+    if not all(part.is_zero for part in differences(a, b)):
         return Finding(REFUTED, "one surface", "two surfaces", witness="the generators are not parallel, or the directrices differ across them")
     stretch = find_factor(b.generator, a.generator)
     shift = "" if offset.is_zero else f"{find_factor(offset, a.generator)} + "

@@ -17,10 +17,11 @@ from exactspline.factors import factor_of_text, split
 from exactspline.features import curvature_extrema
 from exactspline.form import is_square_class, zero_on_segment
 from exactspline.formulas import find
-from exactspline.language import Curve, Pair, RuledSurface, Vector, cross, embedded
+from exactspline.language import Curve, Pair, RuledSurface, Vector, embedded
 from exactspline.measure import control_point_count, in_lowest_terms, true_degree
 from exactspline.quotients import Rational
 from exactspline.readings.degree import parse
+from exactspline.ruled import differences
 from exactspline.spline import BSpline
 from exactspline.surface import TensorSpline
 from exactspline.surface_lines import Degrees
@@ -243,7 +244,7 @@ def same_surface(claim: Claim, curve: Any) -> Finding:
     a, b = find(claim.left)(curve), find(claim.right)(curve)
     if any(all(x.is_zero for x in split(surface.generator)[0]) for surface in (a, b)):
         return Finding(UNDECIDED, "one surface", "no surface: the generator vanishes", witness=VACUOUS)
-    for product in (cross(a.generator, b.generator), cross(b.directrix - a.directrix, a.generator)):
+    for product in differences(a, b):
         for x in split(product)[0]:
             if not x.is_zero:
                 return Finding(REFUTED, "one surface", "two surfaces", witness=f"they differ {_where(x)}")

@@ -51,7 +51,8 @@ def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
     formula = c.formula(form)
     minimum = _minimum(c.name, curve.dimension, curve.polynomial)
     if form == MINIMAL:
-        text, nominal = "the first form in lowest terms", "–"
+        text = "directrix in lowest terms, the generator without its common factor" if c.ruled else "the first form in lowest terms"
+        nominal = "–"
     else:
         text, nominal = print_text(trace(formula, curve.dimension)), str(formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree)
     try:

@@ -281,15 +281,18 @@ def rectifying_geodesic(c):
     return det(a, c.gamma.d(2), cross(a, rectifying_developable(c).generator))
 
 
+def development(surface):
+    """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is one along every ruling."""
+    return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
+
+
 @formula("definition of a developable", curve="space")
 def rectifying_development(c):
     """``[γ′ G G′]`` of the reduced generator: zero when the rectifying developable is one."""
-    generator = rectifying_developable_reduced(c).generator
-    return det(c.gamma.d(1), generator, generator.d(1))
+    return development(rectifying_developable_reduced(c))
 
 
 @formula("definition of a developable", curve="space")
 def focal_development(c):
     """``[δ′ B B′]``: zero when the focal surface is developable."""
-    surface = focal_surface_reduced(c)
-    return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
+    return development(focal_surface_reduced(c))
