@@ -5,14 +5,14 @@ Parameters and coordinates are unitless exact numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from flint import fmpz_poly
 from gmpy2 import isqrt, mpq, mpz
 
-from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, joined
+from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, joined, numerator
 from exactspline.errors import ShapeError
 from exactspline.exact import ratio, rational, text
 from exactspline.form import ONE, is_square_class, primitive, zero_on_segment
@@ -63,12 +63,11 @@ def part(curve: Any, a: mpq, b: mpq) -> Curve:
     return restricted
 
 
-def intervals_where(f: BSpline, condition: Callable[[Any], bool]) -> list[Interval]:
-    """The maximal intervals made of segments whose polynomial satisfies a condition."""
+def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interval]:
+    """The maximal intervals made of segments on which something holds."""
     found: list[Interval] = []
-    for i, c in enumerate(f.polynomials):
-        if condition(c):
-            a, b = f.breakpoints[i : i + 2]
+    for a, b, here in zip(breaks, breaks[1:], holds, strict=False):
+        if here:
             if found and found[-1][1] == a:
                 found[-1] = (found[-1][0], b)
             else:
@@ -114,16 +113,24 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
     found = formula(curve)
-    value, ruled = joined(found), isinstance(found, RuledSurface)
-    if not isinstance(value, Rational):
-        return Derived(name, form, (Piece(curve.domain, compute(curve)),), (), ruled)
-    missing = tuple((interval, _why_missing(name)) for interval in intervals_where(value.denominator, lambda c: not c))
-    pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(value.denominator, bool))
+    ruled = isinstance(found, RuledSurface)
+    exists, breaks = _exists(found), curve.breakpoints
+    missing = tuple((interval, _why_missing(name)) for interval in intervals_where(breaks, [not here for here in exists]))
+    pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
     if not pieces:
-        raise ShapeError(
-            f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain", remedy="choose a curve that is not straight"
-        )
+        raise ShapeError(f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain", remedy="choose another curve")
     return Derived(name, form, pieces, missing, ruled)
+
+
+def _exists(value: Any) -> list[bool]:
+    """Segment by segment whether a denominator, and the generator of a ruled surface, are not identically zero."""
+    if isinstance(value, RuledSurface):
+        ends = [_exists(part) for part in (value.directrix, value.generator)]
+        generator = zip(*[c.polynomials for c in numerator(value.generator)], strict=True)
+        return [all(here) and any(parts) for *here, parts in zip(*ends, generator, strict=True)]
+    if isinstance(value, Rational):
+        return [bool(c) for c in value.denominator.polynomials]
+    return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
 
 
 #: Why an object does not exist where its denominator vanishes identically, by the beginning of its name.
@@ -134,6 +141,9 @@ _MISSING = {
     "circle_centres": "the curve is straight (its curvature vanishes identically)",
     "rectifying_developable": "the curve is straight (its curvature vanishes identically)",
     "focal_surface": "the curve is straight (its curvature vanishes identically)",
+    "binormal_scroll": "the curve is straight (its curvature vanishes identically)",
+    "normal_scroll": "the curve is straight (its curvature vanishes identically)",
+    "tangent_developable": "the curve stands still (its velocity vanishes identically)",
 }
 
 
