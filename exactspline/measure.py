@@ -173,7 +173,7 @@ def primitive_part(value: Any) -> Vector:
     7
     """
     if isinstance(value, Rational):
-        value = where_it_exists(value).numerator
+        value = in_lowest_terms(value).numerator
     n, mesh, rows = value.degree, value[0].mesh, []
     for forms in zip(*[c.forms for c in value], strict=True):
         scale = _common([m for _, m in forms])
