@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import form as forms
@@ -61,35 +60,13 @@ def _check_range(outer: BSpline, inner: BSpline) -> None:
         below = forms.add(piece, _constant(-low, inner.degree))[0]
         above = forms.add((-piece[0], piece[1]), _constant(high, inner.degree))[0]
         for c in (below, above):
-            if not _stays_nonnegative(c, inner.degree):
+            if not forms.is_nonnegative(c, inner.degree):
                 a, b = inner.mesh.breaks[i : i + 2]
                 raise DomainError(
                     f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]",
                     remedy="restrict it first",
                     segment=i,
                 )
-
-
-def _stays_nonnegative(c: fmpz_poly, n: int) -> bool:
-    """Whether the form is ≥ 0 on its segment: no odd root inside, and a non-negative value somewhere that is no root."""
-    if not c:
-        return True
-    if any(_crosses(p) for p in _odd_factors(c)):
-        return False
-    return all(forms.value((c, forms.ONE), n, mpq(k, n + 2)) >= 0 for k in range(1, n + 2))
-
-
-def _odd_factors(c: fmpz_poly) -> list[fmpz_poly]:
-    """Square-free factors of odd multiplicity; roots at the ends of the segment (z = 0 and z = ∞) left out."""
-    _, factors = c.factor_squarefree()
-    return [p for p, multiplicity in factors if multiplicity % 2 and p.degree() > 0]
-
-
-def _crosses(p: fmpz_poly) -> bool:
-    """Whether a square-free form has a root strictly inside the segment (z > 0)."""
-    while p[0] == 0:
-        p = p.right_shift(1)
-    return p.degree() > 0 and forms.zero_on_segment(p, p.degree()) is not None
 
 
 def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
@@ -99,12 +76,12 @@ def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
         c, _ = forms.add(piece, _constant(-knot, inner.degree))
         if not c:
             continue
-        for p in _odd_factors(c):
+        for p in forms.odd_factors(c):
             for q, _ in p.factor()[1]:
                 if q.degree() == 1:
                     a, b = inner.mesh.breaks[i : i + 2]
                     found += [a + (b - a) * t for t in forms.rational_roots(q)]
-                elif _crosses(q):
+                elif forms.crosses(q):
                     a, b = inner.mesh.breaks[i : i + 2]
                     raise ReductionError(
                         f"the knot {text(knot)} of the outer spline has an irrational preimage on [{text(a)}, {text(b)}]",

@@ -124,8 +124,6 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
     >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
     (3d − 6, 8d − 12)
     """
-    if not c.zero_set:
-        return lowest_degree(c.formula(MINIMAL), dimension, polynomial=polynomial)
     orders = max(order_of(c.formula(form), dimension) for form in c.forms)
     jets = fraction_curve(dimension, orders, polynomial=polynomial)
     value = c.formula(MINIMAL)(jets)

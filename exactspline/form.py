@@ -246,3 +246,29 @@ def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
                 return mid, mid
             todo += [(mid, b, right), (a, mid, left)]
     return None
+
+
+def is_nonnegative(c: fmpz_poly, n: int) -> bool:
+    """Whether a form of degree n is ≥ 0 on its segment: no odd root inside, and a non-negative value somewhere that is no root.
+
+    >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
+    (True, False)
+    """
+    if not c:
+        return True
+    if any(crosses(p) for p in odd_factors(c)):
+        return False
+    return all(value((c, ONE), n, mpq(k, n + 2)) >= 0 for k in range(1, n + 2))
+
+
+def odd_factors(c: fmpz_poly) -> list[fmpz_poly]:
+    """Square-free factors of odd multiplicity; roots at the right end of the segment (z = ∞) left out."""
+    _, factors = c.factor_squarefree()
+    return [p for p, multiplicity in factors if multiplicity % 2 and p.degree() > 0]
+
+
+def crosses(p: fmpz_poly) -> bool:
+    """Whether a square-free form has a root strictly inside the segment (z > 0)."""
+    while p[0] == 0:
+        p = p.right_shift(1)
+    return p.degree() > 0 and zero_on_segment(p, p.degree()) is not None

@@ -37,6 +37,8 @@ FLOORS = [
     ["features", "space_features"],
     ["inspection", "tables", "conditioning"],
     ["verdict", "companions"],
+    ["bisectors"],
+    ["trimming"],
     ["on_one_curve"],
     ["on_all_curves"],
     ["audit", "errata"],

@@ -5,7 +5,7 @@
 [<Root 0.211325…: multiplicity 1, sign + to −>, <Root 0.788675…: multiplicity 1, sign − to +>]
 """
 
-from exactspline.zeros.roots import Root
+from exactspline.zeros.roots import Root, between
 from exactspline.zeros.zeroset import Jump, Stretch, ZeroSet, zeros
 
-__all__ = ["Jump", "Root", "Stretch", "ZeroSet", "zeros"]
+__all__ = ["Jump", "Root", "Stretch", "ZeroSet", "between", "zeros"]

@@ -241,6 +241,27 @@ class Root:
         )
 
 
+def between(low: Any, high: Any) -> mpq:
+    """A rational number strictly between two roots or exact numbers ``low < high``: a dyadic one of few digits.
+
+    >>> from exactspline import BSpline
+    >>> from exactspline.zeros import zeros
+    >>> between(0, zeros(BSpline.bezier([-1, -1, 1])).roots[0])
+    mpq(1,2)
+    """
+    digits = 1
+    while True:
+        a = low.refine(digits)[1] if isinstance(low, Root) else rational(low)
+        b = high.refine(digits)[0] if isinstance(high, Root) else rational(high)
+        if a < b:
+            break
+        digits *= 2
+    scale = 1
+    while (found := mpq(int(a * scale // 1) + 1, scale)) >= b:
+        scale *= 2
+    return found
+
+
 def _sign(p: fmpz_poly, t: mpq) -> int:
     at = p(to_fmpq(t))
     return int(at > 0) - int(at < 0)
