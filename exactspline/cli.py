@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from exactspline.commands import conditioning, inspecting, ledger, objects
+from exactspline.commands import bisecting, conditioning, inspecting, ledger, objects
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -16,7 +16,16 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-COMMANDS = (ledger.prove, ledger.errata, objects.degrees, objects.derive, objects.curves, inspecting.inspect, conditioning.conditioning)
+COMMANDS = (
+    ledger.prove,
+    ledger.errata,
+    objects.degrees,
+    objects.derive,
+    objects.curves,
+    inspecting.inspect,
+    bisecting.bisector,
+    conditioning.conditioning,
+)
 for command in COMMANDS:
     app.command()(command)
 

@@ -85,12 +85,13 @@ def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
         "form": derived.form,
         "curve": curve,
         "layout": "directrix, generator" if derived.ruled else "",
-        "pieces": [_piece(piece.interval, piece.value) for piece in derived.pieces],
+        "pieces": [piece_data(piece.interval, piece.value) for piece in derived.pieces],
         "missing": [{"interval": [str(a), str(b)], "reason": reason} for (a, b), reason in derived.missing],
     }
 
 
-def _piece(interval: Any, value: Any) -> dict[str, Any]:
+def piece_data(interval: Any, value: Any) -> dict[str, Any]:
+    """A spline, a vector of them or a `Rational` over an interval, by its control points."""
     head = {"interval": [str(t) for t in interval]}
     if isinstance(value, Rational):
         numerator, denominator = value.raised()

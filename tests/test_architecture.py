@@ -39,6 +39,7 @@ FLOORS = [
     ["verdict", "companions"],
     ["bisectors"],
     ["trimming"],
+    ["bisector_data"],
     ["on_one_curve"],
     ["on_all_curves"],
     ["audit", "errata"],
