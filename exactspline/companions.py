@@ -10,8 +10,8 @@ from exactspline.exact import text
 from exactspline.language import Curve, Pair, Vector
 from exactspline.surface import surface_pair
 
-#: Segments of either curve that a pair is made of: its patches grow with their square.
-SEGMENTS = 2
+#: Segments of either curve that a pair is made of: more would show nothing new, and the patches grow with their square.
+SEGMENTS = 1
 
 
 def companion_point(curve: Any) -> tuple[mpq, ...]:
@@ -48,14 +48,14 @@ def beginning(curve: Any, segments: int = SEGMENTS) -> Curve:
 
 
 def pair_with(curve: Any, other: Any = None) -> Pair:
-    """The beginnings of two curves, or of a curve and its turned copy."""
+    """The first segments of two curves, or of a curve and its turned copy."""
     return surface_pair(beginning(curve), beginning(turned_copy(curve) if other is None else other))
 
 
 def argument(kind: str, curve: Any) -> tuple[Any, str]:
     """What formulas of a kind are handed on one curve, and what is said of it beside the curve."""
     if kind == "pair":
-        return pair_with(curve), ", with its turned copy"
+        return pair_with(curve), ", first segment, with its turned copy"
     if kind.endswith("point"):
         point = companion_point(curve)
         return with_point(curve, point), f", with the point ({', '.join(map(text, point))})"

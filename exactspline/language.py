@@ -8,6 +8,7 @@ a Taylor series. Nothing in this room knows which.
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from typing import Any
 
 from exactspline.vectors import CONSTANTS, FieldOperand, Operand, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
@@ -67,6 +68,13 @@ class Argument:
     def together(self) -> tuple[Argument, ...]:
         """The arguments that remember together."""
         return (self,)
+
+    def remembering(self) -> Argument:
+        """A copy that remembers every value as long as it lives: for many formulas of one argument, one after the other."""
+        kept = copy(self)
+        for argument in kept.together():
+            argument._values = {}
+        return kept
 
 
 class Curve(Argument):

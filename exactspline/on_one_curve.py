@@ -31,10 +31,25 @@ from exactspline.zeros import zeros
 
 def check(claim: Claim, curve: Any) -> Finding:
     """What one curve says of a claim."""
-    curve, _ = argument(claim.curve, curve)
+    curve = _handed(claim.curve, curve)
     if claim.curve != "table" and claim.kind != "iso-curve" and (gone := _missing(claim, curve)):
         return Finding(UNDECIDED, claim.claimed or claim.factor, gone, witness=VACUOUS)
     return _CHECKS[claim.kind](claim, curve)
+
+
+#: The curve that was checked last, and what formulas were handed for it, by kind: they remember their values from claim to claim.
+_last: tuple[Any, dict[str, Any]] = (None, {})
+
+
+def _handed(kind: str, curve: Any) -> Any:
+    global _last  # noqa: PLW0603
+    if kind == "table":
+        return curve
+    if _last[0] is not curve:
+        _last = (curve, {})
+    if kind not in _last[1]:
+        _last[1][kind] = argument(kind, curve)[0].remembering()
+    return _last[1][kind]
 
 
 def _missing(claim: Claim, curve: Any) -> str:
