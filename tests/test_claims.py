@@ -44,6 +44,13 @@ def test_a_wrong_identity_is_refuted_with_the_exact_quotient(field, wrong):
     assert on_one_curve.check(false, example("rational_cubic")).verdict == "REFUTED"
 
 
+def test_a_factor_changes_no_zero_set_only_where_the_claim_assumes_that_it_has_no_zero():
+    for claim_id in ("C4.1b", "C4.2c", "C5.2c"):
+        chosen = next(c for c in select([claim_id]) if c.kind == "zero set" and c.expected == "PROVED")
+        assert on_all_curves.prove(chosen)[1].verdict == "PROVED"
+        assert on_all_curves.prove(replace(chosen, without_zero=()))[1].verdict != "PROVED"
+
+
 def test_a_wrong_degree_is_refuted():
     for wrong in ("3d − 2", "3d", "max(3d − 3, 9)"):
         finding = on_all_curves.prove(replace(next(c for c in select(["C4.1c"]) if c.formula == "f2"), claimed=wrong))[1]

@@ -42,6 +42,9 @@ class Claim:
     - ``existence``: ``formula`` is not rational (refuted by the formula itself, which is a quotient of polynomials, and by the proof of what it is);
     - ``iso-curve``: the plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right``;
     - ``square class``: ``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is.
+
+    ``without_zero`` lists what `assumes` says has no zero (``w``, ``γ′``, ``γ′×γ″``): a factor made of these changes no zero set. ``witness`` is the
+    example curve that is tried first where a counterexample is wanted.
     """
 
     id: str
@@ -62,6 +65,8 @@ class Claim:
     factor: str = "1"
     formulas: tuple[str, ...] = ()
     example: str = ""
+    without_zero: tuple[str, ...] = ()
+    witness: str = ""
     as_meant: bool = False
     expected: str = "PROVED"
     note: str = field(default="", compare=False)
@@ -89,6 +94,8 @@ def _claim(entry: dict[str, object], place: str) -> Claim:
     claim = Claim(**{name: tuple(value) if isinstance(value, list) else value for name, value in entry.items()})  # type: ignore[arg-type]
     if claim.kind not in KINDS:
         raise ClaimError(f"the kind {claim.kind!r} is unknown", where=place, remedy=f"kinds are {', '.join(KINDS)}")
+    if unsaid := [name for name in claim.without_zero if name not in claim.assumes]:
+        raise ClaimError(f"{unsaid[0]!r} has no zero, which `assumes` does not say", where=place, remedy="say it there too")
     if claim.expected not in VERDICTS:
         raise ClaimError(f"the verdict {claim.expected!r} is unknown", where=place, remedy=f"verdicts are {', '.join(VERDICTS)}")
     for name in claim.named:

@@ -65,6 +65,13 @@ def curvature_vector(c):
     return normal(c) / speed_squared(c) ** 2
 
 
+@formula("definition of the curvature", curve="space")
+def curvature_vector_by_definition(c):
+    """``γ″/‖γ′‖² − γ′ (γ′·γ″)/‖γ′‖⁴``: the derivative of the unit tangent by arc length."""
+    a, b, speed = c.gamma.d(1), c.gamma.d(2), speed_squared(c)
+    return b / speed - a * (dot(a, b) / speed**2)
+
+
 @formula("§5.1", curve="space")
 def curvature_vector_squared(c):
     """``‖κN‖²``."""
@@ -144,6 +151,12 @@ def rectifying_along_tangent(c):
 
 
 @formula("§5.4", curve="space")
+def rectifying_along_binormal(c):
+    """``(τ γ′ + γ′ × γ″/‖γ′‖²)·(γ′ × γ″)``: ‖γ′‖ κ ‖γ′ × γ″‖ when λ = ζ/‖γ′‖ (the component of ζ(τT + κB) along B is ζκ)."""
+    return dot(rectifying_developable(c).generator, binormal(c))
+
+
+@formula("§5.4", curve="space")
 def rectifying_plane(c):
     """``(τ γ′ + γ′ × γ″/‖γ′‖²) · N``: zero when the generator lies in the rectifying plane."""
     return dot(rectifying_developable(c).generator, normal(c))
@@ -193,12 +206,29 @@ def circle_contact_3(c):
     return dot(osculating_circle_centre(c) - c.gamma, binormal(c))
 
 
+@formula("eq. (19), derivative by the parameter", curve="space")
+def focal_binormal_squared_by_parameter(c):
+    """``‖γ′‖² (Ψ·(γ′ × γ″))² / τ²``: the squared component of (1/τ)(1/κ)′B along γ′ × γ″, with ``(1/κ)′B = ‖γ′‖ Ψ``."""
+    return speed_squared(c) * focal_binormal_squared_by_arc_length(c)
+
+
+@formula("eq. (19), derivative by arc length", curve="space")
+def focal_binormal_squared_by_arc_length(c):
+    """``(Ψ·(γ′ × γ″))² / τ²``: the same with the derivative by arc length; ‖γ′ × γ″‖² is in the denominator of Ψ as in that of τ."""
+    return (psi_numerator(c) / velocity_acceleration_jerk(c)) ** 2
+
+
+@formula("§5.5, by definition", curve="space")
+def focal_offset(c):
+    """``F − γ``: the solution of the three equations by Cramer's rule."""
+    a, b, e = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)
+    return (cross(e, a) * speed_squared(c) + cross(a, b) * (3 * dot(a, b))) / velocity_acceleration_jerk(c)
+
+
 @formula("§5.5, by definition", curve="space", symbol="F")
 def focal_curve(c):
     """The centre of the osculating sphere: the solution of ``(F − γ)·γ′ = 0`` and its first two derivatives, by Cramer's rule."""
-    a, b, e = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)
-    offset = cross(e, a) * speed_squared(c) + cross(a, b) * (3 * dot(a, b))
-    return c.gamma + offset / velocity_acceleration_jerk(c)
+    return c.gamma + focal_offset(c)
 
 
 @formula("eq. (19), derivative by arc length", curve="space")
@@ -213,6 +243,12 @@ def focal_curve_reduced(c):
     w, speed, stretch = c.w, D1_squared(c), dot(D1(c), D2(c))
     first = cross(D3(c), D1(c)) * (speed * w) + cross(D21(c), D1(c)) * (speed * w) + D1_x_D2(c) * (3 * stretch * w - 2 * c.w.d(1) * speed)
     return (c.p * (w**2 * D1_D2_D3(c)) + first) / (w**3 * D1_D2_D3(c))
+
+
+@formula("definition of the focal curve", curve="space")
+def focal_binormal_squared(c):
+    """``((F − γ)·(γ′ × γ″))²``."""
+    return dot(focal_offset(c), binormal(c)) ** 2
 
 
 @formula("definition of the focal curve", curve="space")
