@@ -11,14 +11,16 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.constructions import MINIMAL, construction, numerator
-from exactspline.errors import ShapeError
+from exactspline.errors import DomainError, ShapeError
 from exactspline.exact import rational, text
 from exactspline.formulas.space import development
 from exactspline.interrogate import space
+from exactspline.knots import Mesh
 from exactspline.language import RuledSurface, Vector, cross, dot, norm2
 from exactspline.measure import in_lowest_terms, where_it_exists
 from exactspline.quotients import Rational
 from exactspline.spline import BSpline
+from exactspline.surface import lifted
 
 
 @dataclass(frozen=True)
@@ -63,6 +65,40 @@ def point_at(surface: RuledSurface, s: Any, ruling: Any, side: str = "right") ->
 
 def _value(part: Any, s: Any, side: str) -> tuple[mpq, ...]:
     return tuple(c(s, side) for c in part) if isinstance(part, Vector) else part(s, side)
+
+
+def as_tensor_product(surface: RuledSurface, a: Any, b: Any) -> Any:
+    """The surface between the ruling parameters a and b as a tensor-product B-spline: a `Vector` of `TensorSpline`, or a `Rational` of them.
+
+    Degree 1 in the ruling parameter, and in s that of the surface; all components are over the same knots, so that their control points, with those
+    of the denominator as weights, are the net of a NURBS surface in homogeneous coordinates.
+
+    >>> from exactspline.curves import example
+    >>> tangents = ruled_surface("tangent_developable", example("rational_space_cubic"), "paper")
+    >>> patch = as_tensor_product(tangents, -1, 2)
+    >>> patch.denominator.degree, patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
+    (Degrees(s=5, t=1), True)
+
+    Raises `DomainError` unless a < b.
+    """
+    low, high = rational(a), rational(b)
+    if not low < high:
+        raise DomainError(f"[{text(low)}, {text(high)}] is no interval of ruling parameters", remedy="give a < b")
+    meshes = numerator(surface.directrix)[0].mesh, Mesh([low, high])
+    ruling = lifted(BSpline.identity(low, high), meshes, 1)
+    found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
+    components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
+    nothing = components[0] * 0
+    for c in components[1:]:
+        nothing = nothing + c * 0
+    components = [c + nothing for c in components]
+    return Rational(Vector(*components[:3]), components[3]) if isinstance(found, Rational) else Vector(*components)
+
+
+def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
+    """A vector, or a vector quotient, of splines in s as one of splines in both parameters."""
+    top = Vector(*[lifted(c, meshes, 0) for c in numerator(part)])
+    return Rational(top, lifted(part.denominator, meshes, 0)) if isinstance(part, Rational) else top
 
 
 def is_developable(surface: RuledSurface) -> bool:

@@ -8,12 +8,12 @@ from exactspline import BSpline, Rational, Vector, cross
 from exactspline.claims import all_claims
 from exactspline.constructions import CONSTRUCTIONS
 from exactspline.curves import example, example_names
-from exactspline.errors import ReductionError, ShapeError
+from exactspline.errors import DomainError, ReductionError, ShapeError
 from exactspline.formulas import find
 from exactspline.language import RuledSurface
 from exactspline.measure import in_lowest_terms, primitive_part
 from exactspline.on_all_curves import same_surface as prove
-from exactspline.ruled import is_developable, point_at, ruled_surface, same_surface
+from exactspline.ruled import as_tensor_product, is_developable, point_at, ruled_surface, same_surface
 from tests.strategies import splines_on_one_domain
 
 RULED = [name for name, made in CONSTRUCTIONS.items() if made.ruled]
@@ -45,6 +45,33 @@ def test_the_stretch_on_a_curve_is_the_one_proved_for_all_curves(name):
     expected = Rational(w**power, w.constant(1)) if power > 0 else Rational(w.constant(1), w.constant(1) if power == 0 else w ** (-power))
     assert relation.stretch == expected
     assert relation.shift.is_zero
+
+
+@pytest.mark.parametrize("form", ["naive", "paper", "minimal"])
+@pytest.mark.parametrize("curve", ["rational_space_cubic_spline", "twisted_cubic"])
+@pytest.mark.parametrize("name", RULED)
+def test_a_ruled_surface_is_a_tensor_product(name, curve, form):
+    """The same points, linear in the ruling parameter; the edges of the net are the curves of the bounds."""
+    surface = ruled_surface(name, example(curve), form)
+    patch = as_tensor_product(surface, "-1/2", 3)
+    splines = [*(patch.numerator if isinstance(patch, Rational) else patch), *([patch.denominator] if isinstance(patch, Rational) else [])]
+    assert {s.degree.s for s in splines} == {surface.degree}
+    assert {s.degree.t for s in splines} == {1}
+    assert len({s.knots for s in splines}) == 1
+    for s in (mpq(1, 7), mpq(3, 5)):
+        for ruling in (mpq(-1, 2), mpq(0), mpq(5, 3), mpq(3)):
+            found = patch(s, ruling) if isinstance(patch, Rational) else tuple(f(s, ruling) for f in patch)
+            assert found == point_at(surface, s, ruling)
+    first, last = ([f.control_points[0][side] for f in splines] for side in (0, -1))
+    a = example(curve).domain[0]
+    for corner, ruling in ((first, "-1/2"), (last, 3)):
+        weight = corner[3] if len(corner) == 4 else 1
+        assert tuple(x / weight for x in corner[:3]) == point_at(surface, a, ruling)
+
+
+def test_bounds_must_be_an_interval():
+    with pytest.raises(DomainError, match="no interval"):
+        as_tensor_product(ruled_surface("tangent_developable", example("twisted_cubic")), 1, 1)
 
 
 def test_two_surfaces_are_told_apart():
