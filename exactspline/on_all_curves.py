@@ -18,6 +18,7 @@ from exactspline.readings.fraction import JetFraction, fraction_argument
 from exactspline.readings.generic import generic_curve
 from exactspline.readings.infinity import generic_drop
 from exactspline.readings.jet import Jet, polynomial_text
+from exactspline.readings.monomials import every_coefficient, monomial_curve
 from exactspline.readings.order import order_of
 from exactspline.ruled import differences
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
@@ -186,7 +187,11 @@ def _but(exceptions: tuple[int, ...]) -> str:
 
 
 def generic_coefficients(claim: Claim) -> Finding:
-    """No Bézier coefficient is the zero polynomial in indeterminate control points and weights, degree by degree."""
+    """No Bézier coefficient is the zero polynomial in indeterminate control points and weights: for every degree at once, or degree by degree."""
+    found = [every_coefficient(find(claim.formula)(monomial_curve(dimension))) for dimension in dimensions(claim)]
+    if None not in found:
+        computed = "none vanishes for any d ≥ 1: coefficients 2k and 2k + 1 contain the product of control point k + 1 and weight k"
+        return Finding(PROVED, "none vanishes", computed)
     for d in GENERIC_DEGREES:
         for dimension in dimensions(claim):
             value = find(claim.formula)(generic_curve(dimension, d))

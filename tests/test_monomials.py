@@ -1,0 +1,57 @@
+"""The monomial reading against the generic Bézier segments of single degrees."""
+
+from dataclasses import replace
+from math import comb
+
+import pytest
+from flint import fmpq
+
+from exactspline import on_all_curves
+from exactspline.claims import select
+from exactspline.errors import FormulaError
+from exactspline.formulas import find
+from exactspline.readings.generic import generic_curve
+from exactspline.readings.monomials import every_coefficient, monomial_curve
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 5])
+@pytest.mark.parametrize("name", ["D1", "D2", "D21"])
+def test_the_coefficients_are_those_of_every_single_degree(name, degree):
+    """Term by term: what the symbolic monomials give at d, a, b is the coefficient of the product of control point a and weight b."""
+    symbolic = find(name)(monomial_curve(2))[0]
+    concrete = find(name)(generic_curve(2, degree))[0]
+    expected = [{} for _ in concrete.coefficients]
+    for a in range(degree + 1):
+        for b in range(degree + 1):
+            for (_, j), c in symbolic.terms.items():
+                number = c.compose(*[c.context().constant(x) for x in (degree, a, b)], ctx=c.context())
+                if number != 0:
+                    row = expected[a + b - j]
+                    row[a, b] = row.get((a, b), 0) + fmpq(number.leading_coefficient()) * comb(degree, a) * comb(degree, b)
+    for row, polynomial in zip(expected, concrete.coefficients, strict=True):
+        found = {}
+        for exponents, c in polynomial.terms():
+            e = [int(x) for x in exponents]
+            found[e[: degree + 1].index(1), e[2 * (degree + 1) :].index(1)] = c
+        assert found == row
+
+
+def test_every_coefficient_of_d1_is_proved_and_of_others_computed():
+    chosen = next(c for c in select(["C3f"]) if c.measure == "generic")
+    reading, finding = on_all_curves.prove(chosen)
+    assert (reading, finding.verdict) == ("generic", "PROVED")
+    assert "d ≥ 1" in finding.computed
+    assert on_all_curves.prove(replace(chosen, formula="D2"))[1].verdict == "VERIFIED"
+
+
+def test_what_is_not_of_that_kind_is_not_proved():
+    """w′p has p_(k+1) w_k with the factor k, zero for k = 0; (w p)′ with a polynomial in d; D2 has three terms; nothing comes of p alone."""
+    c = monomial_curve(2)
+    for value in (c.p * c.w.d(1), (c.p * c.w).d(1), find("D2")(c), c.p.d(1), c.w.d(1), c.p - c.p):
+        assert every_coefficient(value) is None
+
+
+def test_terms_of_different_degree_are_not_added():
+    c = monomial_curve(2)
+    with pytest.raises(FormulaError, match="different degree"):
+        c.p[0] + c.w
