@@ -1,14 +1,20 @@
 """How a theorem of the paper is put to the test: proved for all curves, verified on the example curves."""
 
+from functools import cache
+
 from exactspline.audit import audit
 from exactspline.claims import all_claims
 
 
+@cache
+def _audited(claim_id):
+    return tuple(audit([claim for claim in all_claims() if claim.id == claim_id]))
+
+
 def establish(claim_id, statement=""):
     """Every verdict on a claim (or on the one statement of it) is the one on record; returns the rows."""
-    claims = [claim for claim in all_claims() if claim.id == claim_id and statement in claim.statement]
-    assert claims, f"no claim {claim_id} says {statement!r}"
-    rows = list(audit(claims))
+    rows = [row for row in _audited(claim_id) if statement in row.statement]
+    assert rows, f"no claim {claim_id} says {statement!r}"
     for row in rows:
         assert row.as_recorded, f"{row.id}, {row.statement}, on {row.curve or 'all curves'}: {row.verdict}, recorded {row.expected}. {row.witness}"
     return rows
