@@ -5,8 +5,27 @@ and returns them.
 """
 
 from exactspline.plot.canvas import PlotError, new_figure, save
-from exactspline.plot.comparisons import inspect_figure
+from exactspline.plot.comparisons import inspect_figure, plot_approaches
 from exactspline.plot.curves import plot_curve, plot_evolute, plot_features
-from exactspline.plot.functions import greville_abscissae, plot_function
+from exactspline.plot.functions import greville_abscissae, plot_function, plot_roots
+from exactspline.plot.meshes import SurfaceMesh, ruled_mesh
+from exactspline.plot.surfaces import mark_points, plot_mesh, plot_ruled_surface
 
-__all__ = ["PlotError", "greville_abscissae", "inspect_figure", "new_figure", "plot_curve", "plot_evolute", "plot_features", "plot_function", "save"]
+__all__ = [
+    "PlotError",
+    "SurfaceMesh",
+    "greville_abscissae",
+    "inspect_figure",
+    "mark_points",
+    "new_figure",
+    "plot_approaches",
+    "plot_curve",
+    "plot_evolute",
+    "plot_features",
+    "plot_function",
+    "plot_mesh",
+    "plot_roots",
+    "plot_ruled_surface",
+    "ruled_mesh",
+    "save",
+]

@@ -66,7 +66,7 @@ def axes_for(ax: Any, dimension: int = 2) -> Any:
     return ax
 
 
-def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "-", **how: Any) -> None:
+def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) -> None:
     """Exact points as a line or as dots: the one place where they become floats."""
     columns = list(zip(*points, strict=True))
     if any(abs(x) > LARGEST for column in columns for x in column):
@@ -74,12 +74,12 @@ def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "-", **how: Any)
     ax.plot(*[[float(x) for x in column] for column in columns], style, **how)
 
 
-def legend_below(ax: Any) -> None:
+def legend_below(ax: Any, columns: int = 3) -> None:
     """A legend under the axes, where it hides nothing."""
     handles, labels = ax.get_legend_handles_labels()
     below = library("matplotlib.transforms").offset_copy(ax.transAxes, fig=ax.figure, y=-36 if ax.get_xlabel() else -20, units="points")
     place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": below}
-    ax.legend(handles, labels, ncols=3, fontsize="small", frameon=False, **place)
+    ax.legend(handles, labels, ncols=columns, fontsize="small", frameon=False, **place)
 
 
 def sampled(f: Any, breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, Any]]]:

@@ -12,6 +12,7 @@ from gmpy2 import mpq
 from exactspline.errors import ShapeError, shown
 from exactspline.plot.canvas import (
     BLACK,
+    GREEN,
     LARGEST,
     MARKS,
     PlotError,
@@ -136,3 +137,33 @@ def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color:
 def marked(roots: Any) -> tuple[list[Any], list[Any]]:
     """What is marked as a root, and what as a jump through zero."""
     return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
+
+
+def plot_roots(roots: Any, ax: Any = None, *, color: str = GREEN) -> Any:
+    """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and no other, the root a dot.
+
+    What is drawn is the interval at hand: `Root.refine` makes it narrower. Stretches on which the function vanishes are thick bars at the bottom.
+
+    >>> from exactspline.zeros import zeros
+    >>> ax = plot_roots(zeros(BSpline.bezier([1, "-1/2", "-2/3", 1], 0, 3)))
+    >>> [text.get_text() for text in ax.get_yticklabels()]
+    ['0.937', '2.13']
+
+    Raises `PlotError` without matplotlib.
+    """
+    ax = axes_for(ax)
+    bars = [(root.low, root.high) for root in roots]
+    at = [(low + high) / 2 if low == high else root.refine(20)[0] for root, (low, high) in zip(roots, bars, strict=True)]
+    for i, (low, high) in enumerate(bars):
+        draw(ax, [(low, mpq(i)), (high, mpq(i))], "|-", color=BLACK, linewidth=2, markersize=12, label="_interval" if i else "isolating interval")
+        kind = f"{color}" if roots[i].sign_change else "white"
+        draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
+    empty: list[float] = []
+    ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
+    for i, stretch in enumerate(getattr(roots, "stretches", [])):
+        draw(ax, [(stretch.low, mpq(-1)), (stretch.high, mpq(-1))], color=color, linewidth=6, label="_stretch" if i else "zero throughout")
+    ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])
+    ax.set_ylabel("root")
+    ax.set_xlabel("parameter")
+    legend_below(ax)
+    return ax
