@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from exactspline.commands import bisecting, conditioning, inspecting, ledger, objects
+from exactspline.commands import bisecting, conditioning, inspecting, ledger, objects, showing
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -18,6 +18,7 @@ app = typer.Typer(
 )
 COMMANDS = (
     ledger.prove,
+    showing.show,
     ledger.errata,
     objects.degrees,
     objects.derive,

@@ -10,6 +10,7 @@ from typing import Any
 from flint import fmpq_mpoly
 from gmpy2 import mpq
 
+from exactspline.displayed import Displayed
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
 from exactspline.formulas import all_formulas, find
@@ -33,7 +34,7 @@ def split(value: Any) -> tuple[list[Any], Any]:
 
 
 @dataclass(frozen=True)
-class Factor:
+class Factor(Displayed):
     """A quotient of jet polynomials, as a constant and powers of irreducible ones with names where they have one."""
 
     constant: mpq

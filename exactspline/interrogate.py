@@ -13,6 +13,7 @@ from flint import fmpz_poly
 from gmpy2 import isqrt, mpq, mpz
 
 from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, joined, numerator
+from exactspline.displayed import Displayed
 from exactspline.errors import ShapeError
 from exactspline.exact import ratio, rational, text
 from exactspline.form import ONE, is_square_class, primitive, zero_on_segment
@@ -34,7 +35,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Derived:
+class Derived(Displayed):
     """A derived object in pieces, and the intervals on which it does not exist, each with the reason."""
 
     name: str

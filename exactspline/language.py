@@ -11,6 +11,7 @@ from collections.abc import Callable
 from copy import copy
 from typing import Any
 
+from exactspline.displayed import Displayed
 from exactspline.vectors import CONSTANTS, FieldOperand, Operand, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 
 __all__ = [
@@ -45,7 +46,7 @@ __all__ = [
 ]
 
 
-class Argument:
+class Argument(Displayed):
     """What formulas are handed; it remembers what they call while one of them is being evaluated."""
 
     #: Values of the formulas called while one formula is being evaluated.
@@ -207,7 +208,7 @@ def level(normal: Any, height: Any) -> tuple[Any, Any]:
     return normal, height
 
 
-class RuledSurface:
+class RuledSurface(Displayed):
     """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) of one parameter s, and the ruling parameter ζ.
 
     >>> RuledSurface(Vector(1, 2, 3), Vector(0, 0, 1)).at(5)
@@ -252,7 +253,7 @@ def _with_numerator(value: Any, change: Callable[[Any], Any]) -> Any:
     return change(value) if isinstance(value, Vector) else type(value)(change(value.numerator), value.product)
 
 
-class Formula:
+class Formula(Displayed):
     """A formula with its name, its symbol and where it stands in the paper; calling it evaluates it in the reading of its argument.
 
     ``curve`` tells what the argument must be: ``"curve"`` (any dimension), ``"plane"``, ``"space"``, ``"table"`` (the operands of Table 1),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable
+from io import StringIO
 from typing import Any
 
 from gmpy2 import mpq
@@ -13,6 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from exactspline.claims import Claim
+from exactspline.statement import Statement
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Row
 
 COLOURS = {PROVED: "bold green", VERIFIED: "green", REFUTED: "bold magenta", UNDECIDED: "yellow"}
@@ -69,6 +71,15 @@ def decimal(value: mpq, digits: int) -> str:
         return str(mp.nstr(mp.mpf(int(value.numerator)) / int(value.denominator), digits))
 
 
+def decimal_milliseconds(seconds: float) -> str:
+    """A time in milliseconds, to a tenth.
+
+    >>> decimal_milliseconds(0.01234)
+    '12.3'
+    """
+    return f"{1000 * seconds:.1f}"
+
+
 def ledger(rows: list[Row], title: str, digits: int = 0) -> Columns:
     """The rows of one curve (or of all curves), one a line."""
     made = table("verdict", "claim", "statement", "claimed", "computed", "factor or witness", title=title)
@@ -122,6 +133,32 @@ def erratum(entry: Any) -> Text:
     for i, line in enumerate(entry.check):
         text.append(f"\n  {'check' if not i else '     '}    {line}")
     return text.append("\n")
+
+
+def spelled_out(s: Statement, latex: bool = False) -> Columns:
+    """A claim with its sides, factor, degrees and verdict, one thing a line."""
+    c, f = s.claim, s.finding
+    made = table("what", "is", title=f"{c.id}  {c.source}{'  (as it must read)' if c.as_meant else ''}")
+    made.show_header = False
+    lines = [("statement", s.latex if latex else c.statement)]
+    for side in s.sides:
+        lines += [(side.role, side.latex if latex else side.text), ("", f"{side.name}, {side.source}, degree {side.degrees}")]
+    lines += [("claimed", c.claimed), ("factor", f.factor if c.kind != "degree" else ""), ("computed", f.computed), ("witness", f.witness)]
+    lines += [("assumes", c.assumes), ("note", c.note)]
+    for what, text in lines:
+        if text:
+            made.add_row(what, text)
+    recorded = "as recorded" if s.as_recorded else f"recorded: {c.expected}"
+    made.add_row("verdict", Text.assemble((f.verdict, COLOURS[f.verdict]), f" [{s.reading}], {recorded}"))
+    made.add_row("", "")
+    return made
+
+
+def plain(made: Any, width: int = 160) -> str:
+    """A table as text, for where there is no terminal."""
+    out = Console(highlight=False, width=width, color_system=None, file=StringIO())
+    out.print(made)
+    return "\n".join(line.rstrip() for line in out.file.getvalue().splitlines())  # type: ignore[attr-defined]
 
 
 def closing(rows: list[Row]) -> str:

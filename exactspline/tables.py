@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
+from time import perf_counter
 from typing import Any
 
 from exactspline.constructions import MINIMAL, Construction, construction, constructions_for, symbolic_minimum
@@ -21,7 +22,7 @@ from exactspline.readings.tree import trace
 
 @dataclass(frozen=True)
 class DegreeRow:
-    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand."""
+    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand, with the time it took."""
 
     formula: str
     form: str
@@ -31,6 +32,7 @@ class DegreeRow:
     control_points: int
     generic: str
     text: str
+    seconds: float = 0
 
     def data(self) -> dict[str, Any]:
         """The row for a program."""
@@ -55,12 +57,14 @@ def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
         nominal = "–"
     else:
         text, nominal = print_text(trace(formula, curve.dimension)), str(formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree)
+    start = perf_counter()
     try:
         value = c.on(curve, form)
     except ReductionError as error:
         return DegreeRow(c.name, form, nominal, -1, None, 0, "–", str(error))
+    seconds = perf_counter() - start
     generic = str(minimum) if form == MINIMAL else "–"
-    return DegreeRow(c.name, form, nominal, value.degree, true_degree_or_none(value), control_point_count(value), generic, text)
+    return DegreeRow(c.name, form, nominal, value.degree, true_degree_or_none(value), control_point_count(value), generic, text, seconds)
 
 
 def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:
@@ -70,9 +74,11 @@ def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:
 
 def _formula_row(name: str, curve: Any) -> DegreeRow:
     formula = find(name)
+    start = perf_counter()
     m = measure(formula, curve)
+    seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
-    return DegreeRow(name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text)
+    return DegreeRow(name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds)
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, Any]:

@@ -8,13 +8,14 @@ from typing import Any
 
 from gmpy2 import mpq, mpz
 
+from exactspline.displayed import Displayed
 from exactspline.errors import FormulaError, ShapeError
 
 #: The constants that may stand in a formula.
 CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
 
 
-class Operand:
+class Operand(Displayed):
     """What every scalar of every reading has in common.
 
     A reading supplies ``__add__``, ``__mul__``, ``scaled`` (by an exact constant), ``d``, ``raised_to`` (the same thing, of at least another's
@@ -100,7 +101,7 @@ def _rational() -> Any:
     return Rational
 
 
-class Vector:
+class Vector(Displayed):
     """A tuple of scalar operands of one reading.
 
     >>> a, b = Vector(1, 2), Vector(mpq(1, 2), 0)

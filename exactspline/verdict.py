@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from exactspline.claims import Claim
+from exactspline.displayed import Displayed
 
 PROVED, VERIFIED, REFUTED, UNDECIDED = "PROVED", "VERIFIED", "REFUTED", "UNDECIDED"
 #: What `witness` says where both sides vanish: no success, and no failure either.
@@ -24,7 +25,7 @@ class Finding:
 
 
 @dataclass
-class Row:
+class Row(Displayed):
     """A line of the ledger."""
 
     id: str

@@ -13,7 +13,7 @@ ROOT = Path(exactspline.__file__).parent
 
 #: Floors from the ground up; a room imports only from floors below its own, or from rooms of its own package.
 FLOORS = [
-    ["errors"],
+    ["displayed", "errors"],
     ["exact", "structure", "writing"],
     ["form", "vectors"],
     ["patch"],
@@ -42,9 +42,10 @@ FLOORS = [
     ["bisector_data"],
     ["on_one_curve"],
     ["on_all_curves"],
-    ["audit", "errata"],
+    ["audit", "errata", "statement"],
     ["plot"],
     ["report"],
+    ["display"],
     ["commands"],
     ["cli"],
 ]
@@ -82,6 +83,7 @@ EXCEPTIONS = {
     ("vectors", "quotients"): "dividing two operands makes a quotient",
     ("spline", "composition"): "a method of the public class",
     ("readings", "printers"): "how a tree shows itself",
+    ("displayed", "display"): "how everything shows itself in a notebook",
 }
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, fields
 from functools import cache
 from importlib import resources
 
+from exactspline.displayed import Displayed
 from exactspline.errors import ClaimError
 from exactspline.formulas import find
 from exactspline.language import DIMENSIONS
@@ -24,7 +25,7 @@ VERDICTS = ("PROVED", "VERIFIED", "REFUTED", "UNDECIDED")
 
 
 @dataclass(frozen=True)
-class Claim:
+class Claim(Displayed):
     """One checkable statement.
 
     ``curve`` is what it speaks of, as of a `Formula`: ``curve`` (any dimension), ``plane``, ``space``, ``table``, a ``pair`` of curves, a

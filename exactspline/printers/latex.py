@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from exactspline.printers.walk import ATOM, PRODUCT, Printer, leaf, named_binding, number
 from exactspline.readings.tree import Node
 
@@ -22,7 +24,7 @@ class LatexPrinter(Printer):
         if n.op == "named":
             return (rf"\bar{{{n.value.symbol}}}" if n.value.barred else n.value.symbol), named_binding(n)
         name, barred = leaf(n.value)
-        symbol = _GREEK.get(name, name)
+        symbol = _GREEK.get(name) or re.sub(r"(?<=[a-zA-Z])(\d+)$", r"_{\1}", name)
         return (rf"\bar{{{symbol}}}" if barred else symbol), ATOM
 
     def quotient(self, a: Node, b: Node) -> tuple[str, int]:

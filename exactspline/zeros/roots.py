@@ -10,6 +10,7 @@ from typing import Any
 from flint import fmpz_poly
 from gmpy2 import lcm, mpq, mpz
 
+from exactspline.displayed import Displayed
 from exactspline.errors import NumberError
 from exactspline.exact import rational, text, to_fmpq
 from exactspline.form import substituted
@@ -21,7 +22,7 @@ _EXACT = (int, Fraction, type(mpz()), type(mpq()))
 
 
 @total_ordering
-class Root:
+class Root(Displayed):
     """One zero of a spline, in the spline's own parameter.
 
     Either `low` = `high` is the root itself, or it is the only one strictly between them and `polynomial` has a simple zero there. The interval

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from gmpy2 import mpq
 
+from exactspline.displayed import Displayed
 from exactspline.errors import ShapeError
 from exactspline.exact import ratio, text
 from exactspline.spline import BSpline
@@ -59,7 +60,7 @@ class Stretch:
         return f"<Stretch [{text(self.low)}, {text(self.high)}]>"
 
 
-class ZeroSet:
+class ZeroSet(Displayed):
     """All zeros of a spline; a sequence of its roots, in order, each parameter once.
 
     `roots`, `stretches` and `jumps` are complete and disjoint: a root at an end of a stretch belongs to the stretch.

@@ -1,0 +1,171 @@
+"""Objects as HTML: facts, tables, small pictures."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+from html import escape
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.claims import Claim
+from exactspline.display.mathematics import fraction, mathematics
+from exactspline.display.pictures import curve_picture, graph_picture
+from exactspline.display.tables import Grid, Verdicts
+from exactspline.exact import text
+from exactspline.interrogate import Derived
+from exactspline.language import RuledSurface, Vector
+from exactspline.measure import control_point_count
+from exactspline.nurbs import Nurbs
+from exactspline.quotients import Rational
+from exactspline.report import decimals
+from exactspline.spline import BSpline
+from exactspline.statement import Side, Statement, latex_of, sides
+from exactspline.verdict import Row
+from exactspline.zeros import ZeroSet
+
+#: Numbers of a list that are written out, and control points above which a spline is described instead of written out.
+SHOWN, LONG = 8, 24
+
+
+@singledispatch
+def html(x: Any) -> str | None:
+    """HTML for a notebook, None for what has none (then LaTeX or text is shown)."""
+    return None
+
+
+def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
+    """Lines of HTML beside a picture."""
+    rows = "".join(f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left">{value}</td></tr>' for name, value in lines)
+    return f'<div style="display:flex;gap:1em;align-items:center">{picture}<div><b>{escape(title)}</b><table>{rows}</table></div></div>'
+
+
+def numbers(values: Any) -> str:
+    """The first exact numbers of a list, long ones cut."""
+    values = list(values)
+    parts = [decimals(text(x)) for x in values[:SHOWN]]
+    return escape(", ".join(parts)) + (f", … ({len(values)})" if len(values) > SHOWN else "")
+
+
+@html.register
+def _(f: BSpline) -> str:
+    a, b = f.domain
+    lines = [
+        ("domain", numbers((a, b))),
+        ("control points", f"{len(f.control_points)}: {numbers(f.control_points)}"),
+        ("knots", numbers(f.knots.knots)),
+    ]
+    inner = f"smallest continuity {min(f.continuity)}" if f.continuity else "one segment"
+    return facts(f"B-spline function of degree {f.degree}", [*lines, ("segments", f"{len(f.mesh)}, {inner}")], graph_picture(f))
+
+
+@html.register
+def _(c: Nurbs) -> str:
+    a, b = c.domain
+    kind = "polynomial" if c.polynomial else "rational"
+    points = escape("; ".join("(" + ", ".join(decimals(text(x)) for x in p) + ")" for p in c.control_points[:SHOWN]))
+    more = " …" if len(c.control_points) > SHOWN else ""
+    lines = [("domain", f"{numbers((a, b))}, {c.segments} segments"), ("control points", f"{len(c.control_points)}: {points}{more}")]
+    lines += [] if c.polynomial else [("weights", numbers(c.weights))]
+    lines += [("knots", numbers(c.knots.knots))] + ([("note", escape(c.note))] if c.note else [])
+    return facts(f"{c.name or 'curve'}: {kind} curve of degree {c.degree} in R{c.dimension}", lines, curve_picture(c))
+
+
+def _described(value: Any) -> str:
+    """What a vector or quotient of splines is, in a few words; empty for other readings."""
+    if isinstance(value, RuledSurface):
+        return f"ruled surface; {_described(value.joined)}" if _described(value.joined) else ""
+    scalars = [*_parts(value.numerator), value.denominator] if isinstance(value, Rational) else _parts(value)
+    if not all(isinstance(s, BSpline) for s in scalars):
+        return ""
+    what = "quotient of B-splines" if isinstance(value, Rational) else "vector of B-splines"
+    a, b = scalars[0].domain
+    where = f"on [{text(a)}, {text(b)}], {len(scalars[0].mesh)} segments"
+    return f"{what}, degree {value.degree}, {control_point_count(value)} control points, {where}"
+
+
+def _parts(value: Any) -> list[Any]:
+    return list(value) if isinstance(value, Vector) else [value]
+
+
+@html.register(Vector)
+@html.register(Rational)
+@html.register(RuledSurface)
+def _(value: Any) -> str | None:
+    described = _described(value)
+    return facts(described, []) if described and mathematics(value) is None else None
+
+
+@html.register
+def _(found: ZeroSet) -> str:
+    rows = []
+    for root in found:
+        left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
+        interval = f"{decimals(text(root.low))} … {decimals(text(root.high))}" if root.exact is None else ""
+        rows.append((f"${mathematics(root)}$", root.multiplicity, f"{left} to {right}", interval, "knot" if root.at_knot else ""))
+    extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*found.jumps, *found.stretches))
+    return Grid(["root", "multiplicity", "sign", "isolating interval", "where"], rows, repr(found)[1:-1]).html() + extra
+
+
+@html.register
+def _(g: Grid) -> str:
+    return g.html()
+
+
+@html.register
+def _(r: Row) -> str:
+    return Verdicts([r]).html()
+
+
+@html.register
+def _(d: Derived) -> str:
+    lines = [(f"on [{text(a)}, {text(b)}]", escape(_piece(p.value))) for p in d.pieces for a, b in [p.interval]]
+    return facts(f"{d.name}, {d.form}", lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason)) for (a, b), reason in d.missing])
+
+
+def _piece(value: Any) -> str:
+    return repr(value) if not isinstance(value, (Vector, Rational, BSpline)) else short(value)
+
+
+def _side_lines(found: tuple[Side, ...]) -> list[tuple[str, str]]:
+    return [(side.role, f"$\\displaystyle {escape(side.latex)}$<br>{escape(side.source)}, degree {escape(side.degrees)}") for side in found]
+
+
+@html.register
+def _(c: Claim) -> str:
+    return facts(f"{c.id}, {c.source}", [*_claim_lines(c, latex_of(c)), *_side_lines(sides(c)), ("recorded", c.expected)])
+
+
+def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
+    return [("statement", escape(c.statement)), ("", f"$\\displaystyle {escape(statement_latex)}$"), ("assumes", escape(c.assumes))]
+
+
+@html.register
+def _(s: Statement) -> str:
+    c, f = s.claim, s.finding
+    found = [("claimed", f.claimed), ("computed", f.computed), ("factor", f.factor), ("witness", f.witness), ("verdict", f.verdict)]
+    lines = [*_claim_lines(c, s.latex), *_side_lines(s.sides), *[(name, escape(value)) for name, value in found if value]]
+    return facts(f"{c.id}, {c.source}", lines)
+
+
+def short(x: Any) -> str:
+    """One line for IPython: the exact text, or a description where that would be long.
+
+    >>> short(BSpline.bezier([0, 1])), short(BSpline.bezier([0] * 50))
+    ('BSpline(1, [0, 0, 1, 1], [0, 1])', '<BSpline: degree 49, 50 control points on [0, 1], 1 segments>')
+    """
+    if isinstance(x, BSpline):
+        a, b = x.domain
+        described = f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], {len(x.mesh)} segments"
+        return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)
+    if isinstance(x, (Vector, Rational, RuledSurface)):
+        described = _described(x)
+        return f"<{described}>" if described and (isinstance(x, RuledSurface) or control_point_count(x) > LONG // 4) else repr(x)
+    return repr(x)
+
+
+def load_ipython_extension(shell: Any) -> None:
+    """``%load_ext exactspline.display``: exact numbers as fractions, and tuples of them as points."""
+    formatter = shell.display_formatter.formatters["text/latex"]
+    formatter.for_type(type(mpq()), lambda x: f"${fraction(x)}$")
+    formatter.for_type(tuple, lambda t: "$(" + r",\ ".join(fraction(x) for x in t) + ")$" if t and all(type(x) is type(mpq()) for x in t) else None)

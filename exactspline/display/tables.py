@@ -1,0 +1,171 @@
+"""Tables for notebooks and terminals: degrees, verdicts, the numbers the paper prints beside those that were computed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+from typing import Any
+
+from exactspline import report
+from exactspline.audit import audit
+from exactspline.claims import Claim, all_claims, select
+from exactspline.constructions import Construction, constructions_for, symbolic_minimum
+from exactspline.displayed import Displayed
+from exactspline.inspection import compare_approaches
+from exactspline.readings.degree import degree_curve
+from exactspline.statement import claimed_latex, statement
+from exactspline.tables import construction_table
+from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+
+#: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
+COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
+
+
+class Grid(Displayed):
+    """A table of texts: HTML in a notebook, aligned columns in a terminal. A cell in dollars is LaTeX.
+
+    >>> print(Grid(["curve", "degree"], [["circle", 2], ["ellipse", 2]]))
+    curve    degree
+    circle   2
+    ellipse  2
+    """
+
+    def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[Any]], title: str = "") -> None:
+        self.columns, self.rows, self.title = list(columns), [[str(cell) for cell in row] for row in rows], title
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __getitem__(self, column: str) -> list[str]:
+        """The cells of a column."""
+        i = self.columns.index(column)
+        return [row[i] for row in self.rows]
+
+    def __repr__(self) -> str:
+        made = report.table(*self.columns, title=self.title)
+        for row in self.rows:
+            made.add_row(*row)
+        return report.plain(made)
+
+    def html(self) -> str:
+        """The table as HTML."""
+        style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top"
+        head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
+        body = "".join("<tr>" + "".join(f'<td style="{style}{_coloured(cell)}">{escape(cell)}</td>' for cell in row) + "</tr>" for row in self.rows)
+        title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
+        return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _coloured(cell: str) -> str:
+    return f";color:{COLOURS[cell]};font-weight:bold" if cell in COLOURS else ""
+
+
+class Verdicts(Grid):
+    """The rows of a ledger as a table; `rows_of_ledger` are the rows themselves."""
+
+    def __init__(self, rows: Iterable[Row], title: str = "") -> None:
+        self.rows_of_ledger = list(rows)
+        cells = [
+            (r.verdict, r.id, r.curve or "all curves", r.statement, r.claimed, r.computed, r.witness or r.factor, r.source)
+            for r in self.rows_of_ledger
+        ]
+        super().__init__(["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"], cells, title)
+
+    @property
+    def as_recorded(self) -> bool:
+        """Whether every verdict is the one on record."""
+        return all(r.as_recorded for r in self.rows_of_ledger)
+
+
+def verdicts(*ids: str, curves: Iterable[Any] = ()) -> Verdicts:
+    """Claims decided anew: for all curves, or on the curves given.
+
+    >>> verdicts("C4.1a")["verdict"]
+    ['PROVED', 'PROVED']
+
+    Raises `ClaimError` with the ids there are.
+    """
+    curves = list(curves)
+    rows = audit(select(ids), curves or None)
+    return Verdicts(rows if curves else [r for r in rows if not r.curve])
+
+
+def degree_table(curve: Any) -> Grid:
+    """The constructions of a curve in every form: degrees, control points, time.
+
+    >>> from exactspline.curves import example
+    >>> degree_table(example("ellipse"))["control points"][:3]
+    ['52', '16', '4']
+    """
+    rows = [call() for call in construction_table(curve)]
+    cells = [
+        (
+            r.formula,
+            r.form,
+            r.nominal,
+            r.represented,
+            "–" if r.true is None else r.true,
+            r.control_points,
+            r.generic,
+            report.decimal_milliseconds(r.seconds),
+        )
+        for r in rows
+    ]
+    columns = ["construction", "form", "degree in d", "degree here", "true degree", "control points", "true degree in d", "ms"]
+    return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {curve.segments} segments")
+
+
+def symbolic_table(dimension: int, *, polynomial: bool = False) -> Grid:
+    """The constructions for curves of a dimension in every form, their degrees symbolic in d, and the degree that is left when all is divided out.
+
+    >>> symbolic_table(2)["minimal"][0]
+    '$3d - 6$'
+    """
+    chosen = constructions_for(dimension)
+    forms = list(dict.fromkeys(form for c in chosen for form in c.forms))
+    rows = [[c.title, *[_symbolic(c, form, dimension, polynomial) for form in forms], _minimum(c, dimension, polynomial)] for c in chosen]
+    kind = "polynomial" if polynomial else "rational"
+    return Grid(["construction", *forms, "minimal"], rows, f"{kind} curves of degree d in R{dimension}")
+
+
+def _symbolic(c: Construction, form: str, dimension: int, polynomial: bool) -> str:
+    if form not in c.forms:
+        return "–"
+    return f"${claimed_latex(str(c.formula(form)(degree_curve(dimension, polynomial=polynomial)).degree))}$"
+
+
+def _minimum(c: Construction, dimension: int, polynomial: bool) -> str:
+    return f"${claimed_latex(str(symbolic_minimum(c, dimension, polynomial=polynomial)))}$"
+
+
+def printed_numbers(*ids: str) -> Grid:
+    """Every degree and every count that the paper prints, out of its claims, beside what was computed.
+
+    >>> printed_numbers("C4.2d")["computed"]
+    ['6d − 6', '24d']
+    """
+    rows = []
+    for claim in select(ids) if ids else all_claims():
+        if claim.kind in ("degree", "count"):
+            rows.append(_printed(claim))
+    return Grid(["claim", "source", "statement", "printed", "computed", "verdict"], rows)
+
+
+def _printed(claim: Claim) -> tuple[str, ...]:
+    found = statement(claim)
+    printed = f"({claim.claimed})" if claim.as_meant else claim.claimed
+    return claim.id, claim.source, claim.statement, printed, found.finding.computed, found.finding.verdict
+
+
+def approaches_table(curve: Any) -> Grid:
+    """The approaches to critical curvature side by side on one curve.
+
+    >>> from exactspline.curves import example
+    >>> approaches_table(example("six_segment_cubic"))["invented"]
+    ['2', '0', '0', '0']
+    """
+    rows = [
+        (a.name, a.degree, a.control_points, a.roots, a.invented, a.missing, report.decimal_milliseconds(a.seconds))
+        for a in compare_approaches(curve)
+    ]
+    return Grid(["approach", "degree", "control points", "roots", "invented", "missing", "ms"], rows, curve.name)
