@@ -131,7 +131,7 @@ def test_an_evolute_is_not_joined_across_its_poles_and_stays_near():
 @pytest.mark.parametrize("factor", [[-1, "1/2", 2], [-1, -1, 1]])
 def test_a_pole_between_two_samples_is_not_jumped_over(factor):
     t, wide = BSpline.identity(0, 1), ((mpq(-(10**9)),) * 2, (mpq(10**9),) * 2)
-    runs = curves._evolute_runs(Rational(Vector(t + 1, t), BSpline.bezier(factor)), wide)
+    runs = curves.runs_between_poles(Rational(Vector(t + 1, t), BSpline.bezier(factor)), wide)
     assert [{x > 0 for x, _ in run} for run in runs] == [{False}, {True}]
 
 

@@ -6,7 +6,7 @@ and returns them.
 
 from exactspline.plot.canvas import PlotError, new_figure, save
 from exactspline.plot.comparisons import inspect_figure, plot_approaches
-from exactspline.plot.curves import plot_curve, plot_evolute, plot_features
+from exactspline.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.plot.functions import greville_abscissae, plot_function, plot_roots
 from exactspline.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.plot.surfaces import mark_points, plot_mesh, plot_ruled_surface
@@ -24,6 +24,7 @@ __all__ = [
     "plot_features",
     "plot_function",
     "plot_mesh",
+    "plot_quotient",
     "plot_roots",
     "plot_ruled_surface",
     "ruled_mesh",

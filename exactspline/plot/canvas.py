@@ -71,7 +71,7 @@ def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) 
     columns = list(zip(*points, strict=True))
     if any(abs(x) > LARGEST for column in columns for x in column):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
-    ax.plot(*[[float(x) for x in column] for column in columns], style, **how)
+    ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **how)
 
 
 def legend_below(ax: Any, columns: int = 3) -> None:
@@ -113,14 +113,14 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
     return joined(spread)
 
 
-def draw_polygons(ax: Any, runs: list[Run], count: int, bends: int = 1) -> None:
-    """Legs in light grey, straight in the data (so bent by a scale that is not linear), and the control points."""
+def draw_polygons(ax: Any, runs: list[Run], count: int, bends: int = 1, color: str = SILVER) -> None:
+    """Legs (by default light grey), straight in the data (so bent by a scale that is not linear), and the control points."""
     for run in runs:
         legs = [[x + mpq(k, bends) * (y - x) for x, y in zip(p, q, strict=True)] for p, q in pairwise(run) for k in range(bends)]
-        draw(ax, [*legs, run[-1]], color=SILVER, linewidth=1, label="_legs", zorder=2)
+        draw(ax, [*legs, run[-1]], color=color, linewidth=1, label="_legs", zorder=2)
         draw(ax, run, "o", color=BLUE, markersize=5 if count < 100 else 3.5, label="_control points", zorder=2.2)
     nothing: list[list[float]] = [[]] * (3 if ax.name == "3d" else 2)
-    ax.plot(*nothing, "o-", color=SILVER, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=f"control polygon ({count} points)")
+    ax.plot(*nothing, "o-", color=color, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=f"control polygon ({count} points)")
 
 
 def shown_name(curve: Nurbs) -> str:

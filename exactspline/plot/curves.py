@@ -13,6 +13,8 @@ from exactspline.plot.canvas import (
     BLACK,
     GREEN,
     GREY,
+    LARGEST,
+    SILVER,
     VERMILLION,
     Point,
     Run,
@@ -26,14 +28,17 @@ from exactspline.plot.canvas import (
     sampled,
     shown_name,
 )
+from exactspline.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
+from exactspline.quotients import Rational
 from exactspline.zeros import zeros
 
 #: How far an evolute is shown outside the box around its curve, in lengths of the box's longer side.
 REACH = mpq(1, 2)
-Box = tuple[Point, Point]
 
 
-def plot_curve(curve: Nurbs, ax: Any = None, *, control_polygon: bool = True, knots: bool = True, label: str | None = None) -> Any:
+def plot_curve(
+    curve: Nurbs, ax: Any = None, *, control_polygon: bool = True, knots: bool = True, label: str | None = None, polygon_color: str = SILVER
+) -> Any:
     """A curve in the plane or in space: its segments in alternating shades, its control polygon, and its knots as dots on the curve.
 
     The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0 (a direction, no point).
@@ -48,7 +53,7 @@ def plot_curve(curve: Nurbs, ax: Any = None, *, control_polygon: bool = True, kn
     ax = axes_for(ax, curve.dimension)
     if control_polygon:
         points = [point if weight else None for point, weight in zip(curve.control_points, curve.weights, strict=True)]
-        draw_polygons(ax, polygons(curve.knots.knots, curve.degree, points), len(points))
+        draw_polygons(ax, polygons(curve.knots.knots, curve.degree, points), len(points), color=polygon_color)
     for i, samples in enumerate(sampled(curve, curve.breakpoints)):
         shown_as = "_segment" if i else shown_name(curve) if label is None else label
         draw(ax, [p for _, p in samples], color=GREY if i % 2 else BLACK, linewidth=2.2, label=shown_as, zorder=3)
@@ -90,48 +95,65 @@ def plot_evolute(curve: Nurbs, ax: Any = None, *, label: str = "evolute", color:
     """
     pieces = derive("evolute", curve).pieces
     ax = axes_for(ax)
-    box = _box(point for samples in sampled(curve, curve.breakpoints) for _, point in samples)
-    near = _grown(box, REACH)
-    runs = [run for piece in pieces for run in _evolute_runs(piece.value, _grown(near, mpq(1)))]
+    box = box_around(point for samples in sampled(curve, curve.breakpoints) for _, point in samples)
+    near = grown(box, REACH)
+    runs = [run for piece in pieces for run in runs_between_poles(piece.value, grown(near, mpq(1)))]
     limits = ax.dataLim.frozen()
     for i, run in enumerate(runs):
-        style = "-" if 1000 * _longer_side(_box(run)) > _longer_side(near) else "."
+        style = "-" if 1000 * longer_side(box_around(run)) > longer_side(near) else "."
         draw(ax, run, style, color=color, linewidth=1.5, label="_evolute" if i else label, zorder=2.5)
     ax.dataLim.set(limits)
-    ax.update_datalim([[float(x) for x in corner] for corner in _box([*box, *[p for run in runs for p in run if _inside(p, near)]])])
+    ax.update_datalim([[float(x) for x in corner] for corner in box_around([*box, *[p for run in runs for p in run if inside(p, near)]])])
     ax.set_aspect("equal", adjustable="datalim")
     legend_below(ax)
     return ax
 
 
-def _box(points: Iterable[Point]) -> Box:
-    """Lower left and upper right corner of the smallest box around the points."""
-    columns = list(zip(*points, strict=True))
-    return tuple(map(min, columns)), tuple(map(max, columns))
-
-
-def _longer_side(box: Box) -> mpq:
-    return max(high - low for low, high in zip(*box, strict=True))
-
-
-def _grown(box: Box, by: mpq) -> Box:
-    """The box with a margin, a multiple of its longer side, all round."""
-    margin = by * _longer_side(box)
-    return tuple(x - margin for x in box[0]), tuple(x + margin for x in box[1])
-
-
-def _inside(point: Point, box: Box) -> bool:
-    return all(low <= x <= high for low, x, high in zip(box[0], point, box[1], strict=True))
-
-
-def _evolute_runs(value: Any, box: Box) -> list[Run]:
+def runs_between_poles(value: Any, box: Box) -> list[Run]:
     """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and where the box is left."""
     denominator = value.denominator
     poles = {parameter(t, denominator.domain) for t in zeros(denominator)}
 
     def near(t: mpq, side: str = "right") -> Point | None:
         point = value(t, side) if t not in poles and denominator(t, side) else None
-        return point if point and _inside(point, box) else None
+        return point if point and inside(point, box) else None
 
     parts = sampled(near, sorted({*denominator.breakpoints, *poles}))
     return joined(point for part in parts for point in [*[p for _, p in part], None])
+
+
+def plot_quotient(
+    value: Any,
+    ax: Any = None,
+    *,
+    control_polygon: bool = True,
+    label: str = "curve",
+    color: str = VERMILLION,
+    polygon_color: str = SILVER,
+    box: Box | None = None,
+) -> Any:
+    """A derived curve as it was computed, a vector of splines or a vector `Rational`, with the control polygon of this very representation.
+
+    The curve ends at its poles; points and control points outside `box` (by default: far from most) are left out.
+
+    >>> from exactspline.curves import example
+    >>> from exactspline.formulas import find
+    >>> ax = plot_quotient(find("evolute_reduced")(example("ellipse")))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['control polygon (40 points)', 'curve']
+
+    Raises as `plot_curve`.
+    """
+    quotient = value if isinstance(value, Rational) else value / value[0].constant(1)
+    ax = axes_for(ax, len(quotient))
+    everywhere = (tuple([-LARGEST] * len(quotient)), tuple([LARGEST] * len(quotient)))
+    box = usual_box([p for run in runs_between_poles(quotient, everywhere) for p in run]) if box is None else box
+    if control_polygon:
+        rows, knots, degree = homogeneous(quotient)
+        points = [kept(tuple(x / w for x in xs), box) if w else None for *xs, w in rows]
+        draw_polygons(ax, polygons(knots, degree, points), len(points), color=polygon_color)
+    for i, run in enumerate(runs_between_poles(quotient, box)):
+        draw(ax, run, "-" if longer_side(box_around(run)) else ".", color=color, linewidth=2, label="_curve" if i else label, zorder=3)
+    ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")
+    legend_below(ax)
+    return ax

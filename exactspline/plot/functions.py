@@ -15,6 +15,7 @@ from exactspline.plot.canvas import (
     GREEN,
     LARGEST,
     MARKS,
+    SILVER,
     PlotError,
     Point,
     axes_for,
@@ -49,7 +50,14 @@ def greville_abscissae(f: BSpline) -> list[mpq]:
 
 
 def plot_function(
-    f: BSpline, ax: Any = None, *, control_polygon: bool = True, roots: Any = None, scale: str | None = None, label: str | None = None
+    f: BSpline,
+    ax: Any = None,
+    *,
+    control_polygon: bool = True,
+    roots: Any = None,
+    scale: str | None = None,
+    label: str | None = None,
+    polygon_color: str = SILVER,
 ) -> Any:
     """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
 
@@ -79,7 +87,7 @@ def plot_function(
     _scale(ax, [y for run in graph for _, y in run], [y for _, y in points], scale)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
     if points:
-        draw_polygons(ax, polygons(f.knots.knots, f.degree, points), len(points), 1 if ax.get_yscale() == "linear" else BENDS)
+        draw_polygons(ax, polygons(f.knots.knots, f.degree, points), len(points), 1 if ax.get_yscale() == "linear" else BENDS, polygon_color)
     for i, run in enumerate(graph):
         draw(ax, run, color=BLACK, linewidth=1.8, label="_graph" if i else label or "graph", zorder=3)
     for left, right in pairwise(graph):

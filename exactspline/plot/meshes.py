@@ -12,19 +12,15 @@ from gmpy2 import mpq
 from exactspline.errors import ShapeError
 from exactspline.exact import rational
 from exactspline.factors import split
-from exactspline.language import RuledSurface, Vector
+from exactspline.language import RuledSurface
 from exactspline.plot.canvas import Point, Run, parameter, polygons
-from exactspline.quotients import Rational
+from exactspline.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.zeros import zeros
 
 #: Samples along the curve, in all and at least so many a segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 9
-#: What is shown: where all but a tenth of the points lie on either side, and as much again (in lengths of its longest side) around it.
-OUTLIERS, AROUND = 10, mpq(1)
 #: A pole is approached up to so much of the distance between samples.
 BESIDE = mpq(1, 8)
-
-Box = tuple[Point, Point]
 
 
 @dataclass(frozen=True)
@@ -83,9 +79,9 @@ def ruled_mesh(surface: RuledSurface, rulings: tuple[Any, Any] = (-1, 1), box: B
 
     poles = [] if denominator is None else [parameter(t, denominator.domain) for t in zeros(denominator)]
     patches = _sampled_rows(row, components[0].breakpoints, poles)
-    box = _usual([p for rows in patches for r in rows for p in (r[0], r[-1])]) if box is None else box
+    box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1])]) if box is None else box
     net, points, hidden = _net(surface.joined, (low, high), box)
-    return SurfaceMesh([[[_kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
+    return SurfaceMesh([[[kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
 
 
 def _sampled_rows(row: Callable[[mpq, str], list[Point]], breaks: Sequence[mpq], poles: Iterable[mpq]) -> list[list[list[Point]]]:
@@ -107,36 +103,13 @@ def _sampled_rows(row: Callable[[mpq, str], list[Point]], breaks: Sequence[mpq],
     return patches
 
 
-def _usual(points: Sequence[Point]) -> Box:
-    columns = [sorted(column) for column in zip(*points, strict=True)]
-    cut = len(points) // OUTLIERS
-    low, high = [c[cut] for c in columns], [c[-1 - cut] for c in columns]
-    margin = AROUND * max(b - a for a, b in zip(low, high, strict=True))
-    return tuple(x - margin for x in low), tuple(x + margin for x in high)
-
-
-def _kept(point: Point | None, box: Box) -> Point | None:
-    return point if point and all(a <= x <= b for a, x, b in zip(box[0], point, box[1], strict=True)) else None
-
-
 def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int, int]:
     """The control polygons at the two rulings and the legs between them."""
-    rows, knots, degree = _homogeneous(value)
+    rows, knots, degree = homogeneous(value)
     edges: list[list[Point | None]] = [[], []]
     for *x, w in rows:
         for edge, z in zip(edges, rulings, strict=True):
-            edge.append(_kept(tuple((a + z * b) / w for a, b in zip(x[:3], x[3:], strict=True)), box) if w else None)
+            edge.append(kept(tuple((a + z * b) / w for a, b in zip(x[:3], x[3:], strict=True)), box) if w else None)
     runs = [run for edge in edges for run in polygons(knots, degree, edge)]
     legs = [[p, q] for p, q in zip(*edges, strict=True) if p is not None and q is not None]
     return runs + legs, 2 * len(rows), sum(p is None for edge in edges for p in edge)
-
-
-def _homogeneous(value: Any) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
-    """Homogeneous control points of directrix and generator over the knots that carry them all."""
-    numerator, w = value.raised() if isinstance(value, Rational) else (value, value[0].constant(1))
-    scalars = [*numerator, w]
-    common = scalars[0] * 0
-    for c in scalars[1:]:
-        common = common + c * 0
-    raised = Vector(*[c + common for c in scalars])
-    return list(zip(*[c.control_points for c in raised], strict=True)), raised[0].knots.knots, raised[0].degree

@@ -7,7 +7,8 @@ from typing import Any
 
 from exactspline.language import RuledSurface
 from exactspline.plot.canvas import BLUE, GREY, LARGEST, ORANGE, SKY, VERMILLION, PlotError, Point, axes_for, draw, legend_below, library
-from exactspline.plot.meshes import Box, SurfaceMesh, ruled_mesh
+from exactspline.plot.frames import Box
+from exactspline.plot.meshes import SurfaceMesh, ruled_mesh
 
 
 def plot_mesh(mesh: SurfaceMesh, ax: Any = None, *, label: str = "surface", color: str = SKY, control_net: bool = True, alpha: float = 1) -> Any:
