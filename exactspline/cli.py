@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from exactspline.commands import bisecting, conditioning, inspecting, ledger, objects, showing
+from exactspline.commands import bisecting, conditioning, figures, inspecting, ledger, objects, showing
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -26,6 +26,7 @@ COMMANDS = (
     inspecting.inspect,
     bisecting.bisector,
     conditioning.conditioning,
+    figures.figures,
 )
 for command in COMMANDS:
     app.command()(command)

@@ -44,6 +44,7 @@ FLOORS = [
     ["on_all_curves"],
     ["audit", "errata", "statement"],
     ["plot"],
+    ["figures"],
     ["report"],
     ["display"],
     ["commands"],

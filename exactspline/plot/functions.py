@@ -129,10 +129,10 @@ def _scale(ax: Any, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | N
         ax.yaxis.set_major_locator(library("matplotlib.ticker").FixedLocator([0, *ticks]))
 
 
-def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color: str) -> None:
+def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root") -> None:
     """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its stretches, thick."""
     single, jumps = marked(roots)
-    for points, what, face, edge in ((single, "root{}", color, "white"), (jumps, "jump{} through zero", "white", color)):
+    for points, what, face, edge in ((single, name + "{}", color, "white"), (jumps, "jump{} through zero", "white", color)):
         if points:
             counted = f"{len(points)} {what.format('s' * (len(points) > 1))}"
             at = [(parameter(t, domain), mpq(0)) for t in points]
