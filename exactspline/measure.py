@@ -59,12 +59,13 @@ def _scalars(value: Any) -> list[BSpline]:
 
 
 def control_point_count(value: Any) -> int:
-    """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity."""
-    scalars = _scalars(value)
-    n = max(s.degree for s in scalars)
-    inner = zip(*[s.continuity for s in scalars], strict=True)
-    inner_points: int = sum(max(n - min(c), 0) for c in inner)
-    return max(n + 1, 0) + inner_points
+    """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity, over the knots of all."""
+    first, *rest = _scalars(value)
+    common = first * 0
+    for s in rest:
+        common = common + s * 0
+    inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)
+    return max(common.degree + 1, 0) + inner_points
 
 
 def true_degree(value: Any) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import singledispatch
 from html import escape
+from io import BytesIO
 from typing import Any
 
 from gmpy2 import mpq
@@ -26,6 +27,8 @@ from exactspline.zeros import ZeroSet
 
 #: Numbers of a list that are written out, and control points above which a spline is described instead of written out.
 SHOWN, LONG = 8, 24
+#: Dots an inch of pictures in a notebook.
+RESOLUTION = 80
 
 
 @singledispatch
@@ -165,7 +168,17 @@ def short(x: Any) -> str:
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """``%load_ext exactspline.display``: exact numbers as fractions, and tuples of them as points."""
-    formatter = shell.display_formatter.formatters["text/latex"]
+    """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, and figures and axes as pictures."""
+    formatters = shell.display_formatter.formatters
+    for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):
+        formatters["image/png"].for_type_by_name(module, name, _png)
+    formatter = formatters["text/latex"]
     formatter.for_type(type(mpq()), lambda x: f"${fraction(x)}$")
     formatter.for_type(tuple, lambda t: "$(" + r",\ ".join(fraction(x) for x in t) + ")$" if t and all(type(x) is type(mpq()) for x in t) else None)
+
+
+def _png(figure_or_axes: Any) -> bytes:
+    figure = getattr(figure_or_axes, "figure", figure_or_axes)
+    stream = BytesIO()
+    figure.savefig(stream, format="png", dpi=RESOLUTION)
+    return stream.getvalue()

@@ -8,12 +8,12 @@ from typing import Any
 
 from exactspline import report
 from exactspline.audit import audit
-from exactspline.claims import Claim, all_claims, select
+from exactspline.claims import select
 from exactspline.constructions import Construction, constructions_for, symbolic_minimum
 from exactspline.displayed import Displayed
 from exactspline.inspection import compare_approaches
 from exactspline.readings.degree import degree_curve
-from exactspline.statement import claimed_latex, statement
+from exactspline.statement import Statement, claimed_latex, statement
 from exactspline.tables import construction_table
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 
@@ -138,23 +138,29 @@ def _minimum(c: Construction, dimension: int, polynomial: bool) -> str:
     return f"${claimed_latex(str(symbolic_minimum(c, dimension, polynomial=polynomial)))}$"
 
 
-def printed_numbers(*ids: str) -> Grid:
+class Numbers(Grid):
+    """What the paper prints beside what was computed."""
+
+    def __init__(self, found: Iterable[Statement]) -> None:
+        found = list(found)
+        self.as_recorded = all(s.as_recorded for s in found)
+        columns = ["claim", "source", "statement", "printed", "computed", "verdict"]
+        super().__init__(columns, map(_printed, found))
+
+
+def printed_numbers(*ids: str) -> Numbers:
     """Every degree and every count that the paper prints, out of its claims, beside what was computed.
 
     >>> printed_numbers("C4.2d")["computed"]
     ['6d − 6', '24d']
     """
-    rows = []
-    for claim in select(ids) if ids else all_claims():
-        if claim.kind in ("degree", "count"):
-            rows.append(_printed(claim))
-    return Grid(["claim", "source", "statement", "printed", "computed", "verdict"], rows)
+    return Numbers(statement(claim) for claim in select(ids) if claim.kind in ("degree", "count"))
 
 
-def _printed(claim: Claim) -> tuple[str, ...]:
-    found = statement(claim)
+def _printed(s: Statement) -> tuple[str, ...]:
+    claim, found = s.claim, s.finding
     printed = f"({claim.claimed})" if claim.as_meant else claim.claimed
-    return claim.id, claim.source, claim.statement, printed, found.finding.computed, found.finding.verdict
+    return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 
 def approaches_table(curve: Any) -> Grid:

@@ -113,14 +113,15 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
     return joined(spread)
 
 
-def draw_polygons(ax: Any, runs: list[Run], count: int, bends: int = 1, color: str = SILVER) -> None:
-    """Legs (by default light grey), straight in the data (so bent by a scale that is not linear), and the control points."""
+def draw_polygons(ax: Any, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
+    """Legs (by default light grey), straight in the data (so bent by a scale that is not linear), and the control points but the hidden ones."""
     for run in runs:
         legs = [[x + mpq(k, bends) * (y - x) for x, y in zip(p, q, strict=True)] for p, q in pairwise(run) for k in range(bends)]
         draw(ax, [*legs, run[-1]], color=color, linewidth=1, label="_legs", zorder=2)
         draw(ax, run, "o", color=BLUE, markersize=5 if count < 100 else 3.5, label="_control points", zorder=2.2)
     nothing: list[list[float]] = [[]] * (3 if ax.name == "3d" else 2)
-    ax.plot(*nothing, "o-", color=color, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=f"control polygon ({count} points)")
+    label = f"control polygon ({count} points{f', {hidden} far away or at infinity' if hidden else ''})"
+    ax.plot(*nothing, "o-", color=color, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=label)
 
 
 def shown_name(curve: Nurbs) -> str:

@@ -147,11 +147,12 @@ def plot_quotient(
     quotient = value if isinstance(value, Rational) else value / value[0].constant(1)
     ax = axes_for(ax, len(quotient))
     everywhere = (tuple([-LARGEST] * len(quotient)), tuple([LARGEST] * len(quotient)))
-    box = usual_box([p for run in runs_between_poles(quotient, everywhere) for p in run]) if box is None else box
+    if box is None:
+        box = usual_box([p for run in runs_between_poles(quotient, everywhere) for p in run], bool(len(zeros(quotient.denominator))))
     if control_polygon:
         rows, knots, degree = homogeneous(quotient)
         points = [kept(tuple(x / w for x in xs), box) if w else None for *xs, w in rows]
-        draw_polygons(ax, polygons(knots, degree, points), len(points), color=polygon_color)
+        draw_polygons(ax, polygons(knots, degree, points), len(points), color=polygon_color, hidden=points.count(None))
     for i, run in enumerate(runs_between_poles(quotient, box)):
         draw(ax, run, "-" if longer_side(box_around(run)) else ".", color=color, linewidth=2, label="_curve" if i else label, zorder=3)
     ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")

@@ -8,7 +8,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.language import Vector
-from exactspline.plot.canvas import Point
+from exactspline.plot.canvas import PlotError, Point
 from exactspline.quotients import Rational
 
 #: What is shown: where all but a tenth of the points lie on either side, and as much again (in lengths of its longest side) around it.
@@ -39,10 +39,15 @@ def inside(point: Point, box: Box) -> bool:
     return all(low <= x <= high for low, x, high in zip(box[0], point, box[1], strict=True))
 
 
-def usual_box(points: Sequence[Point]) -> Box:
-    """A box around most of the points, with room to spare, so that a few that are far away do not matter."""
+def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
+    """A box around the points with room to spare; with poles around most of them, so that those that are far away do not matter.
+
+    Raises `PlotError` where there are no points.
+    """
+    if not points:
+        raise PlotError("there is nothing to draw", remedy="this does not exist on the curve (its denominator vanishes), or is all at infinity")
     columns = [sorted(column) for column in zip(*points, strict=True)]
-    cut = len(points) // OUTLIERS
+    cut = len(points) // OUTLIERS if poles else 0
     low, high = [c[cut] for c in columns], [c[-1 - cut] for c in columns]
     margin = AROUND * max(b - a for a, b in zip(low, high, strict=True))
     return tuple(x - margin for x in low), tuple(x + margin for x in high)

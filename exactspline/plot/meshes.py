@@ -79,7 +79,7 @@ def ruled_mesh(surface: RuledSurface, rulings: tuple[Any, Any] = (-1, 1), box: B
 
     poles = [] if denominator is None else [parameter(t, denominator.domain) for t in zeros(denominator)]
     patches = _sampled_rows(row, components[0].breakpoints, poles)
-    box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1])]) if box is None else box
+    box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1])], bool(poles)) if box is None else box
     net, points, hidden = _net(surface.joined, (low, high), box)
     return SurfaceMesh([[[kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
 
