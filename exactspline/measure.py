@@ -65,7 +65,8 @@ def control_point_count(value: Any) -> int:
     for s in rest:
         common = common + s * 0
     inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)
-    return max(common.degree + 1, 0) + inner_points
+    ends: int = max(common.degree + 1, 0)
+    return ends + inner_points
 
 
 def true_degree(value: Any) -> int:

@@ -156,7 +156,7 @@ def spelled_out(s: Statement, latex: bool = False) -> Columns:
 
 def plain(made: Any, width: int = 160) -> str:
     """A table as text, for where there is no terminal."""
-    out = Console(highlight=False, width=width, color_system=None, file=StringIO())
+    out = Console(highlight=False, width=width, color_system=None, file=StringIO(), force_jupyter=False)
     out.print(made)
     return "\n".join(line.rstrip() for line in out.file.getvalue().splitlines())  # type: ignore[attr-defined]
 

@@ -50,25 +50,28 @@ def numbers(values: Any) -> str:
     return escape(", ".join(parts)) + (f", … ({len(values)})" if len(values) > SHOWN else "")
 
 
+def _domain(ends: Any) -> str:
+    return f"[{numbers(ends)}]"
+
+
+def _counted(n: int, what: str) -> str:
+    return f"{n} {what}{'s' if n != 1 else ''}"
+
+
 @html.register
 def _(f: BSpline) -> str:
-    a, b = f.domain
-    lines = [
-        ("domain", numbers((a, b))),
-        ("control points", f"{len(f.control_points)}: {numbers(f.control_points)}"),
-        ("knots", numbers(f.knots.knots)),
-    ]
-    inner = f"smallest continuity {min(f.continuity)}" if f.continuity else "one segment"
-    return facts(f"B-spline function of degree {f.degree}", [*lines, ("segments", f"{len(f.mesh)}, {inner}")], graph_picture(f))
+    points = f"{len(f.control_points)}: {numbers(f.control_points)}"
+    inner = f", smallest continuity {min(f.continuity)}" if f.continuity else ""
+    lines = [("domain", _domain(f.domain)), ("control points", points), ("knots", numbers(f.knots.knots)), ("segments", f"{len(f.mesh)}{inner}")]
+    return facts(f"B-spline function of degree {f.degree}", lines, graph_picture(f))
 
 
 @html.register
 def _(c: Nurbs) -> str:
-    a, b = c.domain
     kind = "polynomial" if c.polynomial else "rational"
     points = escape("; ".join("(" + ", ".join(decimals(text(x)) for x in p) + ")" for p in c.control_points[:SHOWN]))
     more = " …" if len(c.control_points) > SHOWN else ""
-    lines = [("domain", f"{numbers((a, b))}, {c.segments} segments"), ("control points", f"{len(c.control_points)}: {points}{more}")]
+    lines = [("domain", f"{_domain(c.domain)}, {_counted(c.segments, 'segment')}"), ("control points", f"{len(c.control_points)}: {points}{more}")]
     lines += [] if c.polynomial else [("weights", numbers(c.weights))]
     lines += [("knots", numbers(c.knots.knots))] + ([("note", escape(c.note))] if c.note else [])
     return facts(f"{c.name or 'curve'}: {kind} curve of degree {c.degree} in R{c.dimension}", lines, curve_picture(c))
@@ -83,7 +86,7 @@ def _described(value: Any) -> str:
         return ""
     what = "quotient of B-splines" if isinstance(value, Rational) else "vector of B-splines"
     a, b = scalars[0].domain
-    where = f"on [{text(a)}, {text(b)}], {len(scalars[0].mesh)} segments"
+    where = f"on [{text(a)}, {text(b)}], {_counted(len(scalars[0].mesh), 'segment')}"
     return f"{what}, degree {value.degree}, {control_point_count(value)} control points, {where}"
 
 
@@ -155,11 +158,11 @@ def short(x: Any) -> str:
     """One line for IPython: the exact text, or a description where that would be long.
 
     >>> short(BSpline.bezier([0, 1])), short(BSpline.bezier([0] * 50))
-    ('BSpline(1, [0, 0, 1, 1], [0, 1])', '<BSpline: degree 49, 50 control points on [0, 1], 1 segments>')
+    ('BSpline(1, [0, 0, 1, 1], [0, 1])', '<BSpline: degree 49, 50 control points on [0, 1], 1 segment>')
     """
     if isinstance(x, BSpline):
         a, b = x.domain
-        described = f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], {len(x.mesh)} segments"
+        described = f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], {_counted(len(x.mesh), 'segment')}"
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)
     if isinstance(x, (Vector, Rational, RuledSurface)):
         described = _described(x)
