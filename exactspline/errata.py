@@ -10,13 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exactspline.claims import Claim, all_claims
+from exactspline.displayed import Displayed
 from exactspline.formulas import find
 from exactspline.on_all_curves import dimensions, factor_of, prove
 from exactspline.verdict import PROVED, REFUTED, VERIFIED
 
 
 @dataclass(frozen=True)
-class Erratum:
+class Erratum(Displayed):
     """One error of the paper.
 
     ``truth`` lists statements with their verdicts; ``check`` is Python that prints what ``shows`` says.

@@ -14,11 +14,12 @@ from exactspline.claims import Claim, select
 from exactspline.displayed import Displayed
 from exactspline.errors import ExactSplineError
 from exactspline.formulas import find
+from exactspline.language import Formula
 from exactspline.on_all_curves import degree_table, dimensions, prove
 from exactspline.printers.latex import print_latex
 from exactspline.printers.text import print_text, symbol_text
 from exactspline.readings.degree import Degree, degree_curve
-from exactspline.readings.tree import trace
+from exactspline.readings.tree import Node, trace
 from exactspline.verdict import UNDECIDED, Finding
 
 NAIVE, REDUCED = "naive", "reduced"
@@ -97,7 +98,7 @@ def sides(claim: Claim) -> tuple[Side, ...]:
 
 
 def _side(name: str, role: str, claim: Claim, dimension: int) -> Side:
-    formula, tree = find(name), trace(find(name), dimension)
+    formula, tree = find(name), telling_tree(find(name), dimension)
     shown = symbol_text(formula.symbol) if formula.symbol else name
     degrees = [str(_degree(name, claim, dimension, polynomial)) for polynomial in (False, True)]
     return Side(role, name, formula.source, f"{shown} = {print_text(tree)}", f"{symbol(name)} = {print_latex(tree)}", *degrees)
@@ -111,6 +112,17 @@ def _degree(name: str, claim: Claim, dimension: int, polynomial: bool) -> Degree
 def _size(name: str, claim: Claim, dimension: int) -> int:
     degree = _degree(name, claim, dimension, claim.of == "polynomial")
     return degree.at(dict.fromkeys(degree.names, 3))
+
+
+def telling_tree(formula: Formula, dimension: int) -> Node:
+    """The tree of a formula; where it would only repeat the symbol (the derivative of something with a name) the names in it are spelled out.
+
+    >>> telling_tree(find("curvature_squared_derivative"), 2)
+    ([γ′ γ″]²/‖γ′‖²³)′
+    """
+    tree = trace(formula, dimension)
+    repeats = formula.symbol and print_text(tree) == symbol_text(formula.symbol)
+    return trace(formula, dimension, expand=True) if repeats else tree
 
 
 def symbol(name: str) -> str:

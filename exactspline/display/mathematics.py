@@ -16,9 +16,9 @@ from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree
 from exactspline.readings.fraction import JetFraction
 from exactspline.readings.jet import Jet, polynomial_text
-from exactspline.readings.tree import Node, trace
+from exactspline.readings.tree import Node
 from exactspline.spline import BSpline
-from exactspline.statement import Statement
+from exactspline.statement import Statement, telling_tree
 from exactspline.zeros import Root
 
 #: A spline with more control points than this, or longer ones, is not written out.
@@ -91,7 +91,7 @@ def _(n: Node) -> str:
 
 @mathematics.register
 def _(f: Formula) -> str:
-    return f"{symbol_of(f)} = {print_latex(trace(f, 2 if f.curve == 'plane' else 3))}"
+    return f"{symbol_of(f)} = {print_latex(telling_tree(f, 2 if 'plane' in f.curve else 3))}"
 
 
 def symbol_of(f: Formula) -> str:

@@ -13,6 +13,7 @@ from exactspline.claims import Claim
 from exactspline.display.mathematics import fraction, mathematics
 from exactspline.display.pictures import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
+from exactspline.errata import Erratum
 from exactspline.exact import text
 from exactspline.interrogate import Derived
 from exactspline.language import RuledSurface, Vector
@@ -144,6 +145,13 @@ def _(c: Claim) -> str:
 
 def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
     return [("statement", escape(c.statement)), ("", f"$\\displaystyle {escape(statement_latex)}$"), ("assumes", escape(c.assumes))]
+
+
+@html.register
+def _(e: Erratum) -> str:
+    lines = [("printed", e.printed), ("found", decimals(e.found)), *[("true", line) for line in e.truth], ("why", e.why)]
+    check = "<br>".join(escape(line) for line in e.check)
+    return facts(f"{e.id}, {e.where}", [(a, escape(b)) for a, b in lines if b] + [("check", f"<code>{check}</code>")])
 
 
 @html.register

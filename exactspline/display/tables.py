@@ -11,7 +11,9 @@ from exactspline.audit import audit
 from exactspline.claims import select
 from exactspline.constructions import Construction, constructions_for, symbolic_minimum
 from exactspline.displayed import Displayed
+from exactspline.formulas import find
 from exactspline.inspection import compare_approaches
+from exactspline.measure import measurable, measure
 from exactspline.readings.degree import degree_curve
 from exactspline.statement import Statement, claimed_latex, statement
 from exactspline.tables import construction_table
@@ -19,6 +21,8 @@ from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
+#: The forms of constructions from the most expensive to the cheapest.
+FORMS = ("naive", "squaring", "direct", "paper", "reduced")
 
 
 class Grid(Displayed):
@@ -65,11 +69,11 @@ class Verdicts(Grid):
 
     def __init__(self, rows: Iterable[Row], title: str = "") -> None:
         self.rows_of_ledger = list(rows)
-        cells = [
-            (r.verdict, r.id, r.curve or "all curves", r.statement, r.claimed, r.computed, r.witness or r.factor, r.source)
-            for r in self.rows_of_ledger
-        ]
-        super().__init__(["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"], cells, title)
+        columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
+        cells = [(r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, r.witness or r.factor, r.source) for r in self.rows_of_ledger]
+        if not any(r.curve for r in self.rows_of_ledger):
+            columns, cells, title = [*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], title or "for all curves"
+        super().__init__(columns, cells, title)
 
     @property
     def as_recorded(self) -> bool:
@@ -112,7 +116,19 @@ def degree_table(curve: Any) -> Grid:
         for r in rows
     ]
     columns = ["construction", "form", "degree in d", "degree here", "true degree", "control points", "true degree in d", "ms"]
-    return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {curve.segments} segments")
+    return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {curve.segments} segment{'s' if curve.segments != 1 else ''}")
+
+
+def measured(curve: Any, *names: str) -> Grid:
+    """Formulas on a curve (without names: all that speak of it): nominal, represented and true degree, control points.
+
+    >>> from exactspline.curves import example
+    >>> measured(example("ellipse"), "f2")["degree in d"]
+    ['3d − 3']
+    """
+    found = [measure(find(name), curve) for name in names] if names else [measure(f, curve) for f in measurable(curve.dimension)]
+    rows = [(m.formula, m.nominal, m.represented, "–" if m.true is None else m.true, m.control_points) for m in found]
+    return Grid(["formula", "degree in d", "degree here", "true degree", "control points"], rows, curve.name)
 
 
 def symbolic_table(dimension: int, *, polynomial: bool = False) -> Grid:
@@ -122,7 +138,7 @@ def symbolic_table(dimension: int, *, polynomial: bool = False) -> Grid:
     '$3d - 6$'
     """
     chosen = constructions_for(dimension)
-    forms = list(dict.fromkeys(form for c in chosen for form in c.forms))
+    forms = sorted(dict.fromkeys(form for c in chosen for form in c.forms), key=lambda form: (form in FORMS) and FORMS.index(form))
     rows = [[c.title, *[_symbolic(c, form, dimension, polynomial) for form in forms], _minimum(c, dimension, polynomial)] for c in chosen]
     kind = "polynomial" if polynomial else "rational"
     return Grid(["construction", *forms, "minimal"], rows, f"{kind} curves of degree d in R{dimension}")
