@@ -14,11 +14,11 @@ from exactspline.claims import Claim, select
 from exactspline.displayed import Displayed
 from exactspline.errors import ExactSplineError
 from exactspline.formulas import find
-from exactspline.language import Formula
+from exactspline.language import DIMENSIONS, Formula
 from exactspline.on_all_curves import degree_table, dimensions, prove
 from exactspline.printers.latex import print_latex
 from exactspline.printers.text import print_text, symbol_text
-from exactspline.readings.degree import Degree, degree_curve
+from exactspline.readings.degree import Degree, degree_argument
 from exactspline.readings.tree import Node, trace
 from exactspline.verdict import UNDECIDED, Finding
 
@@ -90,27 +90,35 @@ def statement(claim: Claim) -> Statement:
 def sides(claim: Claim) -> tuple[Side, ...]:
     """The formulas of a claim; where it compares some, the one of the highest degree is the naive side and that of the lowest the reduced one."""
     names = dict.fromkeys(claim.named)
-    dimension = dimensions(claim)[0]
-    ranked = sorted(names, key=lambda name: -_size(name, claim, dimension))
-    first, last = _size(ranked[0], claim, dimension), _size(ranked[-1], claim, dimension)
+    ranked = sorted(names, key=lambda name: -_size(name, claim))
+    first, last = _size(ranked[0], claim), _size(ranked[-1], claim)
     roles = {ranked[0]: NAIVE, ranked[-1]: REDUCED} if first != last else {}
-    return tuple(_side(name, roles.get(name, "formula"), claim, dimension) for name in ranked)
+    return tuple(_side(name, roles.get(name, "formula"), claim) for name in ranked)
 
 
-def _side(name: str, role: str, claim: Claim, dimension: int) -> Side:
-    formula, tree = find(name), telling_tree(find(name), dimension)
+def _side(name: str, role: str, claim: Claim) -> Side:
+    formula, tree = find(name), telling_tree(find(name), _dimension(name, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    degrees = [str(_degree(name, claim, dimension, polynomial)) for polynomial in (False, True)]
+    degrees = [str(_degree(name, claim, polynomial)) for polynomial in (False, True)]
     return Side(role, name, formula.source, f"{shown} = {print_text(tree)}", f"{symbol(name)} = {print_latex(tree)}", *degrees)
 
 
-def _degree(name: str, claim: Claim, dimension: int, polynomial: bool) -> Degree:
-    degree: Degree = find(name)(degree_table() if claim.curve == "table" else degree_curve(dimension, polynomial=polynomial)).degree
+def _dimension(name: str, claim: Claim) -> int:
+    """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
+    own = DIMENSIONS[find(name).curve]
+    return dimensions(claim)[0] if dimensions(claim)[0] in own else own[0]
+
+
+def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
+    formula = find(name)
+    counted = {"parameter": claim.parameter, "counting": claim.counting}
+    handed = degree_argument(formula.curve, _dimension(name, claim), polynomial=polynomial, **counted) if formula.curve != "table" else degree_table()
+    degree: Degree = formula(handed).degree
     return degree
 
 
-def _size(name: str, claim: Claim, dimension: int) -> int:
-    degree = _degree(name, claim, dimension, claim.of == "polynomial")
+def _size(name: str, claim: Claim) -> int:
+    degree = _degree(name, claim, claim.of == "polynomial")
     return degree.at(dict.fromkeys(degree.names, 3))
 
 
@@ -118,7 +126,7 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
     """The tree of a formula; where it would only repeat the symbol (the derivative of something with a name) the names in it are spelled out.
 
     >>> telling_tree(find("curvature_squared_derivative"), 2)
-    ([γ′ γ″]²/‖γ′‖²³)′
+    ([γ′ γ″]²/(‖γ′‖²)³)′
     """
     tree = trace(formula, dimension)
     repeats = formula.symbol and print_text(tree) == symbol_text(formula.symbol)
@@ -152,6 +160,8 @@ def latex_of(claim: Claim) -> str:
         return rf"{degree} {one} {relation} {claimed_latex(claim.claimed)}"
     if claim.kind == "zero set":
         return " = ".join(rf"\{{{symbol(name)} = 0\}}" for name in claim.formulas)
+    if claim.kind == "iso-curve":
+        return rf"{left} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {right}"
     if claim.kind == "same surface":
         return rf"{left} \;\text{{and}}\; {right} \;\text{{are one surface}}"
     if claim.kind == "square class":

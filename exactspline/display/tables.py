@@ -70,7 +70,9 @@ class Verdicts(Grid):
     def __init__(self, rows: Iterable[Row], title: str = "") -> None:
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
-        cells = [(r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, r.witness or r.factor, r.source) for r in self.rows_of_ledger]
+        cells: list[tuple[str, ...]] = [
+            (r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, r.witness or r.factor, r.source) for r in self.rows_of_ledger
+        ]
         if not any(r.curve for r in self.rows_of_ledger):
             columns, cells, title = [*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], title or "for all curves"
         super().__init__(columns, cells, title)
