@@ -4,16 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
-from exactspline.figures import plane
+from exactspline.figures import bisectors, plane
+from exactspline.figures.plane import Drawn
 from exactspline.plot import PlotError, save
-
-Maker = Callable[[], tuple[Any, str]]
+from exactspline.plot.turning import save_page, turning_page
 
 #: The figures by number.
-FIGURES: dict[int, Maker] = {1: plane.figure_1, 2: plane.figure_2, 3: plane.figure_3}
+FIGURES: dict[int, Callable[[], Drawn]] = {
+    1: plane.figure_1,
+    2: plane.figure_2,
+    3: plane.figure_3,
+    4: bisectors.figure_4,
+    5: bisectors.figure_5,
+    6: bisectors.figure_6,
+}
 
 
 @dataclass
@@ -36,16 +43,20 @@ def folder(path: str | Path) -> Path:
 
 
 def make(number: int, folder: str | Path) -> Made:
-    """Draw one figure and write it as SVG and PNG into a folder.
+    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as a page that turns (left out without plotly).
 
     Raises `PlotError` for a number that is no figure of the paper, without matplotlib, and where nothing can be written.
     """
     if number not in FIGURES:
         raise PlotError(f"the paper has no Figure {number}", where="figure", remedy=f"figures are {', '.join(map(str, FIGURES))}")
-    figure, caption = FIGURES[number]()
+    figure, caption, scenes = FIGURES[number]()
     made = Made(number, caption)
     for suffix in ("svg", "png"):
         place = Path(folder) / f"figure{number}.{suffix}"
         save(figure, place)
+        made.files.append(str(place))
+    if scenes and find_spec("plotly"):
+        place = Path(folder) / f"figure{number}.html"
+        save_page(turning_page(scenes, caption), place)
         made.files.append(str(place))
     return made

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from textwrap import wrap
-from typing import Any
+from typing import Any, NamedTuple
 
 from gmpy2 import mpq
 
@@ -15,6 +15,7 @@ from exactspline.measure import control_point_count
 from exactspline.plot import new_figure, plot_curve, plot_evolute, plot_features, plot_function, plot_quotient
 from exactspline.plot.canvas import GREEN, ORANGE, PURPLE, SILVER, VERMILLION, legend_below
 from exactspline.plot.functions import draw_roots
+from exactspline.plot.turning import Scene
 from exactspline.printers.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.spline import BSpline
@@ -27,11 +28,19 @@ TRIMMED = 8
 SQUARING = "squaring"
 
 
-def captioned(figure: Any, number: int, caption: str) -> tuple[Any, str]:
+class Drawn(NamedTuple):
+    """A figure, its caption, and what turns on a page (nothing for a picture in the plane)."""
+
+    figure: Any
+    caption: str
+    scenes: tuple[Scene, ...] = ()
+
+
+def captioned(figure: Any, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
     """The figure with its caption underneath."""
     text = f"Fig. {number}. {caption}"
     figure.supxlabel("\n".join(wrap(text, int(DENSITY * figure.get_figwidth()))), fontsize="small", x=0.02, ha="left")
-    return figure, text
+    return Drawn(figure, text, scenes)
 
 
 def cost(value: Any) -> str:
@@ -43,7 +52,7 @@ def cost(value: Any) -> str:
     return f"degree {value.degree}, {control_point_count(value)} control points"
 
 
-def figure_1() -> tuple[Any, str]:
+def figure_1() -> Drawn:
     """Critical points of the curvature of a polynomial curve, by squaring and directly."""
     curve = example("six_segment_cubic")
     figure = new_figure(9, 13)
@@ -85,7 +94,7 @@ def _graph(f: BSpline, zeros: Any, ax: Any, title: str, polygon: str = SILVER, m
     return f"10{superscript(-power)}"
 
 
-def figure_2() -> tuple[Any, str]:
+def figure_2() -> Drawn:
     """Critical points of the curvature of a rational curve, by squaring and by eq. (11)."""
     curve = example("ellipse")
     figure = new_figure(13, 6)
@@ -121,7 +130,7 @@ def superscript(number: int) -> str:
     return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
-def figure_3() -> tuple[Any, str]:
+def figure_3() -> Drawn:
     """The evolute of an ellipse, naive and reduced."""
     curve = example("ellipse")
     figure = new_figure(13, 7)

@@ -8,8 +8,8 @@ from exactspline.plot.canvas import PlotError, new_figure, save
 from exactspline.plot.comparisons import inspect_figure, plot_approaches
 from exactspline.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.plot.functions import greville_abscissae, plot_function, plot_roots
-from exactspline.plot.meshes import SurfaceMesh, ruled_mesh
-from exactspline.plot.surfaces import mark_points, plot_mesh, plot_ruled_surface
+from exactspline.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
+from exactspline.plot.surfaces import mark_points, plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 
 __all__ = [
     "PlotError",
@@ -19,6 +19,7 @@ __all__ = [
     "mark_points",
     "new_figure",
     "plot_approaches",
+    "plot_bisector",
     "plot_curve",
     "plot_evolute",
     "plot_features",
@@ -27,6 +28,8 @@ __all__ = [
     "plot_quotient",
     "plot_roots",
     "plot_ruled_surface",
+    "plot_surface",
     "ruled_mesh",
     "save",
+    "tensor_mesh",
 ]

@@ -12,13 +12,16 @@ from gmpy2 import mpq
 from exactspline.errors import ShapeError
 from exactspline.exact import rational
 from exactspline.factors import split
-from exactspline.language import RuledSurface
-from exactspline.plot.canvas import Point, Run, parameter, polygons
+from exactspline.language import RuledSurface, Vector
+from exactspline.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.plot.frames import Box, homogeneous, kept, usual_box
+from exactspline.quotients import Rational
 from exactspline.zeros import zeros
 
 #: Samples along the curve, in all and at least so many a segment; samples along a ruling.
-SAMPLES, LEAST, ALONG = 192, 12, 9
+SAMPLES, LEAST, ALONG = 192, 12, 21
+#: Samples of a surface in two parameters in each direction, in all and at least so many a segment.
+GRID, LEAST_OF_GRID = 48, 8
 #: A pole is approached up to so much of the distance between samples.
 BESIDE = mpq(1, 8)
 
@@ -113,3 +116,58 @@ def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int
     runs = [run for edge in edges for run in polygons(knots, degree, edge)]
     legs = [[p, q] for p, q in zip(*edges, strict=True) if p is not None and q is not None]
     return runs + legs, 2 * len(rows), sum(p is None for edge in edges for p in edge)
+
+
+def tensor_mesh(surface: Any, box: Box | None = None) -> SurfaceMesh:
+    """A surface in two parameters, a `Vector` of three `TensorSpline` or a quotient of such, with its control net.
+
+    Where its denominator vanishes it goes to infinity: what is far from most of it is left out (or what lies outside `box`).
+
+    >>> from exactspline.surface import TensorSpline
+    >>> s, t, st = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net) for net in ([[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]]))
+    >>> mesh = tensor_mesh(Vector(s, t, st))
+    >>> mesh.points, len(mesh.net)
+    (4, 4)
+
+    Raises `ShapeError` for anything else.
+    """
+    numerator, w = (surface.numerator, surface.denominator) if isinstance(surface, Rational) else (surface, None)
+    if not isinstance(numerator, Vector) or len(numerator) != 3 or not hasattr(numerator[0], "at_s"):
+        raise ShapeError("no surface of splines in two parameters", remedy="give a vector of three TensorSplines, or a quotient of such")
+    meshes = numerator[0].meshes
+    # one patch for either sign of the denominator, so that no face reaches across a pole
+    patches: dict[int, list[list[Point | None]]] = {1: [], -1: []}
+    for s in _grid(meshes[0].breaks):
+        lines = [c.at_s(s) for c in (*numerator, *([] if w is None else [w]))]
+        values = [[line(t) for line in lines] for t in _grid(meshes[1].breaks)]
+        for sign, rows in patches.items():
+            rows.append([_over(v, w is not None) if (w is None or v[-1] * sign > 0) else None for v in values])
+    there = [p for rows in patches.values() for row in rows for p in row if p is not None]
+    box = usual_box(there, w is not None) if box is None else box
+    points = _control_net(numerator, w, box)
+    net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in joined(line)]
+    flat = [p for row in points for p in row]
+    shown = list(patches.values())[: 1 if w is None else 2]
+    return SurfaceMesh([[[kept(p, box) for p in row] for row in rows] for rows in shown], net, len(flat), flat.count(None))
+
+
+def _grid(breaks: Sequence[mpq]) -> list[mpq]:
+    count = max(LEAST_OF_GRID, GRID // (len(breaks) - 1))
+    return [*[a + (b - a) * mpq(k, count) for a, b in pairwise(breaks) for k in range(count)], breaks[-1]]
+
+
+def _over(values: list[mpq], quotient: bool) -> Point | None:
+    if not quotient:
+        return tuple(values)
+    *xs, w = values
+    return tuple(x / w for x in xs) if w else None
+
+
+def _control_net(numerator: Vector, w: Any, box: Box) -> list[list[Point | None]]:
+    """The control points of the common degrees and knots, row by row."""
+    scalars = [*numerator, *([] if w is None else [w])]
+    common = scalars[0] * 0
+    for c in scalars[1:]:
+        common = common + c * 0
+    nets = [(c + common).control_points for c in scalars]
+    return [[kept(_over(list(values), w is not None), box) for values in zip(*lines, strict=True)] for lines in zip(*nets, strict=True)]

@@ -6,14 +6,15 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
+from textwrap import wrap
 from typing import Any
 
 from exactspline.plot.canvas import BLACK, BLUE, GREY, SKY, VERMILLION, PlotError, Point, Run
 from exactspline.plot.meshes import SurfaceMesh
 from exactspline.writing import write_atomically
 
-#: Height of the page's picture in pixels.
-HEIGHT = 700
+#: Height of the page's picture in pixels, and characters in a line of its title.
+HEIGHT, LINE = 800, 150
 
 
 @dataclass
@@ -47,8 +48,9 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
     for i, scene in enumerate(scenes):
         for trace in _traces(graphs, scene, shown=i == 0):
             figure.add_trace(trace, row=1, col=i + 1)
-    figure.update_scenes(aspectmode="data")
-    figure.update_layout(title={"text": title, "font": {"size": 13}}, height=HEIGHT, legend={"orientation": "h"}, margin={"l": 0, "r": 0})
+    figure.update_scenes(aspectmode="data", camera={"eye": {"x": 1.5, "y": -1.5, "z": 0.9}})
+    heading = {"text": "<br>".join(wrap(title, LINE)), "font": {"size": 13}}
+    figure.update_layout(title=heading, height=HEIGHT, legend={"orientation": "h"}, margin={"l": 0, "r": 0})
     page: str = figure.to_html(include_plotlyjs=True, full_html=True, div_id="figure")
     return page
 
