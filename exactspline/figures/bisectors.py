@@ -80,5 +80,5 @@ def figure_6() -> Drawn:
         plot_quotient(iso_curve, ax, control_polygon=False, color=VERMILLION, label="planar bisector")
         runs = [[p for _, p in part] for part in sampled(iso_curve, iso_curve.denominator.breakpoints)]
         scenes.append(_scene(name, mesh, point, TITLES[i], ("planar bisector", runs)))
-    caption = f"The planar bisector of Figure 5, of degree {plane.degree}, is the iso-curve of the ruled bisector at ruling parameter 0 for both approaches."
+    caption = f"The planar bisector of Figure 5, of degree {plane.degree}, is the iso-curve of the ruled bisector at ruling parameter 0 in both."
     return captioned(figure, 6, caption, tuple(scenes))

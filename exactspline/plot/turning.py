@@ -6,10 +6,11 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
+from itertools import cycle
 from textwrap import wrap
 from typing import Any
 
-from exactspline.plot.canvas import BLACK, BLUE, GREY, SKY, VERMILLION, PlotError, Point, Run
+from exactspline.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, PlotError, Point, Run
 from exactspline.plot.meshes import SurfaceMesh
 from exactspline.writing import write_atomically
 
@@ -65,13 +66,13 @@ def _traces(graphs: Any, scene: Scene, *, shown: bool) -> Iterable[Any]:
         x, y, z = ([[None if p is None else float(p[k]) for p in row] for row in rows] for k in range(3))
         one = {"colorscale": [[0, SKY], [1, SKY]], "showscale": False, "hoverinfo": "skip"}
         yield graphs.Surface(x=x, y=y, z=z, name="surface", showlegend=shown and not i, **one)
-    yield _lines(graphs, scene.mesh.net, GREY, f"control net ({scene.mesh.points} points)", shown, width=2)
+    yield _lines(graphs, scene.mesh.net, GREEN, f"control net ({scene.mesh.points} points)", shown, width=2)
     corners = list(dict.fromkeys(p for run in scene.mesh.net for p in run))
     yield _dots(graphs, corners, BLUE, "control points", shown, size=3)
-    for label, runs in scene.curves:
-        yield _lines(graphs, runs, BLACK, label, shown, width=6)
+    for (label, runs), color in zip(scene.curves, cycle((BLACK, VERMILLION)), strict=False):
+        yield _lines(graphs, runs, color, label, shown, width=6)
     for label, point in scene.points:
-        yield _dots(graphs, [point], VERMILLION, label, shown, size=7)
+        yield _dots(graphs, [point], GREY, label, shown, size=7)
 
 
 def _columns(points: Iterable[Point | None]) -> dict[str, list[float | None]]:
