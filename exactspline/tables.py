@@ -40,7 +40,8 @@ class DegreeRow:
 
 
 @cache
-def _minimum(name: str, dimension: int, polynomial: bool) -> Degree:
+def minimum(name: str, dimension: int, polynomial: bool) -> Degree:
+    """The degree of the minimal form of a construction on the generic curve, computed once."""
     return symbolic_minimum(construction(name), dimension, polynomial=polynomial)
 
 
@@ -51,7 +52,7 @@ def construction_table(curve: Any) -> list[Callable[[], DegreeRow]]:
 
 def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
     formula = c.formula(form)
-    minimum = _minimum(c.name, curve.dimension, curve.polynomial)
+    lowest = minimum(c.name, curve.dimension, curve.polynomial)
     if form == MINIMAL:
         text = "directrix in lowest terms, the generator without its common factor" if c.ruled else "the first form in lowest terms"
         nominal = "–"
@@ -63,7 +64,7 @@ def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
     except ReductionError as error:
         return DegreeRow(c.name, form, nominal, -1, None, 0, "–", str(error))
     seconds = perf_counter() - start
-    generic = str(minimum) if form == MINIMAL else "–"
+    generic = str(lowest) if form == MINIMAL else "–"
     return DegreeRow(c.name, form, nominal, value.degree, true_degree_or_none(value), control_point_count(value), generic, text, seconds)
 
 

@@ -7,22 +7,24 @@ from html import escape
 from typing import Any
 
 from exactspline import report
-from exactspline.audit import audit
+from exactspline.audit import audit, proved
 from exactspline.claims import select
-from exactspline.constructions import Construction, constructions_for, symbolic_minimum
+from exactspline.constructions import Construction, constructions_for
 from exactspline.displayed import Displayed
 from exactspline.formulas import find
 from exactspline.inspection import compare_approaches
 from exactspline.measure import measurable, measure
 from exactspline.readings.degree import degree_curve
 from exactspline.statement import Statement, claimed_latex, statement
-from exactspline.tables import construction_table
+from exactspline.tables import construction_table, minimum
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
 #: The forms of constructions from the most expensive to the cheapest.
 FORMS = ("naive", "squaring", "direct", "paper", "reduced")
+#: A remark in a table is cut when it has more characters.
+LONGEST = 160
 
 
 class Grid(Displayed):
@@ -53,7 +55,7 @@ class Grid(Displayed):
 
     def html(self) -> str:
         """The table as HTML."""
-        style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top"
+        style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top;overflow-wrap:break-word"
         head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
         body = "".join("<tr>" + "".join(f'<td style="{style}{_coloured(cell)}">{escape(cell)}</td>' for cell in row) + "</tr>" for row in self.rows)
         title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
@@ -71,7 +73,7 @@ class Verdicts(Grid):
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
-            (r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, r.witness or r.factor, r.source) for r in self.rows_of_ledger
+            (r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, remark(r), r.source) for r in self.rows_of_ledger
         ]
         if not any(r.curve for r in self.rows_of_ledger):
             columns, cells, title = [*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], title or "for all curves"
@@ -83,8 +85,21 @@ class Verdicts(Grid):
         return all(r.as_recorded for r in self.rows_of_ledger)
 
 
-def verdicts(*ids: str, curves: Iterable[Any] = ()) -> Verdicts:
-    """Claims decided anew: for all curves, or on the curves given.
+def remark(row: Row) -> str:
+    """Factor or witness of a row, cut where it is too long to read.
+
+    >>> from exactspline.on_all_curves import prove
+    >>> from exactspline.verdict import row
+    >>> claim = select(["C4.1a"])[0]
+    >>> remark(row(claim, "jet", "", prove(claim)[1], 0))
+    'w'
+    """
+    text = report.decimals(row.witness or row.factor)
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
+
+
+def verdicts(*ids: str, curves: Iterable[Any] = (), without: Sequence[str] = ()) -> Verdicts:
+    """Claims decided anew, but those of certain kinds: for all curves, or on the curves given.
 
     >>> verdicts("C4.1a")["verdict"]
     ['PROVED', 'PROVED']
@@ -92,8 +107,8 @@ def verdicts(*ids: str, curves: Iterable[Any] = ()) -> Verdicts:
     Raises `ClaimError` with the ids there are.
     """
     curves = list(curves)
-    rows = audit(select(ids), curves or None)
-    return Verdicts(rows if curves else [r for r in rows if not r.curve])
+    claims = [claim for claim in select(ids) if claim.kind not in without]
+    return Verdicts(audit(claims, curves) if curves else map(proved, claims))
 
 
 def degree_table(curve: Any) -> Grid:
@@ -153,7 +168,7 @@ def _symbolic(c: Construction, form: str, dimension: int, polynomial: bool) -> s
 
 
 def _minimum(c: Construction, dimension: int, polynomial: bool) -> str:
-    return f"${claimed_latex(str(symbolic_minimum(c, dimension, polynomial=polynomial)))}$"
+    return f"${claimed_latex(str(minimum(c.name, dimension, polynomial)))}$"
 
 
 class Numbers(Grid):
