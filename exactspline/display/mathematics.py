@@ -10,7 +10,7 @@ from gmpy2 import mpq
 
 from exactspline.exact import text
 from exactspline.factors import Factor
-from exactspline.language import Formula, RuledSurface, Vector
+from exactspline.language import DIMENSIONS, Formula, RuledSurface, Vector
 from exactspline.printers.latex import print_latex
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree
@@ -91,7 +91,8 @@ def _(n: Node) -> str:
 
 @mathematics.register
 def _(f: Formula) -> str:
-    return f"{symbol_of(f)} = {print_latex(telling_tree(f, 2 if 'plane' in f.curve else 3))}"
+    body = print_latex(telling_tree(f, DIMENSIONS[f.curve][0] if f.curve != "curve" else 3))
+    return body if body == f.symbol else f"{symbol_of(f)} = {body}"
 
 
 def symbol_of(f: Formula) -> str:
