@@ -16,6 +16,8 @@ from exactspline.language import RuledSurface, Vector
 from exactspline.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.quotients import Rational
+from exactspline.spline import BSpline
+from exactspline.surface import TensorSpline
 from exactspline.zeros import zeros
 
 #: Samples along the curve, in all and at least so many a segment; samples along a ruling.
@@ -68,9 +70,9 @@ def ruled_mesh(surface: RuledSurface, rulings: tuple[Any, Any] = (-1, 1), box: B
     low, high = map(rational, rulings)
     if low >= high:
         raise ShapeError(f"rulings from {low} to {high}", where="rulings", remedy="the first must be the smaller one")
-    components, denominator = split(surface)
-    if len(components) != 6 or not hasattr(components[0], "breakpoints"):
+    if not isinstance(surface, RuledSurface) or len(surface.directrix) != 3 or not _of_splines(surface.directrix):
         raise ShapeError("no ruled surface of splines in space", remedy="evaluate a formula of a ruled surface on a curve")
+    components, denominator = split(surface)
     if denominator is not None and not all(denominator.polynomials):
         raise ShapeError("the denominator vanishes on a whole segment", remedy="derive the surface piece by piece")
 
@@ -85,6 +87,11 @@ def ruled_mesh(surface: RuledSurface, rulings: tuple[Any, Any] = (-1, 1), box: B
     box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1])], bool(poles)) if box is None else box
     net, points, hidden = _net(surface.joined, (low, high), box)
     return SurfaceMesh([[[kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
+
+
+def _of_splines(value: Any) -> bool:
+    vector = value.numerator if isinstance(value, Rational) else value
+    return isinstance(vector, Vector) and all(isinstance(x, BSpline) for x in vector)
 
 
 def _sampled_rows(row: Callable[[mpq, str], list[Point]], breaks: Sequence[mpq], poles: Iterable[mpq]) -> list[list[list[Point]]]:
@@ -132,7 +139,7 @@ def tensor_mesh(surface: Any, box: Box | None = None) -> SurfaceMesh:
     Raises `ShapeError` for anything else.
     """
     numerator, w = (surface.numerator, surface.denominator) if isinstance(surface, Rational) else (surface, None)
-    if not isinstance(numerator, Vector) or len(numerator) != 3 or not hasattr(numerator[0], "at_s"):
+    if not isinstance(numerator, Vector) or len(numerator) != 3 or not isinstance(numerator[0], TensorSpline):
         raise ShapeError("no surface of splines in two parameters", remedy="give a vector of three TensorSplines, or a quotient of such")
     meshes = numerator[0].meshes
     # one patch for either sign of the denominator, so that no face reaches across a pole

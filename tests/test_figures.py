@@ -1,0 +1,75 @@
+"""The figures of the paper: what their captions count is what the paper's captions claim (or what was found instead), and every file is whole."""
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+pytest.importorskip("matplotlib")
+
+from typer.testing import CliRunner
+
+from exactspline.claims import all_claims
+from exactspline.cli import app
+from exactspline.figures import FIGURES, folder, make
+from exactspline.plot import PlotError
+
+runner = CliRunner()
+#: What the claims of a caption call what the figure's own caption says in a part of the sentence.
+COUNTED = ("degree", "control points", "roots", "extrema")
+
+
+def counts_of(number):
+    """The counts of a caption that hold: as printed, or what must be said instead."""
+    claims = [claim for claim in all_claims() if claim.id == f"Fig. {number}" and claim.kind == "count" and claim.expected != "REFUTED"]
+    assert claims or number in (6,)
+    return [part.strip() for claim in claims for part in claim.claimed.split(",") if any(word in part for word in COUNTED)]
+
+
+@pytest.mark.parametrize("number", FIGURES)
+def test_a_caption_says_what_was_counted_and_files_are_whole(number, tmp_path):
+    made = make(number, tmp_path)
+    for part in counts_of(number):
+        value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()
+        assert re.search(rf"\b{value} (and \d+ )?{word}|{word} {value}\b", made.caption), part
+    assert {path.rsplit(".", 1)[1] for path in made.files} == {"svg", "png"} | ({"html"} if number > 3 else set())
+    for path in made.files:
+        data = Path(path).read_bytes()
+        if path.endswith(".svg"):
+            assert ElementTree.fromstring(data).tag.endswith("svg")
+        elif path.endswith(".png"):
+            assert data.startswith(b"\x89PNG\r\n")
+        else:
+            assert not re.search(rb"<script[^>]+src=", data), "a page needs no network"
+            assert b"explicit directrix" in data
+
+
+def test_a_refuted_count_is_not_repeated():
+    (refuted,) = [claim for claim in all_claims() if claim.id == "Fig. 1" and claim.expected == "REFUTED"]
+    assert refuted.claimed not in FIGURES[1]().caption
+
+
+def test_the_axes_of_the_figures_hold_the_objects():
+    figure = FIGURES[2]().figure
+    points = [line for ax in figure.axes for line in ax.lines if line.get_label() == "_control points"]
+    titles = [ax.get_title() for ax in figure.axes]
+    counted = [sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "_control points") for ax in figure.axes[:2]]
+    assert points
+    for title, count in zip(titles, counted, strict=False):
+        assert f"{count} control points" in title
+
+
+def test_the_command_writes_into_a_new_folder(tmp_path):
+    result = runner.invoke(app, ["figures", "--out", str(tmp_path / "new" / "folder"), "--figure", "3"])
+    assert result.exit_code == 0
+    assert sorted(p.name for p in (tmp_path / "new" / "folder").iterdir()) == ["figure3.png", "figure3.svg"]
+    assert "Fig. 3" in result.output
+
+
+def test_errors_say_what_would_be_right(tmp_path):
+    with pytest.raises(PlotError, match="figures are 1, 2"):
+        make(7, tmp_path)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(PlotError, match="folder that can be written"):
+        folder(tmp_path / "file" / "below")
