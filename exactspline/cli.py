@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from exactspline.commands import bisecting, conditioning, figures, inspecting, ledger, objects, showing
+from exactspline.commands import bisecting, conditioning, figures, inspecting, ledger, objects, reducing, showing
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -27,6 +27,7 @@ COMMANDS = (
     bisecting.bisector,
     conditioning.conditioning,
     figures.figures,
+    reducing.reduce,
 )
 for command in COMMANDS:
     app.command()(command)

@@ -1,27 +1,28 @@
 """The constructions of the paper and the forms each can be computed in.
 
-A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it, others by their own names;
-``minimal`` is none of them but the naive form in lowest terms, found by exact division.
+A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it, others by their own names,
+``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by whatever the curve at hand allows: the naive form in lowest
+terms.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
+from exactspline.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.errors import FormulaError
-from exactspline.factors import split, substitute
+from exactspline.factors import Factor, find_factor, jets_for
 from exactspline.formulas import find
-from exactspline.language import Curve, Formula, RuledSurface, Vector
-from exactspline.measure import in_lowest_terms
+from exactspline.language import Formula, RuledSurface
+from exactspline.measure import in_lowest_terms, primitive, without_factor
 from exactspline.quotients import Rational
-from exactspline.readings.degree import Degree, parse
-from exactspline.readings.fraction import JetFraction, fraction_argument, fraction_curve
-from exactspline.readings.infinity import drop_of, expansion_argument, expansion_curve
-from exactspline.readings.jet import Jet, jet_curve
-from exactspline.readings.order import is_polynomial, order_of
+from exactspline.readings.degree import Degree
+from exactspline.readings.jet import Jet
+from exactspline.reduce import Reduction, reduction
 
+LIFTED = "lifted"
 MINIMAL = "minimal"
 
 
@@ -37,45 +38,89 @@ class Construction:
     curve: str
     forms: dict[str, str]
     zero_set: bool
+    lifted: str
     ruled: bool = False
 
+    @property
+    def all_forms(self) -> tuple[str, ...]:
+        """The names of the forms, the lowest last."""
+        return (*self.forms, LIFTED, MINIMAL)
+
     def formula(self, form: str) -> Formula:
-        """The formula of a form; the minimal one is made from the first."""
-        if form not in self.forms and form != MINIMAL:
-            raise FormulaError(f"{self.name} has no form {form!r}", remedy=f"forms are {', '.join([*self.forms, MINIMAL])}")
-        return find(self.forms.get(form) or next(iter(self.forms.values())))
+        """The formula of a form; the minimal one is made from the lifted one."""
+        if form not in self.all_forms:
+            raise FormulaError(f"{self.name} has no form {form!r}", remedy=f"forms are {', '.join(self.all_forms)}")
+        return find(self.forms.get(form, self.lifted))
+
+    @property
+    def dimension(self) -> int:
+        """That of the curves it speaks of."""
+        return {"plane": 2, "space": 3}[self.curve]
 
     def on(self, curve: Any, form: str) -> Any:
-        """The object on a curve; of a zero-set problem the numerator alone."""
+        """The object on a curve; of a zero-set problem the numerator alone.
+
+        The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the factors it shares with w; where
+        there are none it is as continuous as the lifted form. A quotient is reduced segment by segment.
+        """
         value = self.formula(form)(curve)
-        if form == MINIMAL:
-            value = in_lowest_terms(value)
-            return in_lowest_terms(numerator(value)) if self.zero_set else joined(value)
-        return numerator(value) if self.zero_set else joined(value)
+        if form != MINIMAL:
+            return numerator(value) if self.zero_set else joined(value)
+        if not self.zero_set:
+            return joined(in_lowest_terms(value))
+        power = self.power_of_w(LIFTED)
+        return primitive(in_lowest_terms(without_factor(value.scaled(self.sign(curve, LIFTED)), curve.w, power)))
+
+    def power_of_w(self, form: str) -> int:
+        """The e with ``form = constant · wᵉ · first form`` and a positive constant, of a zero-set problem."""
+        factor = _factor(self.formula(form).name, next(iter(self.forms.values())), self.dimension)
+        if factor is None or not factor.names <= {"w"} or factor.constant < 0:
+            raise FormulaError(f"the form {form!r} of {self.name} is no power of w away from the first", remedy="its sign is another one")
+        return next((e for _, _, e in factor.powers), 0)
+
+    def sign(self, curve: Any, form: str) -> int:
+        """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
+        return -1 if self.power_of_w(form) % 2 and curve.w(curve.w.domain[0]) < 0 else 1
+
+
+@cache
+def _factor(left: str, right: str, dimension: int) -> Factor | None:
+    jets = jets_for((left, right), dimension)
+    return find_factor(find(left)(jets), find(right)(jets))
 
 
 CONSTRUCTIONS = {
     c.name: c
     for c in (
-        Construction("zero_curvature", "zero curvature", "plane", {"naive": "f0", "paper": "f2"}, True),
+        Construction("zero_curvature", "zero curvature", "plane", {"naive": "f0", "paper": "f2"}, True, "inflections_lifted"),
         Construction(
-            "critical_curvature", "critical curvature", "plane", {"direct": "g0", "squaring": "curvature_squared_derivative", "paper": "g2"}, True
+            "critical_curvature",
+            "critical curvature",
+            "plane",
+            {"direct": "g0", "squaring": "curvature_squared_derivative", "paper": "g2"},
+            True,
+            "vertices_lifted",
         ),
-        Construction("curvature_squared", "squared curvature", "plane", {"naive": "curvature_squared"}, False),
-        Construction("evolute", "evolute", "plane", {"naive": "evolute", "paper": "evolute_reduced"}, False),
-        Construction("zero_torsion", "zero torsion", "space", {"naive": "velocity_acceleration_jerk", "paper": "D1_D2_D3"}, True),
-        Construction("torsion", "torsion", "space", {"naive": "torsion", "paper": "torsion_reduced"}, False),
-        Construction("focal_curve", "focal curve", "space", {"naive": "focal_curve", "reduced": "focal_curve_reduced"}, False),
-        Construction("circle_centres", "centres of the osculating circles", "space", {"naive": "osculating_circle_centre"}, False),
+        Construction("curvature_squared", "squared curvature", "plane", {"naive": "curvature_squared"}, False, "curvature_squared_lifted"),
+        Construction("evolute", "evolute", "plane", {"naive": "evolute", "paper": "evolute_reduced"}, False, "evolute_lifted"),
+        Construction(
+            "zero_torsion", "zero torsion", "space", {"naive": "velocity_acceleration_jerk", "paper": "D1_D2_D3"}, True, "torsion_zeros_lifted"
+        ),
+        Construction("torsion", "torsion", "space", {"naive": "torsion", "paper": "torsion_reduced"}, False, "torsion_lifted"),
+        Construction("focal_curve", "focal curve", "space", {"naive": "focal_curve", "reduced": "focal_curve_reduced"}, False, "focal_curve_lifted"),
+        Construction(
+            "circle_centres", "centres of the osculating circles", "space", {"naive": "osculating_circle_centre"}, False, "circle_centre_lifted"
+        ),
         Construction(
             "space_critical_curvature",
             "critical curvature of a space curve",
             "space",
             {"direct": "space_critical_curvature", "squaring": "space_curvature_squared_derivative", "reduced": "space_critical_curvature_reduced"},
             True,
+            "space_critical_curvature_lifted",
         ),
         *(
-            Construction(name, title, "space", {"naive": name, "paper": f"{name}_reduced"}, False, ruled=True)
+            Construction(name, title, "space", {"naive": name, "paper": f"{name}_reduced"}, False, f"{name}_lifted", ruled=True)
             for name, title in (
                 ("tangent_developable", "tangent developable"),
                 ("binormal_scroll", "binormal scroll"),
@@ -117,27 +162,17 @@ def joined(value: Any) -> Any:
 
 
 def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = False) -> Degree:
-    """The true degree of the minimal form on the generic curve of degree d, for symbolic d: an upper bound on every curve.
+    """The true degree of the minimal form on the generic curve of degree d, for symbolic d: no curve has a higher one.
 
-    In the jet ring numerator and denominator lose their common factor; at infinity the leading terms that vanish are counted.
+    In the jet ring numerator and denominator lose their common factor; the degree theorem (`exactspline.covariants`) does the rest.
 
     >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
     (3d − 6, 8d − 12)
     """
-    orders = max(order_of(c.formula(form), dimension) for form in c.forms)
-    jets = fraction_curve(dimension, orders, polynomial=polynomial)
-    value = c.formula(MINIMAL)(jets)
-    if isinstance(value, RuledSurface):
-        at_infinity = ("curve", dimension, orders, polynomial)
-        return _degree_of_quotient(list(value.directrix), *at_infinity).max(_degree_of_generator(c, value, dimension, polynomial))
-    if not c.zero_set:
-        return lowest_degree(c.formula(MINIMAL), dimension, polynomial=polynomial)
-    parts, _ = split(value)
-    form = next((c.formula(f) for f in c.forms if polynomial or is_polynomial(c.formula(f), dimension)), None)
-    minimal = Vector(Jet(parts[0].ring, parts[0].top))
-    if form is None:
-        return _true_degree(minimal, "curve", dimension, orders, polynomial)
-    return _degree_below(form, minimal, dimension, polynomial)
+    found = reduction(c.lifted, dimension, polynomial)
+    if c.ruled:
+        return found.parts[0].generic_lowest.max(found.main.generic)
+    return generic_degree(found.main.lowest[0]) if c.zero_set else found.main.generic_lowest
 
 
 def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
@@ -148,62 +183,39 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     >>> lowest_degree(find("plane_bisector"), 2)
     4d − 2
     """
-    order = order_of(formula, dimension)
-    parts, _ = split(formula(fraction_argument(formula.curve, dimension, order, polynomial=polynomial)))
-    return _degree_of_quotient(parts, formula.curve, dimension, order, polynomial)
+    numerator, denominator = _joined(reduction(formula.name, dimension, polynomial))
+    return generic_degree([jet for jet in (*numerator, denominator) if not jet.is_zero and jet.polynomial.total_degree() > 0])
 
 
-def _degree_of_generator(c: Construction, surface: RuledSurface, dimension: int, polynomial: bool) -> Degree:
-    """The degree of the generator as a primitive polynomial vector."""
-    generator, _ = _over_common_denominator(list(surface.generator))
-    common = generator[0].polynomial
-    for jet in generator[1:]:
-        common = common.gcd(jet.polynomial)
-    last = c.formula(list(c.forms)[-1])
-
-    def form(curve: Curve) -> Any:
-        return numerator(last(curve).generator)
-
-    return _degree_below(form, Vector(*[Jet(jet.ring, jet.polynomial / common) for jet in generator]), dimension, polynomial)
+def _joined(found: Reduction) -> tuple[list[Jet], Jet]:
+    """All components of all parts over the least common denominator."""
+    denominator = found.parts[0].lowest[1]
+    for part in found.parts[1:]:
+        other = part.lowest[1]
+        denominator = Jet(other.ring, denominator.polynomial * (other.polynomial / denominator.polynomial.gcd(other.polynomial)))
+    lifts = [(part.lowest[0], Jet(denominator.ring, denominator.polynomial / part.lowest[1].polynomial)) for part in found.parts]
+    return [jet * lift for top, lift in lifts for jet in top], denominator
 
 
-def _over_common_denominator(parts: list[JetFraction]) -> tuple[list[Jet], Jet]:
-    """Numerators and least common denominator of jet fractions."""
-    denominator = parts[0].bottom
-    for part in parts[1:]:
-        denominator = denominator * (part.bottom / denominator.gcd(part.bottom))
-    return [Jet(part.ring, part.top * (denominator / part.bottom)) for part in parts], Jet(parts[0].ring, denominator)
+def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | None:
+    """The true degree of the minimal form on the generic curve of one degree d, also below the order of the formula: −1 for 0, None for 0/0.
 
-
-def _degree_of_quotient(parts: list[JetFraction], kind: str, dimension: int, order: int, polynomial: bool) -> Degree:
-    """The larger of the true degrees of numerators and denominator."""
-    tops, denominator = _over_common_denominator(parts)
-    numerators = _true_degree(Vector(*tops), kind, dimension, order, polynomial)
-    if denominator.polynomial.total_degree() <= 0:
-        return numerators
-    return numerators.max(_true_degree(Vector(denominator), kind, dimension, order, polynomial))
-
-
-def _degree_below(form: Callable[[Curve], Any], minimal: Vector, dimension: int, polynomial: bool) -> Degree:
-    """The degree of a polynomial form less that of the factor by which it exceeds the minimal one: cheaper than expanding the minimal form."""
-    ring, curve = minimal[0].ring, jet_curve(dimension, minimal[0].ring.order, polynomial=polynomial)
-    exceeding = form(curve)
-    pairs = zip(exceeding if isinstance(exceeding, Vector) else [exceeding], minimal, strict=True)
-    excess = next(Jet(ring, top.polynomial / least.polynomial) for top, least in pairs if least.polynomial)
-    k, m, drop, _ = drop_of(form, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), "the form")
-    if excess.polynomial.total_degree() <= 0:
-        return parse(f"{k}d-{m + drop}")
-
-    def factor(expansion: Curve) -> Any:
-        return substitute(excess, expansion)
-
-    less_k, less_m, less_drop, _ = drop_of(factor, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), "the factor")
-    return parse(f"{k - less_k}d-{m + drop - less_m - less_drop}")
-
-
-def _true_degree(jets: Vector, kind: str, dimension: int, order: int, polynomial: bool) -> Degree:
-    def reading(expansion: Any) -> Vector:
-        return Vector(*[substitute(jet, expansion) for jet in jets])
-
-    k, m, drop, _ = drop_of(reading, lambda terms: expansion_argument(kind, dimension, terms, order, polynomial=polynomial), "the minimal form")
-    return parse(f"{k}d-{m + drop}") if k else Degree.number(-m - drop)
+    >>> minimum_at(construction("torsion"), 3), minimum_at(construction("torsion"), 2), minimum_at(construction("focal_curve"), 2)
+    (6, -1, None)
+    """
+    found = reduction(c.lifted, c.dimension, polynomial)
+    numerator, denominator = found.parts[0].lowest
+    top, (bottom,) = truncated(numerator, d), truncated([denominator], d)
+    if bottom.is_zero:
+        return None
+    if c.ruled:
+        generator = truncated(found.main.reduced, d)
+        if all(jet.is_zero for jet in generator):
+            return None
+        return max(degree_at(without_content([*top, bottom]), d), degree_at(without_content(generator), d))
+    if all(jet.is_zero for jet in top):
+        return -1
+    if not c.zero_set:
+        return degree_at(without_content([*top, bottom]), d)
+    shared = bottom.ring.number(1) if polynomial else bottom.ring["w"] ** c.power_of_w(LIFTED)
+    return degree_at(without_content([top[0], shared])[:1], d)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from math import gcd, lcm
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -14,7 +16,7 @@ from exactspline.displayed import Displayed
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
 from exactspline.formulas import all_formulas, find
-from exactspline.language import DIMENSIONS, RuledSurface, Vector, operands
+from exactspline.language import CONSTANTS, DIMENSIONS, RuledSurface, Vector, operands
 from exactspline.printers.text import print_text, symbol_text
 from exactspline.quotients import Rational
 from exactspline.readings.fraction import fraction_argument
@@ -52,6 +54,11 @@ class Factor(Displayed):
         """The names in it."""
         return frozenset(name for name, _, _ in self.powers)
 
+    @property
+    def is_one(self) -> bool:
+        """Whether it is the constant 1."""
+        return self.constant == 1 and not self.powers
+
     def fraction(self) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """Numerator and denominator as jet polynomials."""
         one = self.ring.context.constant(1)
@@ -80,14 +87,28 @@ def substitute(jet: Jet, curve: Any) -> Any:
     True
     """
     known = operands(curve)
-    one = known["w"]
-    total = one.constant(0)
-    for exponents, c in jet.polynomial.terms():
-        term = one.constant(mpq(int(c.p), int(c.q)))
-        for (name, order), e in zip(jet.ring.variables, exponents, strict=True):
-            if e:
-                term = term * known[name].d(order) ** int(e)
-        total = total + term
+    terms = [(tuple(map(int, exponents)), mpq(int(c.p), int(c.q))) for exponents, c in jet.polynomial.terms()]
+    value = _horner(terms, 0, [lambda name=name, order=order: known[name].d(order) for name, order in jet.ring.variables])
+    return known["w"].constant(value) if isinstance(value, CONSTANTS) else value
+
+
+def _horner(terms: list[tuple[tuple[int, ...], mpq]], i: int, variables: list[Any]) -> Any:
+    """The sum of terms by Horner's rule in the i-th variable, the coefficients by the same rule in the ones that follow."""
+    if len(terms) <= 1 and (not terms or not any(terms[0][0][i:])):
+        return terms[0][1] if terms else mpq(0)
+    groups: dict[int, list[tuple[tuple[int, ...], mpq]]] = {}
+    for term in terms:
+        groups.setdefault(term[0][i], []).append(term)
+    powers = sorted(groups, reverse=True)
+    if powers == [0]:
+        return _horner(terms, i + 1, variables)
+    x, total = variables[i](), None
+    for e, lower in zip(powers, [*powers[1:], 0], strict=True):
+        inner = _horner(groups[e], i + 1, variables)
+        total = inner if total is None else inner + total if isinstance(total, CONSTANTS) else total + inner
+        if e > lower:
+            power = x ** (e - lower)
+            total = power if isinstance(total, CONSTANTS) and total == 1 else power * total
     return total
 
 
@@ -142,16 +163,48 @@ def name_of(jet: Jet) -> tuple[str, mpq]:
     return f"({polynomial_text(jet)})", mpq(1)
 
 
+def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
+    """The name of a vector of jet polynomials and its quotient by what the name stands for, like `name_of`."""
+    ring, n = core[0].ring, len(core)
+    if all(jet.is_zero for jet in core):
+        return "0", mpq(1)
+    vectors = [(name, list(value)) for name, value in named_values(ring) if isinstance(value, Vector)]
+    whole = [(name, value) for name, value in vectors if len(value) == n]
+    parts = [(f"{name}[{i}…{i + n - 1}]", value[i : i + n]) for name, value in vectors for i in range(len(value) - n + 1) if len(value) > n]
+    for name, other in whole + parts:
+        if (quotient := _proportion(core, other)) is not None:
+            return name, quotient
+    coefficients = [mpq(int(c.p), int(c.q)) for jet in core for c in jet.polynomial.coeffs()]
+    unit = mpq(gcd(*[int(c.numerator) for c in coefficients]), lcm(*[int(c.denominator) for c in coefficients]))
+    unit = unit if coefficients[0] > 0 else -unit
+    return f"({', '.join(polynomial_text(jet.scaled(1 / unit), 2) for jet in core)})", unit
+
+
+def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
+    """The constant by which a vector is a multiple of another one, if it is."""
+    pivot = next((i for i, jet in enumerate(other) if not jet.is_zero), None)
+    if pivot is None or core[pivot].is_zero:
+        return None
+    quotient = core[pivot].polynomial.leading_coefficient() / other[pivot].polynomial.leading_coefficient()
+    same = all(a.polynomial == b.polynomial * quotient for a, b in zip(core, other, strict=True))
+    return mpq(int(quotient.p), int(quotient.q)) if same else None
+
+
 def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
     """The denominators and the scalar polynomial formulas of the library that this ring can express."""
-    return _named_parts(ring.kind, ring.dimension, ring.order, "w" not in ring.names)
+    return [(name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero]
+
+
+def named_values(ring: JetRing) -> list[tuple[str, Any]]:
+    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
+    return _named_values(ring.kind, ring.dimension, ring.order, "w" not in ring.names)
 
 
 @cache
-def _named_parts(kind: str, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Jet]]:
+def _named_values(kind: str, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
     c = jet_argument(kind, dimension, order, polynomial=polynomial)
     known = operands(c)
-    parts = [] if polynomial else [(known[name].ring.primes(known[name].ring.index[name, 0]), known[name]) for name in ("w", "W") if name in known]
+    values = [] if polynomial else [(known[name].ring.primes(known[name].ring.index[name, 0]), known[name]) for name in ("w", "W") if name in known]
     kinds = {"pair": ("pair",), "point": ("curve", "plane", "plane point") if dimension == 2 else ("curve", "space", "point")}
     for formula in all_formulas().values():
         if (
@@ -160,10 +213,8 @@ def _named_parts(kind: str, dimension: int, order: int, polynomial: bool) -> lis
             and is_polynomial(formula, dimension)
             and order_of(formula, dimension) <= order
         ):
-            value = formula(c)
-            if isinstance(value, Jet) and not value.is_zero:
-                parts.append((symbol_text(formula.symbol) or print_text(trace(formula, dimension)), value))
-    return parts
+            values.append((symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c)))
+    return values
 
 
 def factor_of_text(text: str, curve: Any) -> tuple[Any, Any]:

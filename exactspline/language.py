@@ -12,7 +12,7 @@ from copy import copy
 from typing import Any
 
 from exactspline.displayed import Displayed
-from exactspline.vectors import CONSTANTS, FieldOperand, Operand, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
+from exactspline.vectors import CONSTANTS, FieldOperand, Operand, Vector, cross, det, dot, generalized_cross, join, norm2, perp, triple, wronskian
 
 __all__ = [
     "BARRED",
@@ -36,6 +36,7 @@ __all__ = [
     "embedded",
     "formula",
     "generalized_cross",
+    "join",
     "level",
     "norm2",
     "operands",

@@ -10,7 +10,7 @@ from flint import fmpz_poly
 from exactspline.errors import ReductionError
 from exactspline.exact import text
 from exactspline.factors import split
-from exactspline.form import ONE, raiser
+from exactspline.form import ONE, divide_u_plus_v, raiser
 from exactspline.formulas import all_formulas
 from exactspline.language import Formula, RuledSurface, Vector
 from exactspline.quotients import Rational
@@ -134,6 +134,49 @@ def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tup
 def _sign_at(c: fmpz_poly, z: int) -> int:
     value = c(z)
     return int(value > 0) - int(value < 0)
+
+
+def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
+    """`f` divided, segment by segment, by what it has in common with a power of `w`, which has no zero; the sign stays.
+
+    The same spline where there is nothing in common; otherwise each segment loses a positive factor of its own.
+    """
+    if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
+        return f
+    rows = [_without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f.polynomials, w.polynomials, strict=True)]
+    if not any(lost for _, lost in rows):
+        return f
+    least = min(lost for p, lost in rows if p)
+    forms = [(p * raiser(lost - least) if p else p, m) for (p, lost), m in zip(rows, f.denominators, strict=True)]
+    return BSpline.from_forms(f.degree - least, f.mesh, (-1,) * (len(f.mesh) - 1), forms)
+
+
+def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
+    """p without what it has in common with a power of q, made positive, and the degree of that."""
+    lost = 0
+    for _ in range(times if p else 0):
+        common = p.gcd(q)
+        common = common // (common.content() if common(1) > 0 else -common.content())
+        if common.degree() <= 0:
+            break
+        p, lost = p // common, lost + common.degree()
+    return p, lost
+
+
+def primitive(f: BSpline) -> BSpline:
+    """`f` times the positive constant that makes the integers of all its forms coprime: as continuous as it was.
+
+    >>> primitive(BSpline.bezier(["2/3", "4/3"])).control_points
+    (mpq(1,1), mpq(2,1))
+    """
+    if f.is_zero:
+        return f
+    scale = _common(f.denominators)
+    forms = [c * (scale // m) for c, m in f.forms]
+    content = forms[0].content()
+    for c in forms[1:]:
+        content = content.gcd(c.content())
+    return BSpline.from_forms(f.degree, f.mesh, f.continuity, [(c // content, ONE) for c in forms])
 
 
 def in_lowest_terms(value: Any) -> Any:

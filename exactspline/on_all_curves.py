@@ -8,7 +8,6 @@ from typing import Any
 
 from exactspline import on_one_curve
 from exactspline.claims import Claim
-from exactspline.constructions import lowest_degree
 from exactspline.curves import example, example_names
 from exactspline.factors import Factor, factor_of_text, find_factor, jets_for, split
 from exactspline.formulas import find
@@ -20,6 +19,7 @@ from exactspline.readings.infinity import generic_drop
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.monomials import every_coefficient, monomial_curve
 from exactspline.readings.order import order_of
+from exactspline.reduce import reduction
 from exactspline.ruled import differences
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
@@ -37,8 +37,9 @@ def dimensions(claim: Claim) -> tuple[int, ...]:
 def prove(claim: Claim) -> tuple[str, Finding]:
     """The reading a claim is decided in, and what was found."""
     if claim.kind == "degree":
-        decide_degree = {"true": true_degree, "lowest terms": lowest_degree_of}.get(claim.measure)
-        return ("degree", nominal_degree(claim)) if decide_degree is None else ("infinity", decide_degree(claim))
+        if claim.measure in ("reduced", "lowest terms", "height"):
+            return "covariant", covariant_degree(claim)
+        return ("infinity", true_degree(claim)) if claim.measure == "true" else ("degree", nominal_degree(claim))
     if claim.kind == "coefficients":
         return ("generic", generic_coefficients(claim)) if claim.measure == "generic" else ("spline", refute_on_examples(claim))
     if claim.kind == "count":
@@ -121,14 +122,6 @@ def iso_curve(claim: Claim, dimension: int) -> Finding:
     return Finding(PROVED if agree else REFUTED, "the curve ζ = 0", "the curve ζ = 0" if agree else "another curve")
 
 
-def lowest_degree_of(claim: Claim) -> Finding:
-    """The degree of the quotient in lowest terms on the generic curve, for symbolic d."""
-    claimed = parse(claim.claimed)
-    computed = [lowest_degree(find(claim.formula), dimension) for dimension in dimensions(claim)]
-    holds = all(degree == claimed for degree in computed)
-    return Finding(PROVED if holds else REFUTED, str(claimed), str(computed[0]), witness="in lowest terms, its leading terms counted")
-
-
 def existence(claim: Claim, dimension: int) -> Finding:
     """That there is no rational form is refuted by one: a formula without roots, not the constant zero."""
     value = split(find(claim.formula)(jets_for((claim.formula,), dimension)))[0]
@@ -179,6 +172,20 @@ def true_degree(claim: Claim) -> Finding:
                 PROVED if computed == claimed else REFUTED, str(claimed), str(computed) + _but(exceptions), witness=f"{drop} leading terms vanish"
             )
         )
+    return min(found, key=lambda f: f.verdict == PROVED)
+
+
+def covariant_degree(claim: Claim) -> Finding:
+    """The degree theorem: degree k, weight m and height j of the reduced form or of the value in lowest terms, for symbolic d."""
+    claimed, found = parse(claim.claimed), []
+    for dimension in dimensions(claim):
+        part = reduction(claim.formula, dimension, claim.of == "polynomial").main
+        grading = part.true
+        computed = Degree.number(grading.j if grading else -1) if claim.measure == "height" else part.generic_lowest
+        if claim.measure == "reduced":
+            computed = part.generic
+        text = f"{computed} (k, m, j = {grading.k}, {grading.m}, {grading.j})" if grading and claim.measure == "reduced" else str(computed)
+        found.append(Finding(PROVED if computed == claimed else REFUTED, str(claimed), text, str(part.cancelled), f"the reduced form is {part.text}"))
     return min(found, key=lambda f: f.verdict == PROVED)
 
 

@@ -21,6 +21,7 @@ from exactspline.language import Curve, Pair, RuledSurface, Vector, embedded
 from exactspline.measure import control_point_count, in_lowest_terms, true_degree
 from exactspline.quotients import Rational
 from exactspline.readings.degree import parse
+from exactspline.reduce import reduction
 from exactspline.ruled import differences
 from exactspline.spline import BSpline
 from exactspline.surface import TensorSpline
@@ -159,14 +160,14 @@ def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
 
 def degree(claim: Claim, curve: Any) -> Finding:
     """The degree of the spline at hand against the claim."""
-    value = find(claim.formula)(curve)
+    value = _measured(claim, curve)
     claimed = parse(claim.claimed).at(
         {name: curve.degrees[name] if claim.curve == "table" else _curve_degree(claim, curve) for name in parse(claim.claimed).names}
     )
     if claim.measure == "lowest terms":
         computed = true_degree(_profile(value))
         return Finding(VERIFIED if computed <= claimed else REFUTED, str(claimed), f"{computed}{' (lower here)' if computed < claimed else ''}")
-    if claim.measure == "true":
+    if claim.measure in ("true", "reduced"):
         computed = max(p.true_degree for p in split(value)[0])
         if computed < 0:
             return Finding(UNDECIDED, str(claimed), "0", witness=VACUOUS)
@@ -199,6 +200,13 @@ def _profile(value: Any) -> Any:
     a, b = value.denominator.domain[1]
     t = a + (b - a) * mpq(2, 7)
     return Rational(Vector(*[x.at_t(t) for x in value.numerator]), value.denominator.at_t(t))
+
+
+def _measured(claim: Claim, curve: Any) -> Any:
+    """What the degree of a claim is the degree of."""
+    if claim.measure == "reduced":
+        return reduction(claim.formula, curve.dimension, curve.polynomial).main.on(curve)
+    return find(claim.formula)(curve)
 
 
 def coefficients(claim: Claim, curve: Any) -> Finding:

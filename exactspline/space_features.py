@@ -203,7 +203,7 @@ def torsion_zeros(curve: Any) -> list[Feature]:
     Raises `ShapeError` for a curve that is not in space.
     """
     shape = _shape(curve)
-    _, found = zero_form(curve, "zero_torsion", "paper")
+    _, found = zero_form(curve, "zero_torsion")
     true = list(zeros(shape.torsion.numerator))
     features = []
     for root in found:

@@ -8,21 +8,28 @@ from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.constructions import MINIMAL, Construction, construction, constructions_for, symbolic_minimum
-from exactspline.errors import ReductionError
+from exactspline.constructions import CONSTRUCTIONS, MINIMAL, Construction, construction, constructions_for, symbolic_minimum
+from exactspline.covariants import true_degree
+from exactspline.errors import FormulaError, ReductionError
 from exactspline.formulas import find
 from exactspline.interrogate import Derived
-from exactspline.language import Vector
+from exactspline.language import Formula, Vector
 from exactspline.measure import control_point_count, measurable, measure, true_degree_or_none
+from exactspline.minimality import attained, witness
 from exactspline.printers.text import print_text
 from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree, degree_curve
+from exactspline.readings.order import is_polynomial
 from exactspline.readings.tree import trace
+from exactspline.reduce import reduction
 
 
 @dataclass(frozen=True)
 class DegreeRow:
-    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand, with the time it took."""
+    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand, with the time it took.
+
+    ``grading`` is ``k, m, j`` of a homogeneous polynomial, or of the numerator of a quotient in lowest terms (see `exactspline.covariants`).
+    """
 
     formula: str
     form: str
@@ -32,6 +39,7 @@ class DegreeRow:
     control_points: int
     generic: str
     text: str
+    grading: str = "–"
     seconds: float = 0
 
     def data(self) -> dict[str, Any]:
@@ -47,14 +55,14 @@ def minimum(name: str, dimension: int, polynomial: bool) -> Degree:
 
 def construction_table(curve: Any) -> list[Callable[[], DegreeRow]]:
     """The rows for the constructions of a curve in every form, as calls."""
-    return [partial(_row, c, form, curve) for c in constructions_for(curve.dimension) for form in (*c.forms, MINIMAL)]
+    return [partial(_row, c, form, curve) for c in constructions_for(curve.dimension) for form in c.all_forms]
 
 
 def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
     formula = c.formula(form)
     lowest = minimum(c.name, curve.dimension, curve.polynomial)
     if form == MINIMAL:
-        text = "directrix in lowest terms, the generator without its common factor" if c.ruled else "the first form in lowest terms"
+        text = "directrix in lowest terms, the generator without its common factor" if c.ruled else "the lifted form in lowest terms"
         nominal = "–"
     else:
         text, nominal = print_text(trace(formula, curve.dimension)), str(formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree)
@@ -65,7 +73,101 @@ def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
         return DegreeRow(c.name, form, nominal, -1, None, 0, "–", str(error))
     seconds = perf_counter() - start
     generic = str(lowest) if form == MINIMAL else "–"
-    return DegreeRow(c.name, form, nominal, value.degree, true_degree_or_none(value), control_point_count(value), generic, text, seconds)
+    counts = value.degree, true_degree_or_none(value), control_point_count(value)
+    return DegreeRow(c.name, form, nominal, *counts, generic, text, _grading(formula, form, curve.dimension, curve.polynomial), seconds)
+
+
+def _grading(formula: Formula, form: str, dimension: int, polynomial: bool) -> str:
+    """k, m and j of a polynomial formula, and of the numerator of the minimal form."""
+    if not (form == MINIMAL or is_polynomial(formula, dimension)):
+        return "–"
+    try:
+        found = true_degree(reduction(formula.name, dimension, polynomial).main.lowest[0])
+    except FormulaError:
+        return "–"
+    return f"{found.k}, {found.m}, {found.j}"
+
+
+#: Ruled surfaces whose generators are measured: naive, as the paper reduces them, lifted.
+GENERATORS = {
+    name.replace("_", " ") + ", generator": (name, f"{name}_reduced", f"{name}_lifted")
+    for name in ("tangent_developable", "binormal_scroll", "normal_scroll", "rectifying_developable")
+}
+#: The degrees at which an exact witness is computed.
+WITNESSES = range(2, 7)
+
+
+@dataclass(frozen=True)
+class GenericRow:
+    """One line of the table for the generic curve of degree d: what Table 1 counts for each form, and what the degree theorem proves.
+
+    ``k``, ``m``, ``j`` are those of the reduced form; of a quotient in lowest terms, of its numerator or denominator, whichever has the larger true
+    degree. ``attained`` are the degrees d at which a certified witness attains the true degree, ``absent`` those at which the object does not exist
+    or vanishes, ``differ`` those at which proof and witness disagree.
+    """
+
+    object: str
+    naive: str
+    paper: str
+    k: int
+    m: int
+    nominal: str
+    j: int
+    true: str
+    attained: tuple[int, ...]
+    absent: tuple[int, ...]
+    differ: tuple[int, ...]
+
+
+def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]:
+    """The rows for all constructions and for the generators of ruled surfaces, as calls."""
+    constructions: list[Callable[[], GenericRow]] = [partial(_generic_row, c, polynomial) for c in CONSTRUCTIONS.values() if not c.ruled]
+    return constructions + [partial(_generator_row, title, names, polynomial) for title, names in GENERATORS.items()]
+
+
+def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
+    naive = "squaring" if "squaring" in c.forms else next(iter(c.forms))
+    first, paper = (c.formula(form) for form in (naive, next((f for f in ("paper", "reduced") if f in c.forms), MINIMAL)))
+    numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
+    found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))
+    witnesses = [attained(c.name, d, polynomial=polynomial) for d in WITNESSES]
+    operands = degree_curve(c.dimension, polynomial=polynomial)
+    return GenericRow(
+        c.title,
+        str(first(operands).degree),
+        str(paper(operands).degree) if paper.name != c.lifted else "–",
+        found.k,
+        found.m,
+        str(found.nominal),
+        found.j,
+        str(symbolic_minimum(c, c.dimension, polynomial=polynomial)),
+        tuple(w.d for w in witnesses if w.agrees and w.attained is not None),
+        tuple(w.d for w in witnesses if w.agrees and w.attained is None),
+        tuple(w.d for w in witnesses if not w.agrees),
+    )
+
+
+def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
+    naive, paper, lifted = map(find, names)
+    found = true_degree(reduction(lifted.name, 3, polynomial).main.reduced)
+    operands = degree_curve(3, polynomial=polynomial)
+    degrees = {}
+    for d in WITNESSES:
+        value = reduction(lifted.name, 3, polynomial).main.on(witness(3, d, polynomial=polynomial))
+        degrees[d] = max(component.true_degree for component in value)
+    return GenericRow(
+        title,
+        str(naive(operands).generator.degree),
+        str(paper(operands).generator.degree),
+        found.k,
+        found.m,
+        str(found.nominal),
+        found.j,
+        str(found.generic),
+        tuple(d for d, n in degrees.items() if n == found.at(d) >= 0),
+        tuple(d for d, n in degrees.items() if n == found.at(d) == -1),
+        tuple(d for d, n in degrees.items() if n != found.at(d)),
+    )
 
 
 def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:

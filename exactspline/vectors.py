@@ -124,8 +124,9 @@ class Vector(Displayed):
     def __iter__(self) -> Iterator[Any]:
         return iter(self.components)
 
-    def __getitem__(self, index: int) -> Any:
-        return self.components[index]
+    def __getitem__(self, index: int | slice) -> Any:
+        """A component, or the vector of those that a slice takes."""
+        return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
     def __repr__(self) -> str:
         return f"Vector({', '.join(map(repr, self.components))})"
@@ -341,6 +342,23 @@ def _expand(minors: dict[tuple[int, ...], Any], row: Vector, columns: tuple[int,
         signed = -term if (last + i) % 2 else term
         total = signed if total is None else total + signed
     return total
+
+
+def join(*parts: Any) -> Any:
+    """One vector of the components of all parts: vectors, scalars and constants of one reading.
+
+    >>> join(Vector(1, 2), 3)
+    Vector(1, 2, 3)
+    """
+    operand = next(part for part in parts if not isinstance(part, CONSTANTS))
+    if hook := getattr(operand, "joining", None):
+        return hook(parts)
+    scalar = operand[0] if isinstance(operand, Vector) else operand
+    components: list[Any] = []
+    for part in parts:
+        made = scalar.constant(part) if isinstance(part, CONSTANTS) and not isinstance(scalar, CONSTANTS) else part
+        components += made.components if isinstance(made, Vector) else [made]
+    return Vector(*components)
 
 
 def wronskian(a: Any, order: int | None = None) -> Any:

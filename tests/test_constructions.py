@@ -4,9 +4,10 @@ import random
 from functools import cache
 
 import pytest
+from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, symbolic_minimum
+from exactspline import BSpline, Nurbs
+from exactspline.constructions import CONSTRUCTIONS, LIFTED, MINIMAL, construction, symbolic_minimum
 from exactspline.curves import example
 from exactspline.errors import FormulaError, ReductionError
 from exactspline.factors import split
@@ -54,17 +55,51 @@ def test_generic_curves_attain_the_proved_degree_and_no_lower(name, degree, poly
 def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
     c = construction(name)
     curve = example("rational_cubic_spline" if c.curve == "plane" else "rational_space_cubic")
-    naive, minimal = c.formula(MINIMAL)(curve), c.on(curve, MINIMAL)
+    naive, minimal = c.formula(next(iter(c.forms)))(curve), c.on(curve, MINIMAL)
     if c.ruled:
         reduced = in_lowest_terms(naive)
         assert same_surface(naive, reduced) is not None
         assert same_surface(c.formula("paper")(curve), reduced) is not None
         assert reduced.degree == minimal.degree <= naive.degree
         return
-    (ps, k), (qs, m) = split(naive), split(in_lowest_terms(naive))
+    lowest = in_lowest_terms(naive)
+    (ps, k), (qs, m) = split(naive), split(lowest)
     for p, q in zip(ps, qs, strict=True):
         assert p * m == q * k
-    assert true_degree(minimal) == max(n for _, n in lowest_terms(naive)) if not c.zero_set else minimal.degree == minimal.true_degree
+    if not c.zero_set:
+        assert minimal == lowest
+        assert true_degree(minimal) == max(n for _, n in lowest_terms(naive))
+        return
+    assert minimal.degree == minimal.true_degree == in_lowest_terms(lowest.numerator).degree
+    for i, (p, q) in enumerate(zip(minimal.polynomials, in_lowest_terms(lowest.numerator).polynomials, strict=True)):
+        assert p * q.leading_coefficient() == q * p.leading_coefficient(), i
+        assert p.leading_coefficient() * q.leading_coefficient() > 0
+
+
+@pytest.mark.parametrize("name", [name for name, c in CONSTRUCTIONS.items() if c.zero_set])
+def test_the_sign_of_the_minimal_form_is_that_of_the_first_form_for_negative_weights_too(name):
+    c = construction(name)
+    plus = generic(3, c.dimension, polynomial=False)
+    minus = Nurbs(3, plus.knots, plus.control_points, [-w for w in plus.weights])
+    forms = [c.on(curve, MINIMAL) for curve in (plus, minus)]
+    assert forms[0] == forms[1]
+    first = c.formula(next(iter(c.forms)))(minus)
+    for i in range(1, 12):
+        a, b = forms[1](mpq(i, 13)), first(mpq(i, 13))
+        assert (a > 0, a < 0) == (b > 0, b < 0)
+        assert (c.sign(minus, LIFTED) < 0) == (c.power_of_w(LIFTED) % 2 == 1)
+
+
+def test_the_minimal_form_loses_what_it_shares_with_the_weight_function():
+    """An ellipse as a quadratic curve has a Wronskian of degree 0; multiplied through by (1 + t²) it has one with a power of that factor."""
+    plain = Nurbs(2, [0] * 3 + [1] * 3, [(1, 0), (1, 1), (0, 1)], [1, 1, 2])
+    t = BSpline.identity(0, 1)
+    common = t * t + 1
+    rows = [(x * common).control_points for x in (*plain.p, plain.w)]
+    curve = Nurbs.from_homogeneous(4, [0] * 5 + [1] * 5, list(zip(*rows, strict=True)))
+    made = construction("zero_curvature")
+    assert made.on(curve, LIFTED).true_degree == 6
+    assert made.on(curve, MINIMAL) == made.on(plain, MINIMAL) == t.constant(1)
 
 
 def test_a_vertex_form_of_the_ellipse_has_degree_four():

@@ -70,7 +70,7 @@ def test_a_curve_that_is_no_pythagorean_hodograph_says_so():
 def test_names_forms_and_dimensions_are_checked():
     with pytest.raises(FormulaError, match="no formula is called"):
         derive("involute", example("circle"))
-    with pytest.raises(FormulaError, match="forms are naive, paper, minimal"):
+    with pytest.raises(FormulaError, match="forms are naive, paper, lifted, minimal"):
         derive("evolute", example("circle"), "best")
     with pytest.raises(ShapeError, match="plane curve"):
         derive("evolute", example("twisted_cubic"))

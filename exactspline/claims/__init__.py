@@ -18,7 +18,7 @@ from exactspline.formulas import find
 from exactspline.language import DIMENSIONS
 
 #: The claim files, in the order of the paper.
-SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3", "section5", "section6_1", "section6_2")
+SECTIONS = ("section2", "section3", "section4_1", "section4_2", "section4_3", "section5", "section6_1", "section6_2", "lifted")
 
 KINDS = ("degree", "identity", "vanishing", "zero set", "coefficients", "count", "square class", "same surface", "existence", "iso-curve")
 VERDICTS = ("PROVED", "VERIFIED", "REFUTED", "UNDECIDED")
@@ -32,8 +32,9 @@ class Claim(Displayed):
     ``point`` and a curve. ``polynomial`` claims speak of polynomial curves, ``rational`` ones of rational curves, the others of both. What else is
     set depends on the kind:
 
-    - ``degree``: ``formula``, ``claimed`` (in d), ``measure`` (``nominal``, ``true`` or ``lowest terms``), ``relation`` (``=`` or
-      ``≥``); of two curves in the ``parameter`` s or s̄; with the ``counting`` ``part by part`` as (24) counts;
+    - ``degree``: ``formula``, ``claimed`` (in d), ``measure``, ``relation`` (``=`` or ``≥``); the measure is ``nominal``, ``true`` (of a polynomial),
+      ``lowest terms`` (true, of the value), ``reduced`` (true, of what `exactspline.reduce` keeps) or ``height`` (0 for a covariant); of two curves
+      in the ``parameter`` s or s̄; with the ``counting`` ``part by part`` as (24) counts;
     - ``identity``: ``left = factor · right``;
     - ``vanishing``: ``left`` is identically zero;
     - ``zero set``: all of ``formulas`` have one zero set;
@@ -79,7 +80,7 @@ class Claim(Displayed):
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about curves of that dimension and kind."""
-        if self.example or self.counting or self.measure == "generic":
+        if self.example or self.counting or self.measure in ("generic", "height"):
             return False
         return self.curve != "table" and dimension in DIMENSIONS[self.curve] and self.of in ("both", "polynomial" if polynomial else "rational")
 

@@ -9,7 +9,7 @@ from exactspline.errors import FormulaError
 from exactspline.language import Formula
 
 #: The modules of formulas, in the order of the paper.
-MODULES = ("table1", "derivatives", "plane", "space", "bisector")
+MODULES = ("table1", "derivatives", "plane", "space", "bisector", "lifted")
 
 
 @cache

@@ -39,9 +39,10 @@ class LatexPrinter(Printer):
         """Primes."""
         return base + ("'" * order if order < 4 else rf"^{{({order})}}")
 
-    def component(self, base: str, index: int) -> str:
+    def component(self, base: str, index: str) -> str:
         """An index."""
-        return rf"{base}_{{[{index}]}}"
+        shown = index.replace("…", r" \ldots ")
+        return rf"{base}_{{[{shown}]}}"
 
     def parentheses(self, text: str) -> str:
         """Parentheses that grow."""

@@ -38,7 +38,9 @@ class Printer(ABC):
         if n.op == "d":
             return self.derivative(self.at(n.args[0], ATOM), n.value), ATOM
         if n.op == "[]":
-            return self.component(self.at(n.args[0], ATOM), n.value), ATOM
+            return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
+        if n.op == "join":
+            return self.parentheses(", ".join(map(self, n.args))), ATOM
         return self.product(n)
 
     def at(self, n: Node, least: int) -> str:
@@ -89,7 +91,7 @@ class Printer(ABC):
         """A derivative."""
 
     @abstractmethod
-    def component(self, base: str, index: int) -> str:
+    def component(self, base: str, index: str) -> str:
         """A component of a vector."""
 
     @abstractmethod
@@ -116,6 +118,15 @@ class Printer(ABC):
 def named_binding(n: Node) -> int:
     """How tightly the symbol of a named formula binds: one with a power of its own needs parentheses before it gets another."""
     return POWER if "^" in n.value.symbol else ATOM
+
+
+def index_text(index: int | slice) -> str:
+    """An index, or the first and last of a slice.
+
+    >>> index_text(2), index_text(slice(1, 4))
+    ('2', '1…3')
+    """
+    return f"{index.start}…{index.stop - 1}" if isinstance(index, slice) else str(index)
 
 
 def number(value: Any) -> tuple[str, int]:

@@ -231,7 +231,31 @@ class Still(Degree):
 
     def d(self, order: int = 1) -> Degree:
         """Itself: it is no derivative by the parameter that is counted."""
-        return Still(self.terms)
+        recipe = self.recipe
+        for _ in range(order):
+            recipe = (structure.DERIVATIVE, recipe)
+        return Still(self.terms, recipe)
+
+    def __add__(self, other: Any) -> Any:
+        return _still(super().__add__(other), other)
+
+    def __mul__(self, other: Any) -> Any:
+        return _still(super().__mul__(other), other)
+
+    def scaled(self, constant: Any) -> Degree:
+        """A constant factor leaves it still."""
+        result = super().scaled(constant)
+        return Still(result.terms, result.recipe)
+
+    def constant(self, value: Any) -> Degree:
+        """A constant is still too."""
+        result = super().constant(value)
+        return Still(result.terms, result.recipe)
+
+
+def _still(result: Any, other: Any) -> Any:
+    """A sum or a product of what is still and constants is still."""
+    return Still(result.terms, result.recipe) if isinstance(result, Degree) and isinstance(other, (Still, *CONSTANTS)) else result
 
 
 class DifferentiatedPartByPart(Rational):
@@ -258,6 +282,9 @@ def degree_argument(kind: str, dimension: int, *, polynomial: bool = False, name
     """
     counted = BARRED + "W" if parameter == "s̄" else COORDINATES + "w"
     argument = assemble(kind, dimension, lambda x: Degree.named(name) if x in counted else Still([((), 0)]), Degree.number(0), polynomial=polynomial)
+    if polynomial and kind == "pair":
+        uncounted = argument.first if parameter == "s̄" else argument.second
+        uncounted.w = Still([((), 0)])
     if counting == "part by part":
         for curve in argument.together():
             if isinstance(curve, Curve) and not polynomial:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_poly
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
@@ -90,22 +90,19 @@ class Expansion(Operand):
     @property
     def exceptions(self) -> tuple[int, ...]:
         """The degrees d ≥ 1 at which the first remaining term vanishes too."""
-        first = self.terms[self.drop or 0]
-        common = fmpz_poly([])
-        grouped: dict[tuple[int, ...], dict[int, Any]] = {}
-        for exponents, c in first.terms():
-            e = tuple(map(int, exponents))
-            grouped.setdefault(e[1:], {})[e[0]] = c
-        for powers in grouped.values():
-            scale = max(int(c.q) for c in powers.values())
-            common = common.gcd(fmpz_poly([int((powers.get(i, 0) * scale * _lcm(powers)).p) if i in powers else 0 for i in range(max(powers) + 1)]))
-        return tuple(sorted(int(-p[0] / p[1]) for p, _ in common.factor()[1] if p.degree() == 1 and p[0] % p[1] == 0 and -p[0] / p[1] >= 1))
+        return common_roots(self.terms[self.drop or 0])
 
 
-def _lcm(powers: dict[int, Any]) -> int:
-    from math import lcm
-
-    return lcm(*[int(c.q) for c in powers.values()])
+def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
+    """The integers d ≥ 1 at which a polynomial in d (its first variable) and others vanishes for all values of the others."""
+    common = fmpq_poly([])
+    grouped: dict[tuple[int, ...], dict[int, Any]] = {}
+    for exponents, c in polynomial.terms():
+        e = tuple(map(int, exponents))
+        grouped.setdefault(e[1:], {})[e[0]] = c
+    for powers in grouped.values():
+        common = common.gcd(fmpq_poly([powers.get(i, 0) for i in range(max(powers) + 1)]))
+    return tuple(sorted(int(-p[0] / p[1]) for p, _ in common.numer().factor()[1] if p.degree() == 1 and p[0] % p[1] == 0 and -p[0] / p[1] >= 1))
 
 
 class StillExpansion(Expansion):

@@ -12,14 +12,14 @@ from exactspline.errors import FormulaError
 from exactspline.language import CONSTANTS, Formula, Operand
 
 #: Products of vectors whose value is again a vector.
-VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross"}
+VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross", "join"}
 
 
 class Node(Operand):
     """A node of an expression tree: an operation and its arguments.
 
     ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``, ``**``, ``[]``, ``dot``,
-    ``cross``, ``det``, ``perp``, ``generalized_cross``.
+    ``cross``, ``det``, ``perp``, ``generalized_cross``, ``join``.
     """
 
     __slots__ = ("args", "is_vector", "op", "value")
@@ -67,8 +67,8 @@ class Node(Operand):
     def __pow__(self, exponent: int) -> Node:
         return Node("**", (self,), exponent)
 
-    def __getitem__(self, index: int) -> Node:
-        return Node("[]", (self,), index)
+    def __getitem__(self, index: int | slice) -> Node:
+        return Node("[]", (self,), index, vector=isinstance(index, slice))
 
     def __iter__(self) -> Iterator[Node]:
         raise FormulaError("a formula takes a vector apart", remedy="use v[0], v[1], …")
@@ -80,6 +80,10 @@ class Node(Operand):
     def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Node:
         """The node of a product of vectors."""
         return Node(function.__name__, tuple(vectors), vector=function.__name__ in VECTOR_PRODUCTS)
+
+    def joining(self, parts: tuple[Any, ...]) -> Node:
+        """The node of a vector put together."""
+        return Node("join", tuple(Node("number", value=part) if isinstance(part, CONSTANTS) else part for part in parts), vector=True)
 
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""
