@@ -123,6 +123,54 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     return Derived(name, form, pieces, missing, ruled)
 
 
+def evolute(curve: Any, form: str = MINIMAL) -> Derived:
+    """The evolute of a plane curve, in lowest terms: ``6 d − 6`` at most, ``3 d − 3`` of a polynomial curve.
+
+    >>> from exactspline.curves import example
+    >>> evolute(example("ellipse_skew")).pieces[0].value.degree
+    6
+
+    Raises `ShapeError` for a curve that is not in the plane or is straight.
+    """
+    return derive("evolute", curve, form)
+
+
+def focal_curve(curve: Any, form: str = MINIMAL) -> Derived:
+    """The centres of the osculating spheres of a space curve, in lowest terms: ``8 d − 12`` at most, ``4 d − 7`` of a polynomial curve.
+
+    >>> from exactspline.curves import example
+    >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
+    5
+
+    Raises `ShapeError` for a curve that is not in space or is planar.
+    """
+    return derive("focal_curve", curve, form)
+
+
+def torsion(curve: Any, form: str = MINIMAL) -> Derived:
+    """The torsion of a space curve, in lowest terms: ``6 d − 12`` at most, ``4 d − 8`` of a polynomial curve.
+
+    >>> from exactspline.curves import example
+    >>> torsion(example("twisted_cubic")).pieces[0].value.degree
+    4
+
+    Raises `ShapeError` for a curve that is not in space or is straight.
+    """
+    return derive("torsion", curve, form)
+
+
+def circle_centres(curve: Any, form: str = MINIMAL) -> Derived:
+    """The centres of the osculating circles of a space curve, in lowest terms: ``9 d − 12`` at most, ``5 d − 7`` of a polynomial curve.
+
+    >>> from exactspline.curves import example
+    >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree
+    8
+
+    Raises `ShapeError` for a curve that is not in space or is straight.
+    """
+    return derive("circle_centres", curve, form)
+
+
 def _exists(value: Any) -> list[bool]:
     """Segment by segment whether a denominator, and the generator of a ruled surface, are not identically zero."""
     if isinstance(value, RuledSurface):

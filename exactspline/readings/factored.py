@@ -46,7 +46,7 @@ class FactoredJet(Operand):
     @property
     def is_zero(self) -> bool:
         """Whether it vanishes on every curve."""
-        return self.unit == 0
+        return bool(self.unit == 0)
 
     def expanded(self) -> fmpq_mpoly:
         """Multiplied out."""

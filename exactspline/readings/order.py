@@ -65,11 +65,14 @@ def order_of(formula: Any, dimension: int) -> int:
     >>> order_of(D3, 3)
     3
     """
-    result = _orders(formula, dimension)
-    parts = [result] if isinstance(result, (Order, Vector)) else [result.numerator, result.denominator]
-    scalars = [x for part in parts for x in (part if isinstance(part, Vector) else [part])]
-    highest: int = max(x.order for x in scalars)
-    return highest
+    return _highest(_orders(formula, dimension))
+
+
+def _highest(value: Any) -> int:
+    if isinstance(value, Order):
+        return value.order
+    parts = value if isinstance(value, Vector) else [value.numerator, value.denominator]
+    return max(map(_highest, parts))
 
 
 def _orders(formula: Any, dimension: int) -> Any:

@@ -1,0 +1,110 @@
+"""Certificates of minimality: the proved degree is attained, the checker is independent, and a wrong certificate is caught."""
+
+import copy
+import json
+import random
+
+import pytest
+
+from exactspline import BSpline, Nurbs
+from exactspline.constructions import CONSTRUCTIONS
+from exactspline.curves import example
+from exactspline.errors import ReductionError, ShapeError
+from exactspline.minimality import _bezout, attained, certificate, witness
+from exactspline.minimality.checker import _irreducible, check
+
+
+@pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
+@pytest.mark.parametrize("d", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("name", CONSTRUCTIONS)
+def test_the_witness_attains_the_proved_degree(name, d, polynomial):
+    found = attained(name, d, polynomial=polynomial)
+    assert found.agrees
+    if found.attained is None:
+        assert d == 2  # planar: no torsion, no osculating spheres
+    else:
+        assert check(json.loads(json.dumps(found.certificate))) == found.proved
+
+
+@pytest.mark.parametrize("name", ["ellipse_skew", "rational_cubic_spline", "six_segment_cubic", "straight_between_arcs"])
+def test_certificates_on_curves_of_several_segments(name):
+    for construction in ("evolute", "zero_curvature", "critical_curvature"):
+        data = certificate(construction, example(name))
+        assert check(data) == max(segment["degree"] for segment in data["segments"])
+
+
+def test_what_vanishes_has_no_certificate():
+    with pytest.raises(ShapeError, match="vanishes"):
+        certificate("critical_curvature", example("circle"))
+    with pytest.raises(ShapeError, match="straight"):
+        certificate("evolute", example("straight_line"))
+
+
+def spoilt(change):
+    data = copy.deepcopy(certificate("critical_curvature", example("ellipse_skew")))
+    change(data["segments"][0])
+    return data
+
+
+def multiply(segment):
+    """The form times 2t − 1, whose factor nobody told."""
+    old = [int(x) for x in segment["forms"][0]]
+    new = [str((old[i - 1] if i else 0) - (old[i] if i < len(old) else 0)) for i in range(len(old) + 1)]
+    segment["forms"], segment["degree"] = [new], segment["degree"] + 1
+
+
+SPOILT = {
+    "another cofactor": lambda s: s["cofactors"].reverse(),
+    "a composite modulus": lambda s: s.update(prime=s["prime"] - 1),
+    "a wrong degree": lambda s: s.update(degree=3),
+    "a form of another curve": lambda s: s["forms"][0].reverse(),
+    "a factor in common with w": lambda s: s.update(forms=[s["weight"]], degree=len(s["weight"]) - 1),
+    "a factor more": multiply,
+    "not irreducible": lambda s: s.update({"irreducible modulo": 4}),
+}
+
+
+@pytest.mark.parametrize("what", SPOILT)
+def test_a_wrong_certificate_is_caught(what):
+    with pytest.raises(ValueError, match=r"\w"):
+        check(spoilt(SPOILT[what]))
+
+
+def test_a_degree_too_high_is_caught():
+    """(u + v) times a form of degree 4 is a form of degree 5 of the same function."""
+
+    def raised(segment):
+        old = [int(x) for x in segment["forms"][0]]
+        segment["forms"] = [[str((old[i - 1] if i else 0) + (old[i] if i < len(old) else 0)) for i in range(len(old) + 1)]]
+        segment["degree"] += 1
+        from flint import fmpz_poly
+
+        forms = [fmpz_poly([int(x) for x in f]) for f in (segment["forms"][0], segment["weight"])]
+        segment["prime"], segment["cofactors"] = _bezout(forms, [f.degree() for f in forms])
+        segment["irreducible modulo"] = None
+
+    with pytest.raises(ValueError, match="lower"):
+        check(spoilt(raised))
+
+
+def test_a_common_factor_has_no_certificate():
+    f, g = BSpline.bezier([1, 2, 5]).polynomials[0], BSpline.bezier([3, -1]).polynomials[0]
+    with pytest.raises(ReductionError, match="common factor"):
+        _bezout([f * g, g * g], [3, 2])
+
+
+def test_rabin_test_against_flint():
+    from flint import nmod_poly
+
+    numbers = random.Random(5)
+    for p in (101, 103):
+        for _ in range(40):
+            form = [numbers.randint(0, p - 1) for _ in range(numbers.randint(2, 7))] + [1]
+            factors = nmod_poly(form, p).factor()[1]
+            assert _irreducible(form, p) == ([e for _, e in factors] == [1])
+
+
+def test_witnesses_are_the_same_every_time():
+    assert isinstance(witness(2, 3), Nurbs)
+    assert witness(3, 4).control_points == witness(3, 4).control_points
+    assert witness(2, 3, polynomial=True).polynomial
