@@ -8,17 +8,18 @@ from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.constructions import CONSTRUCTIONS, MINIMAL, Construction, construction, constructions_for, symbolic_minimum
-from exactspline.covariants import true_degree
+from exactspline.constructions import CONSTRUCTIONS, MINIMAL, Construction, construction, constructions_for, lowest_degree, symbolic_minimum
+from exactspline.covariants import degree_at, graded, true_degree
 from exactspline.errors import FormulaError, ReductionError
+from exactspline.factors import substitute
 from exactspline.formulas import find
 from exactspline.interrogate import Derived
-from exactspline.language import Formula, Vector
-from exactspline.measure import control_point_count, measurable, measure, true_degree_or_none
+from exactspline.language import DIMENSIONS, Curve, Formula, Pair, Vector
+from exactspline.measure import control_point_count, lowest_terms, measurable, measure, true_degree_or_none
 from exactspline.minimality import attained, witness
 from exactspline.printers.text import print_text
 from exactspline.quotients import Rational
-from exactspline.readings.degree import Degree, degree_curve
+from exactspline.readings.degree import Degree, degree_argument, degree_curve
 from exactspline.readings.order import is_polynomial
 from exactspline.readings.tree import trace
 from exactspline.reduce import reduction
@@ -93,6 +94,11 @@ GENERATORS = {
     name.replace("_", " ") + ", generator": (name, f"{name}_reduced", f"{name}_lifted")
     for name in ("tangent_developable", "binormal_scroll", "normal_scroll", "rectifying_developable")
 }
+#: Bisectors, in the parameter of the first curve: naive, polynomial as in §6, lifted.
+BISECTORS = {
+    "bisector of two curves, in s": ("bisector", "bisector_polynomial", "bisector_lifted"),
+    "planar bisector of a curve and a point": ("plane_bisector", "plane_bisector_polynomial", "plane_bisector_lifted"),
+}
 #: The degrees at which an exact witness is computed.
 WITNESSES = range(2, 7)
 
@@ -122,7 +128,8 @@ class GenericRow:
 def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]:
     """The rows for all constructions and for the generators of ruled surfaces, as calls."""
     constructions: list[Callable[[], GenericRow]] = [partial(_generic_row, c, polynomial) for c in CONSTRUCTIONS.values() if not c.ruled]
-    return constructions + [partial(_generator_row, title, names, polynomial) for title, names in GENERATORS.items()]
+    bisectors = [partial(_bisector_row, title, names, polynomial) for title, names in BISECTORS.items()]
+    return [*constructions, *[partial(_generator_row, title, names, polynomial) for title, names in GENERATORS.items()], *bisectors]
 
 
 def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
@@ -168,6 +175,53 @@ def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) ->
         tuple(d for d, n in degrees.items() if n == found.at(d) == -1),
         tuple(d for d, n in degrees.items() if n != found.at(d)),
     )
+
+
+def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
+    naive, paper, lifted = map(find, names)
+    (dimension,) = DIMENSIONS[lifted.curve]
+    numerator, denominator = reduction(lifted.name, dimension, polynomial).main.lowest
+    parts = [part for jet in (*numerator, denominator) for part in graded(jet)]
+    found = max(map(true_degree, parts), key=lambda t: t.at(WITNESSES[-1]))
+    operands = degree_argument(lifted.curve, dimension, polynomial=polynomial)
+    degrees = {}
+    for d in WITNESSES:
+        handed = _bisected(lifted.curve, witness(dimension, d, polynomial=polynomial))
+        value = Rational(Vector(*[substitute(jet, handed) for jet in numerator]), substitute(denominator, handed))
+        degrees[d] = max(n for _, n in lowest_terms(value))
+    return GenericRow(
+        title,
+        str(naive(operands).degree),
+        str(paper(operands).degree),
+        found.k,
+        found.m,
+        str(found.nominal),
+        found.j,
+        str(lowest_degree(lifted, dimension, polynomial=polynomial)),
+        tuple(d for d, n in degrees.items() if n == degree_at(parts, d)),
+        (),
+        tuple(d for d, n in degrees.items() if n != degree_at(parts, d)),
+    )
+
+
+class _Fixed:
+    """An operand of the second curve at one parameter: its derivatives there, each a constant."""
+
+    def __init__(self, values: list[Any]) -> None:
+        self.values = values
+
+    def d(self, order: int) -> Any:
+        """The derivative of that order."""
+        return self.values[order]
+
+
+def _bisected(kind: str, curve: Any) -> Any:
+    """A curve with what it is bisected with: a point, or the derivatives of a second curve at one parameter; primes, for want of accidents."""
+    primes = iter((2, 3, 5, 7, 11, 13, 17, 19))
+    if kind != "pair":
+        return Curve(curve.p, curve.w, polynomial=True, point=Vector(*[curve.w.constant(next(primes)) for _ in curve.p]))
+    second = [_Fixed([curve.w.constant(next(primes)) for _ in range(2)]) for _ in range(4)]
+    return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
 
 
 def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:
