@@ -186,3 +186,88 @@ def test_unknown_claims_and_options_are_bad_input():
 def test_digits_show_decimals_beside_exact_numbers():
     done = run("prove", "--claim", "C3c", "--curve", "rational_space_cubic", "--digits", "12")
     assert "1/15 ≈ 0.0666666666667" in done.stdout
+
+
+def test_reduce_on_a_formula_of_the_library():
+    found = json.loads(CliRunner().invoke(app, ["reduce", "curvature_squared_derivative", "--json"]).stdout)[0]
+    (part,) = found["parts"]
+    assert (part["naive"], part["reduced"], part["true"]) == ("48d", "[X X′ X″ X‴]·f2", "11d − 18")
+    assert part["meaning"]["f2"] == "may have roots of its own"
+    table = run("reduce", "rectifying_developable").stdout
+    assert "10d − 18" in table
+    assert "positive where the curve is regular" in table
+
+
+OWN = """
+from exactspline import det, dot, norm2, perp
+
+def pedal(c):
+    normal = perp(c.gamma.d(1))
+    return normal * dot(c.gamma, normal) / norm2(normal)
+
+def broken(c):
+    return 1 / 0
+
+def five(c):
+    return 5
+
+not_a_function = 3
+"""
+
+
+def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
+    (tmp_path / "strange_formulas.py").write_text(OWN)
+    monkeypatch.chdir(tmp_path)
+    for target in ("strange_formulas.py:pedal", "strange_formulas:pedal", str(tmp_path / "strange_formulas.py") + ":pedal"):
+        done = run("reduce", target)
+        assert done.returncode == 0
+        assert "4d − 4" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("target", "message"),
+    [
+        ("strange.py:broken", "ZeroDivisionError"),
+        ("strange.py:five", "returns int"),
+        ("strange.py:nothing", "no function"),
+        ("strange.py:not_a_function", "no function"),
+        ("missing.py:f", "no such file"),
+        ("no_such_module:f", "No module named"),
+        ("wrong.py:f", "SyntaxError"),
+        ("leaves.py:f", "SystemExit"),
+        ("T1", "Table 1"),
+        ("nonsense", "no formula"),
+    ],
+)
+def test_reduce_reports_errors_of_the_user_in_one_line(target, message, tmp_path, monkeypatch):
+    (tmp_path / "strange.py").write_text(OWN)
+    (tmp_path / "wrong.py").write_text("def f(c:\n")
+    (tmp_path / "leaves.py").write_text("raise SystemExit(0)\n")
+    monkeypatch.chdir(tmp_path)
+    done = run("reduce", target)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert message in done.stderr
+    assert done.stderr.count("error:") == 1
+    assert "Traceback" not in done.stderr
+
+
+def test_the_generic_degree_table():
+    found = json.loads(CliRunner().invoke(app, ["degrees", "--generic", "--json"]).stdout)
+    rows = {row["object"]: row for row in found["rational"]}
+    row = rows["critical curvature"]
+    assert (row["naive"], row["paper"], row["true"]) == ("48d", "9d − 6", "8d − 12")
+        "48d",
+        "9d − 6",
+        "8d − 12",
+    )
+    assert all(row["j"] == 0 and row["true"] for row in found["rational"])
+    assert not any(row["differ"] for rows in found.values() for row in rows)
+    assert all(row["attained"][-1] == 6 for rows in found.values() for row in rows)
+
+
+def test_certificates_from_the_command_line():
+    from exactspline.minimality.checker import check
+
+    data = json.loads(CliRunner().invoke(app, ["degrees", "--certify", "--curve", "ellipse_skew", "--curve", "circle"]).stdout)
+    assert {(d["curve"], d["construction"]): check(d) for d in data if "missing" not in d}["ellipse_skew", "critical_curvature"] == 4
+    assert any("vanishes" in d.get("missing", "") for d in data)
