@@ -21,6 +21,7 @@ from exactspline.quotients import Rational
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
 from exactspline.reduce import Reduction, reduction
+from exactspline.transvectants import lowest_wronskian
 
 LIFTED = "lifted"
 MINIMAL = "minimal"
@@ -40,6 +41,8 @@ class Construction:
     zero_set: bool
     lifted: str
     ruled: bool = False
+    #: The lift whose Wronskian the lifted form is.
+    wronskian_of: str = ""
 
     @property
     def all_forms(self) -> tuple[str, ...]:
@@ -63,11 +66,13 @@ class Construction:
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the factors it shares with w; where
         there are none it is as continuous as the lifted form. A quotient is reduced segment by segment.
         """
-        value = self.formula(form)(curve)
         if form != MINIMAL:
+            value = self.formula(form)(curve)
             return numerator(value) if self.zero_set else joined(value)
         if not self.zero_set:
-            return joined(in_lowest_terms(value))
+            return joined(in_lowest_terms(self.formula(form)(curve)))
+        at_once = self.wronskian_of and not curve.polynomial
+        value = lowest_wronskian(find(self.wronskian_of)(curve)) if at_once else self.formula(form)(curve)
         power = self.power_of_w(LIFTED)
         return primitive(in_lowest_terms(without_factor(value.scaled(self.sign(curve, LIFTED)), curve.w, power)))
 
@@ -89,10 +94,13 @@ def _factor(left: str, right: str, dimension: int) -> Factor | None:
     return find_factor(find(left)(jets), find(right)(jets))
 
 
+#: The lifts, by the names of their formulas.
+P, X = "projective_lift", "conformal_lift"
+
 CONSTRUCTIONS = {
     c.name: c
     for c in (
-        Construction("zero_curvature", "zero curvature", "plane", {"naive": "f0", "paper": "f2"}, True, "inflections_lifted"),
+        Construction("zero_curvature", "zero curvature", "plane", {"naive": "f0", "paper": "f2"}, True, "inflections_lifted", wronskian_of=P),
         Construction(
             "critical_curvature",
             "critical curvature",
@@ -100,11 +108,18 @@ CONSTRUCTIONS = {
             {"direct": "g0", "squaring": "curvature_squared_derivative", "paper": "g2"},
             True,
             "vertices_lifted",
+            wronskian_of=X,
         ),
         Construction("curvature_squared", "squared curvature", "plane", {"naive": "curvature_squared"}, False, "curvature_squared_lifted"),
         Construction("evolute", "evolute", "plane", {"naive": "evolute", "paper": "evolute_reduced"}, False, "evolute_lifted"),
         Construction(
-            "zero_torsion", "zero torsion", "space", {"naive": "velocity_acceleration_jerk", "paper": "D1_D2_D3"}, True, "torsion_zeros_lifted"
+            "zero_torsion",
+            "zero torsion",
+            "space",
+            {"naive": "velocity_acceleration_jerk", "paper": "D1_D2_D3"},
+            True,
+            "torsion_zeros_lifted",
+            wronskian_of=P,
         ),
         Construction("torsion", "torsion", "space", {"naive": "torsion", "paper": "torsion_reduced"}, False, "torsion_lifted"),
         Construction("focal_curve", "focal curve", "space", {"naive": "focal_curve", "reduced": "focal_curve_reduced"}, False, "focal_curve_lifted"),

@@ -51,8 +51,12 @@ def reduce(f: BSpline, by: int) -> BSpline:
         raise ShapeError(f"degree reduction by {by}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)")
     if by > f.degree:
         raise ReductionError(f"degree {f.degree} cannot be lowered by {by}", remedy=f"at most by {f.degree}")
-    lower = []
+    lower, divisor = [], forms.raiser(by)
     for i, (p, k) in enumerate(f.forms):
+        whole, rest = divmod(p, divisor)
+        if not rest:
+            lower.append((whole, k))
+            continue
         quotient, times = forms.divide_u_plus_v(p, by)
         if times < by:
             a, b = f.mesh.breaks[i : i + 2]

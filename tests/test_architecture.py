@@ -30,7 +30,7 @@ FLOORS = [
     ["printers"],
     ["zeros"],
     ["curves", "factors"],
-    ["covariants", "measure", "claims"],
+    ["covariants", "measure", "claims", "transvectants"],
     ["reduce"],
     ["constructions"],
     ["interrogate"],

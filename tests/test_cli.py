@@ -256,10 +256,6 @@ def test_the_generic_degree_table():
     rows = {row["object"]: row for row in found["rational"]}
     row = rows["critical curvature"]
     assert (row["naive"], row["paper"], row["true"]) == ("48d", "9d − 6", "8d − 12")
-        "48d",
-        "9d − 6",
-        "8d − 12",
-    )
     assert all(row["j"] == 0 and row["true"] for row in found["rational"])
     assert not any(row["differ"] for rows in found.values() for row in rows)
     assert all(row["attained"][-1] == 6 for rows in found.values() for row in rows)

@@ -13,10 +13,11 @@ from exactspline.factors import split
 from exactspline.features import curvature_extrema, inflections
 from exactspline.formulas import find
 from exactspline.interrogate import circle_centres, derive, evolute, focal_curve, torsion
-from exactspline.language import Curve, Vector
+from exactspline.language import Curve, Vector, wronskian
 from exactspline.measure import primitive, true_degree, without_factor
 from exactspline.reduce import reduction
-from tests.strategies import nurbs
+from exactspline.transvectants import lowest_wronskian
+from tests.strategies import nurbs, splines_on_one_domain
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
 SPACE = [name for name in example_names() if example(name).dimension == 3]
@@ -145,6 +146,17 @@ def test_a_segment_that_shares_a_factor_with_w_is_divided_alone():
     for x in (mpq(1, 4), mpq(1, 2), mpq(3, 4), mpq(5, 4), mpq(2)):
         a, b = left(x), f(x)
         assert (a > 0, a < 0) == (b > 0, b < 0)
+
+
+@settings(max_examples=40, deadline=None)
+@given(data=st.data())
+def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
+    """From partial derivatives and from derivatives: the same function, over segments of any width, and of degree N(n − N + 1)."""
+    components = data.draw(splines_on_one_domain(data.draw(st.integers(3, 4)), 0, 4))
+    lowest = lowest_wronskian(Vector(*components))
+    assert lowest == wronskian(Vector(*components))
+    n, size = max(f.degree for f in components), len(components)
+    assert lowest.degree == (size * (n - size + 1) if n >= size - 1 else 0)
 
 
 @pytest.mark.parametrize("function", [evolute, focal_curve, torsion, circle_centres])
