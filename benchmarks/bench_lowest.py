@@ -47,16 +47,18 @@ class Cost:
     roots: int
 
 
-def cost(form, degree, segments):
-    """Build the form from control points, then all its zeros, certified."""
-    c = curve(degree, segments)
-    start = perf_counter()
-    f = zero_form_only(c, form)
-    built = perf_counter()
-    found = zeros(f)
-    solved = perf_counter()
+def cost(form, degree, segments, rounds=3):
+    """Build the form from control points, then all its zeros, certified: the best of several rounds, each on a curve made afresh."""
+    build = solve = float("inf")
+    for _ in range(rounds):
+        c = curve(degree, segments)
+        start = perf_counter()
+        f = zero_form_only(c, form)
+        built = perf_counter()
+        found = zeros(f)
+        build, solve = min(build, built - start), min(solve, perf_counter() - built)
     bits = sum(int(x).bit_length() for p in f.polynomials for x in p.coeffs())
-    return Cost(form, degree, segments, f.degree, len(f.control_points), bits, built - start, solved - built, len(list(found)))
+    return Cost(form, degree, segments, f.degree, len(f.control_points), bits, build, solve, len(list(found)))
 
 
 def zero_form_only(c, form):
