@@ -7,7 +7,13 @@ import pytest
 
 from exactspline.audit import audit
 from exactspline.claims import all_claims
+from exactspline.constructions import constructions_for, symbolic_minimum
 from exactspline.curves import read_curve
+from exactspline.errors import ShapeError
+from exactspline.interrogate import derive
+from exactspline.measure import true_degree
+from exactspline.minimality import certificate
+from exactspline.minimality.checker import check
 from exactspline.planar import with_plane_curves
 
 FOLDER = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().parents[2] / "shared" / "curves"))
@@ -23,3 +29,18 @@ def test_every_claim_on_every_real_curve(file):
     assert rows
     assert [(row.id, row.statement, row.verdict, row.witness) for row in rows if not row.as_recorded] == []
     assert {row.id for row in rows} >= ({"C4.1a", "C4.1b"} if curve.dimension == 2 else {"C3d"})
+
+
+@needs_curves
+@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
+def test_no_real_curve_exceeds_the_proved_degree_and_every_minimal_form_has_a_certificate(file):
+    curve = read_curve(file)
+    for made in constructions_for(curve.dimension):
+        proved = symbolic_minimum(made, made.dimension, polynomial=curve.polynomial).at({"d": max(curve.degree, 3)})
+        try:
+            attained = max(true_degree(piece.value) for piece in derive(made.name, curve).pieces)
+        except ShapeError:
+            continue
+        assert attained <= proved
+        if attained >= 0:
+            assert check(certificate(made.name, curve)) == attained

@@ -20,6 +20,7 @@ from exactspline.errors import ReductionError, ShapeError
 from exactspline.exact import text
 from exactspline.form import divide_u_plus_v
 from exactspline.interrogate import Piece, derive
+from exactspline.language import Vector
 from exactspline.measure import lowest_terms
 from exactspline.nurbs import Nurbs
 from exactspline.quotients import Rational
@@ -56,7 +57,7 @@ def _segments(made: Construction, piece: Piece, curve: Any) -> list[dict[str, An
     value = piece.value
     if not made.zero_set:
         if not isinstance(value, Rational):
-            value = Rational(value, curve.w.constant(1))
+            value = _over_one(list(value) if isinstance(value, Vector) else [value])
         if value.is_zero:
             return []
         breaks = value.denominator.breakpoints
@@ -70,6 +71,14 @@ def _segments(made: Construction, piece: Piece, curve: Any) -> list[dict[str, An
             weight = curve.w.restrict(a, b)
             found.append(_zero_form([text(a), text(b)], lowest, value.degree - times, divide_u_plus_v(weight.polynomials[0], weight.degree)[0]))
     return found
+
+
+def _over_one(components: list[Any]) -> Rational:
+    """A polynomial vector as a quotient, its components over one mesh."""
+    nothing = components[0] * 0
+    for c in components[1:]:
+        nothing = nothing + c * 0
+    return Rational(Vector(*[c + nothing for c in components]), nothing.constant(1))
 
 
 def _coefficients(c: fmpz_poly, n: int) -> list[str]:

@@ -15,6 +15,8 @@ from exactspline.exact import rational, to_fmpq
 from exactspline.language import Operand
 from exactspline.readings.jet import Jet, JetRing, jet_argument
 
+#: Sums of more terms than this are tried for the factors that were met before; those have fewer.
+LONG = 100
 #: Monic polynomials with exponents.
 Powers = tuple[tuple[fmpq_mpoly, int], ...]
 
@@ -59,7 +61,9 @@ class FactoredJet(Operand):
         recipe = (structure.PRODUCT, self.recipe, right.recipe)
         if self.is_zero or right.is_zero:
             return FactoredJet(self.ring, fmpq(0), (), recipe)
-        return FactoredJet(self.ring, self.unit * right.unit, merged(self.powers, right.powers), recipe)
+        powers = merged(self.powers, right.powers)
+        _remember(self.ring, powers)
+        return FactoredJet(self.ring, self.unit * right.unit, powers, recipe)
 
     def __add__(self, other: Any) -> Any:
         return self._sum(other, 1, structure.SUM)
@@ -125,8 +129,28 @@ def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, recipe: structure.Rec
     content = p.term_content()
     content = content / content.leading_coefficient()
     variables = tuple((x, int(e)) for x, e in zip(ring.gens, content.degrees(), strict=True) if e)
-    rest = p / content
-    return FactoredJet(ring, unit, merged(powers, (*variables, *(((rest, 1),) if rest.total_degree() > 0 else ()))), recipe)
+    rest, found = p / content, merged(powers, variables)
+    if len(rest) > LONG:
+        for q in ring.repeated:
+            times, rest = divided_out(rest, q)
+            found = merged(found, ((q, times),)) if times else found
+    return FactoredJet(ring, unit, merged(found, ((rest, 1),)) if rest.total_degree() > 0 else found, recipe)
+
+
+def _remember(ring: JetRing, powers: Powers) -> None:
+    for p, e in powers:
+        if e > 1 and 1 < len(p) < LONG and all(p != q for q in ring.repeated):
+            ring.repeated.append(p)
+
+
+def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
+    """How often q divides p, and what is left."""
+    times = 0
+    while True:
+        quotient, rest = divmod(p, q)
+        if rest:
+            return times, p
+        times, p = times + 1, quotient
 
 
 def multiplied(ring: JetRing, powers: Iterable[tuple[fmpq_mpoly, int]]) -> fmpq_mpoly:

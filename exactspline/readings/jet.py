@@ -33,6 +33,8 @@ class JetRing:
         self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
+        #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see `exactspline.readings.factored`).
+        self.repeated: list[fmpq_mpoly] = []
 
     @property
     def kind(self) -> str:
