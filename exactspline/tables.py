@@ -235,7 +235,7 @@ def _formula_row(name: str, curve: Any) -> DegreeRow:
     m = measure(formula, curve)
     seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
-    return DegreeRow(name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds)
+    return DegreeRow(name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds)
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
