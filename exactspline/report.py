@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections import Counter
 from collections.abc import Iterable
@@ -24,15 +25,21 @@ LONGEST = 40
 
 
 def console() -> Console:
-    """The console for results."""
-    return Console(highlight=False)
+    """The console for results: as wide as the terminal; what goes into a file or a pipe has room."""
+    made = Console(highlight=False)
+    return made if made.is_terminal or "COLUMNS" in os.environ else Console(highlight=False, width=160)
 
 
 class Columns(Table):
     """A table without lines whose cells are taken literally."""
 
     def add_row(self, *cells: Any, **options: Any) -> None:
-        """A row; a text keeps its brackets."""
+        """A row; a text keeps its brackets, and a number is not broken."""
+        for column, cell in zip(self.columns, cells, strict=False):
+            if column.justify == "right":
+                whole = str(cell) if len(str(cell)) <= LONGEST // 3 else ""
+                longest = max((*str(column.header).split(), *str(cell).split(), whole), key=len)
+                column.min_width = max(column.min_width or 0, min(len(longest), LONGEST))
         super().add_row(*[cell if isinstance(cell, Text) else Text(cell) for cell in cells], **options)
 
 

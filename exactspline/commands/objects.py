@@ -94,12 +94,14 @@ def _print_degrees(results: list[tuple[Any, list[Any]]]) -> None:
 
     out = report.console()
     for c, rows in results:
-        numbers = ("nominal", "k, m, j", "represented", "true", "control points", "generic true degree")
-        made = report.table("formula", "form", *numbers, "what it is", title=f"{c.name}: {described(c)}", right=numbers)
+        numbers = ("nominal", "k, m, j", "degree", "true", "points", "generic")
+        # on a narrow terminal the numbers are worth more than the formulas
+        last = ["what it is"] if out.width >= 120 else []
+        made = report.table("formula", "form", *numbers, *last, title=f"{c.name}: {described(c)}", right=numbers)
         for row in rows:
             true = "–" if row.true is None else str(row.true)
             counts = (str(row.nominal), row.grading, str(row.represented), true, str(row.control_points), str(row.generic))
-            made.add_row(row.formula, row.form, *counts, row.text)
+            made.add_row(row.formula, row.form, *counts, *([row.text] if last else []))
         out.print(made)
         out.print()
 
