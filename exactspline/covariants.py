@@ -92,6 +92,16 @@ def true_degree(jets: Jet | Iterable[Jet]) -> TrueDegree:
     return TrueDegree(k, m, j, tuple((d, n) for d, n in lower if n != k * d - 2 * m + j))
 
 
+def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
+    """k, m, j and the true degree of a product from those of its factors with their exponents: all of them add."""
+    k, m, j = (sum(getattr(f, name) * e for f, e in factors) for name in ("k", "m", "j"))
+    lower = []
+    for d in sorted({d for f, _ in factors for d, _ in f.lower}):
+        degrees = [(f.at(d), e) for f, e in factors]
+        lower.append((d, -1 if any(n < 0 for n, _ in degrees) else sum(n * e for n, e in degrees)))
+    return TrueDegree(k, m, j, tuple((d, n) for d, n in lower if n != k * d - 2 * m + j))
+
+
 def graded(jet: Jet) -> list[Jet]:
     """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel.
 

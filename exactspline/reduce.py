@@ -7,7 +7,7 @@ included; one without a name has coprime integer coefficients, the first one pos
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 from flint import fmpq_mpoly
 from gmpy2 import mpq
 
-from exactspline.covariants import TrueDegree, generic_degree, true_degree
+from exactspline.covariants import TrueDegree, generic_degree, product_of, true_degree
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.factors import Factor, factored, name_of_vector, substitute
 from exactspline.formulas import find
@@ -115,25 +115,39 @@ class Part:
 
     @property
     def true(self) -> TrueDegree | None:
-        """(k, m, j) of the reduced form; None where it is zero or not homogeneous."""
+        """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
+        kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
         try:
-            return true_degree(self.reduced)
+            return product_of([*[(true_degree(jet), e) for jet, e in kept], (true_degree(self.core), 1)])
         except FormulaError:
             return None
 
     @property
     def generic(self) -> Degree:
         """The true degree of the reduced form on the generic curve, by the degree theorem."""
-        return generic_degree(self.reduced) if any(not c.is_zero for c in self.reduced) else Degree.number(-1)
+        return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
+
+    def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
+        if self.is_zero:
+            return Degree.number(-1)
+        total = generic_degree([c for c in self.core if not c.is_zero])
+        for jet, e in powers:
+            for _ in range(e):
+                total = total * generic_degree([jet])
+        return total
 
     @property
     def generic_lowest(self) -> Degree:
         """The true degree of the value in lowest terms on the generic curve: the larger of numerator and denominator."""
-        if self.is_zero:
-            return Degree.number(-1)
-        numerator, denominator = self.lowest
-        parts = [c for c in numerator if not c.is_zero]
-        return generic_degree(parts if denominator.polynomial.total_degree() == 0 and parts else [*parts, denominator])
+        numerator = self._generic((p.jet, p.above - p.below) for p in self.powers)
+        below = [(p.jet, p.below - p.above) for p in self.powers if p.below > p.above]
+        if not below or self.is_zero:
+            return numerator
+        denominator = Degree.number(0)
+        for jet, e in below:
+            for _ in range(e):
+                denominator = denominator * generic_degree([jet])
+        return numerator.max(denominator)
 
     @property
     def is_zero(self) -> bool:
