@@ -24,7 +24,7 @@ from exactspline.readings.series import Series
 from exactspline.zeros import Root, ZeroSet
 
 #: The approaches to critical curvature by the names of the paper, and the forms they solve, in the plane and in space.
-APPROACHES = {"squaring": "squaring", "direct": "direct", "reduced": "paper", "minimal": MINIMAL}
+APPROACHES = {"squaring": "squaring", "direct": "direct", "reduced": "paper", "lifted": "lifted", "minimal": MINIMAL}
 SPACE_APPROACHES = APPROACHES | {"reduced": "reduced"}
 Interval = tuple[mpq, mpq]
 

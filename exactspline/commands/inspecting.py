@@ -13,7 +13,7 @@ from exactspline.commands.common import AsJson, also_in_their_planes, described,
 def inspect(
     curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
     digits: Annotated[int, typer.Option("--digits", min=1, max=100_000, help="Digits of parameters and curvatures.")] = 20,
-    approach: Annotated[str, typer.Option("--approach", help="squaring, direct, reduced, minimal, or all side by side.")] = "minimal",
+    approach: Annotated[str, typer.Option("--approach", help="squaring, direct, reduced, lifted, minimal, or all side by side.")] = "minimal",
     plot: Annotated[str, typer.Option("--plot", help="Draw the curve and the function that was solved into an SVG or PNG file.")] = "",
     certificate: Annotated[
         str, typer.Option("--certificate", help="Write a proof that these are all zeros (JSON; see exactspline.zeros.checker).")
