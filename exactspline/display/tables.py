@@ -116,7 +116,7 @@ def degree_table(curve: Any) -> Grid:
 
     >>> from exactspline.curves import example
     >>> degree_table(example("ellipse"))["control points"][:3]
-    ['52', '16', '4']
+    ['52', '16', '16']
     """
     rows = [call() for call in construction_table(curve)]
     cells = [
@@ -201,7 +201,7 @@ def approaches_table(curve: Any) -> Grid:
 
     >>> from exactspline.curves import example
     >>> approaches_table(example("six_segment_cubic"))["invented"]
-    ['2', '0', '0', '0']
+    ['2', '0', '0', '0', '0']
     """
     rows = [
         (a.name, a.degree, a.control_points, a.roots, a.invented, a.missing, report.decimal_milliseconds(a.seconds))

@@ -6,7 +6,7 @@ n-point contact is orthogonal to X and its first n−1 derivatives, so it is the
 """
 
 from exactspline.formulas.derivatives import D1, D1_squared
-from exactspline.language import cross, formula, generalized_cross, join, norm2, ruled, wronskian
+from exactspline.language import cross, det, formula, generalized_cross, join, norm2, ruled, wronskian
 
 
 @formula("projective lift", symbol="P")
@@ -130,6 +130,13 @@ def rectifying_generator_lifted(c):
     """The direction of ``τT + κB`` without denominators."""
     b = binormal_lifted(c)
     return D1(c) * (torsion_zeros_lifted(c) * D1_squared(c)) + b * (c.w * norm2(b))
+
+
+@formula("definition of a developable", curve="space")
+def rectifying_development(c):
+    """``[D1 G G′]`` for the generator without denominators: zero when the rectifying developable is one."""
+    generator = rectifying_generator_lifted(c)
+    return det(D1(c), generator, generator.d(1))
 
 
 @formula("lifted", curve="space")

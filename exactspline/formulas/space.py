@@ -323,12 +323,6 @@ def development(surface):
 
 
 @formula("definition of a developable", curve="space")
-def rectifying_development(c):
-    """``[γ′ G G′]`` of the reduced generator: zero when the rectifying developable is one."""
-    return development(rectifying_developable_reduced(c))
-
-
-@formula("definition of a developable", curve="space")
 def focal_development(c):
     """``[δ′ B B′]``: zero when the focal surface is developable."""
     return development(focal_surface_reduced(c))
