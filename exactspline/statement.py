@@ -23,6 +23,14 @@ from exactspline.readings.tree import Node, trace
 from exactspline.verdict import UNDECIDED, Finding
 
 NAIVE, REDUCED = "naive", "reduced"
+#: What a claim measures, as LaTeX.
+MEASURES = {
+    "nominal": r"\deg",
+    "true": r"\deg_{\mathrm{true}}",
+    "lowest terms": r"\deg_{\mathrm{lowest\ terms}}",
+    "reduced": r"\deg_{\mathrm{reduced}}",
+    "height": r"\mathrm{height}",
+}
 
 
 @dataclass(frozen=True)
@@ -155,7 +163,7 @@ def latex_of(claim: Claim) -> str:
     if claim.kind == "vanishing":
         return rf"{left} \equiv 0"
     if claim.kind == "degree":
-        degree = r"\deg_{\mathrm{true}}" if claim.measure == "true" else r"\deg"
+        degree = MEASURES[claim.measure]
         relation = r"\ge" if claim.relation == "≥" else "="
         return rf"{degree} {one} {relation} {claimed_latex(claim.claimed)}"
     if claim.kind == "zero set":

@@ -17,12 +17,12 @@ from exactspline.curves import example, example_names
 from exactspline.display import html, latex, short
 from exactspline.display.mathematics import fraction, unicode_latex
 from exactspline.display.pictures import curve_picture, graph_picture
-from exactspline.display.tables import Grid, approaches_table, degree_table, measured, printed_numbers, symbolic_table, verdicts
+from exactspline.display.tables import Grid, approaches_table, degree_table, measured, printed_numbers, reduction_table, symbolic_table, verdicts
 from exactspline.errata import errata
 from exactspline.formulas import all_formulas, find
 from exactspline.interrogate import derive
 from exactspline.measure import control_point_count
-from exactspline.readings.degree import Degree, degree_curve
+from exactspline.readings.degree import Degree, degree_curve, parse
 from exactspline.readings.jet import jet_curve
 from exactspline.statement import latex_of, sides, statements
 from exactspline.verdict import REFUTED
@@ -154,7 +154,7 @@ def test_numbers_degrees_jets_and_vectors_are_latex():
     assert unicode_latex("2·w¹⁶·(‖D1‖²)⁻⁴") == r"2\,w^{16}\,(\|D_1\|^{2})^{-4}"
 
 
-@pytest.mark.parametrize("section", ["T", "C3", "C4", "C5", "C6", "Fig", "E"])
+@pytest.mark.parametrize("section", ["T", "C3", "C4", "C5", "C6", "Fig", "E", "L"])
 def test_every_statement_is_latex_and_its_naive_side_has_the_higher_degree(section):
     for claim in [claim for claim in all_claims() if claim.id.startswith(section)]:
         assert is_latex(latex_of(claim).replace("−", "-").replace("…", "")), claim.statement
@@ -186,12 +186,13 @@ def test_tables_hold_what_was_computed():
     assert measured(curve, "f2")["degree here"] == [str(find("f2")(curve).degree)]
     assert len(measured(curve)) == len(measured(curve)["formula"]) > 20
     assert approaches_table(curve)["roots"] == ["4"] * 4
-    assert all(cell.startswith("$") or cell == "–" for row in symbolic_table(2).rows for cell in row[1:])
+    assert all(parse(cell).names == {"d"} for cell in symbolic_table()["minimal"])
+    assert "w" in reduction_table("g0")["cancelled"][0]
     assert "degree" in repr(table)
 
 
 def test_the_numbers_of_the_paper_are_all_there_and_as_recorded():
-    numbers = [claim for claim in all_claims() if claim.kind in ("degree", "count")]
+    numbers = [claim for claim in all_claims() if claim.kind in ("degree", "count") and not claim.id.startswith("L")]
     table = printed_numbers()
     assert table.as_recorded
     assert table["statement"] == [claim.statement for claim in numbers]

@@ -8,21 +8,20 @@ from typing import Any
 
 from exactspline import report
 from exactspline.audit import audit, proved
-from exactspline.claims import select
-from exactspline.constructions import Construction, constructions_for
+from exactspline.claims import Claim, select
 from exactspline.displayed import Displayed
 from exactspline.formulas import find
 from exactspline.inspection import compare_approaches
 from exactspline.measure import measurable, measure
-from exactspline.readings.degree import degree_curve
-from exactspline.statement import Statement, claimed_latex, statement
-from exactspline.tables import construction_table, minimum
+from exactspline.reduce import reduce
+from exactspline.statement import Statement, statement
+from exactspline.tables import construction_table, generic_table
 from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
-#: The forms of constructions from the most expensive to the cheapest.
-FORMS = ("naive", "squaring", "direct", "paper", "reduced")
+#: How the ids of claims begin that are not the paper's.
+BEYOND = "L"
 #: A remark in a table is cut when it has more characters.
 LONGEST = 160
 
@@ -148,27 +147,33 @@ def measured(curve: Any, *names: str) -> Grid:
     return Grid(["formula", "degree in d", "degree here", "true degree", "control points"], rows, curve.name)
 
 
-def symbolic_table(dimension: int, *, polynomial: bool = False) -> Grid:
-    """The constructions for curves of a dimension in every form, their degrees symbolic in d, and the degree that is left when all is divided out.
+def symbolic_table(*, polynomial: bool = False) -> Grid:
+    """Constructions, generators of ruled surfaces and bisectors on the generic curve of degree d: naive, in the paper, minimal.
 
-    >>> symbolic_table(2)["minimal"][0]
-    '$3d - 6$'
+    The minimal degree is proved by the degree theorem, and attained by certified witnesses at the degrees d in the last column.
+
+    >>> table = symbolic_table()
+    >>> [table[column][0] for column in ("object", "naive", "paper", "minimal")]
+    ['zero curvature', '6d', '3d − 3', '3d − 6']
     """
-    chosen = constructions_for(dimension)
-    forms = sorted(dict.fromkeys(form for c in chosen for form in c.forms), key=lambda form: (form in FORMS) and FORMS.index(form))
-    rows = [[c.title, *[_symbolic(c, form, dimension, polynomial) for form in forms], _minimum(c, dimension, polynomial)] for c in chosen]
-    kind = "polynomial" if polynomial else "rational"
-    return Grid(["construction", *forms, "minimal"], rows, f"{kind} curves of degree d in R{dimension}")
+    rows = [call() for call in generic_table(polynomial=polynomial)]
+    columns = ["object", "naive", "paper", "reduced as far as it goes", "minimal", "attained at d ="]
+    cells = [(r.object, r.naive, r.paper, r.nominal, r.true, ", ".join(map(str, r.attained))) for r in rows]
+    return Grid(columns, cells, f"{'polynomial' if polynomial else 'rational'} curves of degree d")
 
 
-def _symbolic(c: Construction, form: str, dimension: int, polynomial: bool) -> str:
-    if form not in c.forms:
-        return "–"
-    return f"${claimed_latex(str(c.formula(form)(degree_curve(dimension, polynomial=polynomial)).degree))}$"
+def reduction_table(*names: str) -> Grid:
+    """What is found when formulas are factored over the indeterminate curve: what cancels, what is left, and the degrees.
 
-
-def _minimum(c: Construction, dimension: int, polynomial: bool) -> str:
-    return f"${claimed_latex(str(minimum(c.name, dimension, polynomial)))}$"
+    >>> reduction_table("g0")["cancelled"]
+    ['1/2·w⁻⁸']
+    """
+    rows = []
+    for name in names:
+        for part in reduce(find(name)).parts:
+            d = part.data()
+            rows.append((name, d["part"], d["naive"], d["cancelled"], d["reduced"], d["nominal"], d["true"]))
+    return Grid(["formula", "part", "naive", "cancelled", "what is left", "its degree", "true degree"], rows)
 
 
 class Numbers(Grid):
@@ -187,7 +192,12 @@ def printed_numbers(*ids: str) -> Numbers:
     >>> printed_numbers("C4.2d")["computed"]
     ['6d − 6', '24d']
     """
-    return Numbers(statement(claim) for claim in select(ids) if claim.kind in ("degree", "count"))
+    return Numbers(map(statement, numerical_claims(*ids)))
+
+
+def numerical_claims(*ids: str) -> list[Claim]:
+    """The claims with a degree or a count: those with these ids, or all of the paper (not those that go beyond it)."""
+    return [claim for claim in select(ids) if claim.kind in ("degree", "count") and (ids or not claim.id.startswith(BEYOND))]
 
 
 def _printed(s: Statement) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from gmpy2 import iroot, mpq
 
-from exactspline.constructions import MINIMAL, construction
+from exactspline.constructions import construction
 from exactspline.measure import control_point_count
 from exactspline.nurbs import Nurbs
 from exactspline.plot.canvas import BLACK, BLUE, GREEN, MARKS, PURPLE, VERMILLION, axes_for, draw, legend_below, new_figure, shown_name
@@ -69,7 +69,7 @@ def plot_approaches(curve: Nurbs, ax: Any = None, *, name: str = "critical_curva
     made = construction(name)
     ax = axes_for(ax)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
-    for i, form in enumerate(forms or (*made.forms, MINIMAL)):
+    for i, form in enumerate(forms or made.all_forms):
         f = made.on(curve, form)
         color, dashes = LINES[i % len(LINES)]
         label = f"{form}: degree {f.degree}, {control_point_count(f)} control points"
