@@ -206,18 +206,6 @@ def circle_contact_3(c):
     return dot(osculating_circle_centre(c) - c.gamma, binormal(c))
 
 
-@formula("eq. (19), derivative by the parameter", curve="space")
-def focal_binormal_squared_by_parameter(c):
-    """``‖γ′‖² (Ψ·(γ′ × γ″))² / τ²``: the squared component of (1/τ)(1/κ)′B along γ′ × γ″, with ``(1/κ)′B = ‖γ′‖ Ψ``."""
-    return speed_squared(c) * focal_binormal_squared_by_arc_length(c)
-
-
-@formula("eq. (19), derivative by arc length", curve="space")
-def focal_binormal_squared_by_arc_length(c):
-    """``(Ψ·(γ′ × γ″))² / τ²``: the same with the derivative by arc length; ‖γ′ × γ″‖² is in the denominator of Ψ as in that of τ."""
-    return (psi_numerator(c) / velocity_acceleration_jerk(c)) ** 2
-
-
 @formula("§5.5, by definition", curve="space")
 def focal_offset(c):
     """``F − γ``: the solution of the three equations by Cramer's rule."""
@@ -246,9 +234,27 @@ def focal_curve_reduced(c):
 
 
 @formula("definition of the focal curve", curve="space")
-def focal_binormal_squared(c):
-    """``((F − γ)·(γ′ × γ″))²``."""
-    return dot(focal_offset(c), binormal(c)) ** 2
+def focal_binormal(c):
+    """``(F − γ)·(γ′ × γ″)``."""
+    return dot(focal_offset(c), binormal(c))
+
+
+@formula("eq. (19), derivative by arc length", curve="space")
+def focal_binormal_by_arc_length(c):
+    """``Ψ·(γ′ × γ″)/τ``: the component of (1/τ)(1/κ)′B along γ′ × γ″; ‖γ′ × γ″‖² is in the denominator of Ψ as in that of τ."""
+    return psi_numerator(c) / velocity_acceleration_jerk(c)
+
+
+@formula("eq. (19), derivative by arc length", curve="space")
+def focal_binormal_ratio_squared(c):
+    """The square of this component over that of the centre of the osculating sphere."""
+    return (focal_binormal_by_arc_length(c) / focal_binormal(c)) ** 2
+
+
+@formula("eq. (19), derivative by the parameter", curve="space")
+def focal_binormal_ratio_squared_by_parameter(c):
+    """The same with the derivative by the parameter, ``(1/κ)′B = ‖γ′‖ Ψ``; squared, so that it is rational."""
+    return speed_squared(c) * focal_binormal_ratio_squared(c)
 
 
 @formula("definition of the focal curve", curve="space")
