@@ -79,14 +79,15 @@ def curve_bisector(first: Any, second: Any, form: str = "minimal") -> CurveBisec
     determinant = find("bisector_determinant_symmetric")(pair)
     missing: list[tuple[Any, str]] = []
     found: list[Any] = []
-    parallel = cross(find("D1")(pair.first), find("D1")(pair.second))
+    d1, other = find("D1")(pair.first), find("D1")(pair.second)
+    parallel = cross(d1, other)
     sides = [list(pairwise(mesh.breaks)) for mesh in determinant.meshes]
     for at, rectangle in enumerate(product(*sides)):
         if determinant.polynomials[at]:
             found.append(rectangle)
         else:
-            is_parallel = not any(x.polynomials[at] for x in parallel)
-            missing.append((rectangle, PARALLEL if is_parallel else COPLANAR))
+            still = any(_is_zero_on(v, at) for v in (d1, other))
+            missing.append((rectangle, STILL if still else PARALLEL if _is_zero_on(parallel, at) else COPLANAR))
     if not found:
         raise ShapeError(f"the two curves have no bisector surface: {missing[0][1]}", remedy="choose curves that are not in one plane")
     patches: list[Any] = [(pair.first.w.domain, pair)] if not missing else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in found]
@@ -95,8 +96,14 @@ def curve_bisector(first: Any, second: Any, form: str = "minimal") -> CurveBisec
     return CurveBisector(form, tuple(BisectorPatch(r, in_lowest_terms(v) if form == "minimal" else v) for r, v in values), tuple(missing))
 
 
+STILL = "the curve stands still here, and has no normals"
 PARALLEL = "the tangents are parallel everywhere, so are the normal planes"
 COPLANAR = "the curves lie in one plane, and all three planes of the system are perpendicular to it"
+
+
+def _is_zero_on(v: Vector, at: int) -> bool:
+    """Whether a vector of splines vanishes on all of the segment or patch with this number."""
+    return not any(x.polynomials[at] for x in v)
 
 
 @dataclass(frozen=True)
@@ -114,8 +121,8 @@ class RuledPiece:
 class PointBisector:
     """The ruled bisector surface of a point and a space curve.
 
-    ``singular`` are the parameters at which the generator vanishes (the tangent passes through the point, or the curve does, or γ′ = 0), ``missing``
-    the intervals on which it vanishes throughout, each with the reason.
+    ``singular`` are the parameters at which the generator vanishes (the tangent passes through the point, or the curve does, or γ′ = 0), at a knot
+    from one side at least; ``missing`` the intervals on which it vanishes throughout, each with the reason.
     """
 
     form: str
@@ -144,22 +151,27 @@ def point_bisector(curve: Any, point: Any, form: str = "direct") -> PointBisecto
     if form not in (*POINT_FORMS, "direct"):
         raise FormulaError(f"no form is called {form!r}", remedy=f"there are {', '.join(POINT_FORMS)}, direct")
     c = with_point(curve, exact_point(curve, point, 3))
-    generator = find("point_bisector_generator_polynomial")(c)
+    generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
     missing, good = [], []
     for i, (a, b) in enumerate(pairwise(curve.w.breakpoints)):
-        if any(x.polynomials[i] for x in generator):
-            good.append((a, b))
+        if _is_zero_on(generator, i):
+            missing.append(((a, b), STILL if _is_zero_on(d1, i) else THROUGH))
         else:
-            missing.append(((a, b), THROUGH))
+            good.append((a, b))
     if not good:
-        raise ShapeError("there is no bisector surface: " + THROUGH, remedy="choose another point")
-    singular = tuple(root for root in zeros(common_factor(generator)) if not _at_missing(root, missing))
+        raise ShapeError("there is no bisector surface: " + missing[0][1], remedy="choose another point, or another curve")
     parts = [found for a, b in good for found in (_cover(generator, a, b) if form == "direct" else [(a, b, -1)])]
     pieces = [
         RuledPiece((a, b), AXES[k] if k >= 0 else "", find(f"point_bisector_direct_{AXES[k]}" if k >= 0 else POINT_FORMS[form])(_cut(c, a, b)))
         for a, b, k in _merged(parts)
     ]
-    return PointBisector(form, tuple(pieces), singular, tuple(missing))
+    return PointBisector(form, tuple(pieces), _singular(generator, good), tuple(missing))
+
+
+def _singular(generator: Vector, segments: list[Interval]) -> tuple[Root, ...]:
+    """Where the generator vanishes on some of the segments, at a knot also from one side only: there the surface of that side has a pole."""
+    roots = [root for a, b in segments for root in zeros(common_factor(Vector(*[x.restrict(a, b) for x in generator])))]
+    return tuple(root for i, root in enumerate(roots) if i == 0 or roots[i - 1] != root)
 
 
 def _merged(parts: list[tuple[mpq, mpq, int]]) -> list[tuple[mpq, mpq, int]]:
@@ -186,10 +198,6 @@ def exact_point(curve: Any, point: Any, dimension: int) -> tuple[mpq, ...]:
 def _cut(c: Curve, a: mpq, b: mpq) -> Curve:
     """The curve and the point over a part of the domain."""
     return c.mapped(lambda f: f.restrict(a, b))
-
-
-def _at_missing(root: Root, missing: list[tuple[Interval, str]]) -> bool:
-    return root.exact is not None and any(root.exact in interval for interval, _ in missing)
 
 
 def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:

@@ -117,6 +117,39 @@ def test_a_point_on_the_curve_is_a_singular_parameter():
     assert [root.exact for root in found.singular] == [0]
 
 
+def two_parabolas(*points):
+    return Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], points)
+
+
+AHEAD, ASIDE = (2, 0, 0), (1, 2, 0)
+
+
+@pytest.mark.parametrize(
+    ("curve", "singular"),
+    [
+        (two_parabolas((0, 0, 0), (1, 0, 0), AHEAD, (3, 0, 0), (4, 1, 1)), [1]),
+        (two_parabolas((0, 0, 0), (1, 0, 0), AHEAD, (3, 1, 0), (4, 1, 1)), []),
+        (two_parabolas((0, 1, 1), (1, 0, 0), AHEAD, (3, 1, 0), (4, 1, 1)), [1]),
+        (two_parabolas((0, 1, 1), ASIDE, ASIDE, (3, 1, 0), (4, 1, 1)), [1]),
+    ],
+    ids=["after a missing piece", "missing piece, then a corner", "corner with one tangent through the point", "stop before a corner"],
+)
+def test_a_parameter_may_be_singular_from_one_side(curve, singular):
+    """The generator vanishes at the knot from one side only; the surface has a pole there, from that side."""
+    found = point_bisector(curve, (-1, 0, 0))
+    assert [root.exact for root in found.singular] == singular
+    denominators = [piece.surface.directrix.denominator for piece in found.pieces]
+    assert sorted({t for w in denominators for t in w.breakpoints if 0 in (w(t, "left"), w(t, "right"))}) == singular
+
+
+def test_a_curve_that_stands_still_has_no_normals():
+    standing = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 2, 3)])
+    assert [(interval, "stands still" in reason) for interval, reason in point_bisector(standing, (-1, 5, 0)).missing] == [((1, 2), True)]
+    assert all("stands still" in reason for _, reason in curve_bisector(standing, example("twisted_cubic")).missing)
+    with pytest.raises(ShapeError, match="stands still"):
+        point_bisector(Nurbs(1, [0, 0, 1, 1], [(1, 0, 0), (1, 0, 0)]), (-1, 5, 0))
+
+
 def test_a_line_through_the_point_has_no_bisector_surface():
     with pytest.raises(ShapeError, match="passes through the point"):
         point_bisector(example("space_line"), example("space_line")(0))
@@ -180,7 +213,7 @@ def test_bad_input_is_refused():
 def test_random_curves_and_points(curve, point):
     generator = find("point_bisector_generator_polynomial")(with_point(curve, tuple(map(mpq, point))))
     if generator.is_zero:
-        with pytest.raises(ShapeError, match="passes through the point"):
+        with pytest.raises(ShapeError, match="passes through the point|stands still"):
             point_bisector(curve, point)
         return
     found = point_bisector(curve, point)
