@@ -12,13 +12,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
+from math import lcm
 from typing import Any
 
 from flint import fmpz_mpoly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import patch
-from exactspline.bisectors import exact_point
+from exactspline.bisectors import STILL, THROUGH, exact_point
 from exactspline.companions import with_point
 from exactspline.errors import ShapeError
 from exactspline.exact import rational, text
@@ -32,6 +33,8 @@ from exactspline.quotients import Rational
 from exactspline.spline import BSpline
 from exactspline.surface_lowest import CONTEXT, as_mpoly
 from exactspline.zeros import Root, between, zeros
+
+AROUND = "the curve is an arc here of a circle through the point, and all its normals meet in the centre"
 
 #: An exact parameter: rational, or a certified root.
 Parameter = Any
@@ -53,7 +56,7 @@ class TrimmedPiece:
     foot: mpq | None = None
 
     def __call__(self, t: Any) -> tuple[mpq, ...]:
-        """The point at a parameter of the piece; `ShapeError` outside it."""
+        """The point at a parameter of the piece; `ShapeError` outside it, `ZeroDivisionError` at an end that is infinite."""
         t = rational(t)
         if not self.low <= t <= self.high:
             raise ShapeError(f"{text(t)} is outside this piece", remedy="stay between low and high")
@@ -94,8 +97,8 @@ def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
     pieces, missing = [], []
     for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
         arc = _arc(c, i)
-        if arc is None:
-            missing.append(f"[{text(a)}, {text(b)}]: the curve is straight here and its line passes through the point")
+        if isinstance(arc, str):
+            missing.append(f"[{text(a)}, {text(b)}]: {arc}")
             continue
         forms, value = arc
         moved = Rational(value.numerator + Vector(*[value.denominator * x for x in q]), value.denominator)
@@ -110,9 +113,7 @@ def _around(curve: Any, q: tuple[mpq, ...]) -> Curve:
     """The curve with Q moved to the origin and w positive."""
     sign = 1 if curve.w(curve.domain[0]) > 0 else -1
     p = Vector(*[(x - curve.w * y).scaled(sign) for x, y in zip(curve.p, q, strict=True)])
-    moved = with_point(Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial), (0, 0))
-    moved.domain = curve.domain  # type: ignore[attr-defined]
-    return moved
+    return with_point(Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial), (0, 0))
 
 
 def _refuse_point_on(c: Curve) -> None:
@@ -123,14 +124,19 @@ def _refuse_point_on(c: Curve) -> None:
         raise ShapeError(f"the point lies on the curve, at {where}", remedy="the bisector is a part of the curve's normal there")
 
 
-def _arc(c: Curve, i: int) -> tuple[tuple[list[fmpz_poly], int], Rational] | None:
-    """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the quotient."""
+def _arc(c: Curve, i: int) -> tuple[tuple[list[fmpz_poly], int], Rational] | str:
+    """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the quotient.
+
+    The reason instead where there is none, or but a point: where that is on the true bisector, pieces beside it end there.
+    """
     a, b = c.w.breakpoints[i : i + 2]
     part = c.mapped(lambda f: f.restrict(a, b))
     bisector = find("plane_bisector_polynomial")(part)
     if bisector.denominator.is_zero:
-        return None
+        return STILL if find("D1")(part).is_zero else THROUGH
     (forms, n) = lowest_terms(bisector)[0]
+    if n == 0:
+        return AROUND
     x, y, below = [BSpline.from_forms(n, Mesh([a, b]), (), [(form, ONE)]) for form in forms]
     return (forms, n), Rational(Vector(x, y), below)
 
@@ -145,19 +151,23 @@ class _Conditions:
         for forms in zip(square.forms, *[x.raised_to(square).forms for x in twice], strict=True):
             common = ONE
             for _, m in forms:
-                common = common * (m // common.gcd(m))
+                common = common.lcm(m)
             self.rows.append([form * (common // m) for form, m in forms])
 
     def kept(self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq]) -> list[tuple[Parameter, Parameter]]:
         """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals, split where B is infinite."""
         x, y, e = forms
         found: list[tuple[Parameter, Parameter]] = [segment]
+        stride = patch.stride_for(n)
         for square, cx, cy in self.rows:
-            stride = patch.stride_for(n)
             family = e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride)
+            if _of_one_sign(e, family):
+                continue
             rows = patch.rows(family, stride, self.degree)
             candidates, holds = _candidates(as_mpoly(family, stride), segment), partial(self._holds, rows, e, n, segment)
             found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
+            if not found:
+                break
         return found
 
     def _holds(self, rows: list[fmpz_poly], e: fmpz_poly, n: int, segment: tuple[mpq, mpq], t: mpq) -> bool:
@@ -172,6 +182,11 @@ class _Conditions:
 
         member = fmpz_poly([at(row) for row in rows])
         return is_nonnegative(member if at(e) > 0 else -member, self.degree)
+
+
+def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
+    """Whether the coefficients alone show that the family is non-negative over e everywhere, and e without an inner zero."""
+    return any(all(x * sign >= 0 for f in (e, family) for x in f.coeffs()) for sign in (1, -1))
 
 
 def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
@@ -212,11 +227,10 @@ def _in_z(p: fmpz_mpoly) -> fmpz_poly:
 
 
 def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """The inner roots of a polynomial in the local z of a segment."""
-    if c.degree() < 1:
-        return []
-    f = BSpline.from_forms(c.degree(), Mesh(list(segment)), (), [(c, ONE)])
-    return [root for root in zeros(f) if not root.at_knot]
+    """The inner roots of a polynomial in the local z of a segment: of its square-free factors one by one, for discriminants have many of them."""
+    mesh = Mesh(list(segment))
+    factors = [p for p, _ in c.factor_squarefree()[1] if p.degree() > 0] if c else []
+    return [root for p in factors for root in zeros(BSpline.from_forms(p.degree(), mesh, (), [(p, ONE)])) if not root.at_knot]
 
 
 def _cells(candidates: list[Root], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]) -> list[tuple[Parameter, Parameter]]:
@@ -252,7 +266,7 @@ def _intersection(one: list[tuple[Parameter, Parameter]], other: list[tuple[Para
 
 
 def _corners(curve: Any, missing: list[str]) -> list[tuple[str, mpq]]:
-    """The ends of an open curve, its corners and its singular points, by their parameters; irrational ones are named as missing."""
+    """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational ones are named as missing."""
     (a, b), d1 = curve.domain, find("D1")(curve)
     found = [] if curve.closed else [("end point", a), ("end point", b)]
     knots = [*([a] if curve.closed else []), *curve.breakpoints[1:-1]]
@@ -263,7 +277,10 @@ def _corners(curve: Any, missing: list[str]) -> list[tuple[str, mpq]]:
             missing.append(f"the line that belongs to the singular point at {feature.root!r}: its coordinates are irrational")
         elif feature.kind != "singular end":
             found.append(("corner", feature.root.exact))
-    return found
+    points: dict[Any, tuple[str, mpq]] = {}
+    for kind, t in found:
+        points.setdefault(curve(t), (kind, t))
+    return list(points.values())
 
 
 def _line_pieces(conditions: _Conditions, c: Curve, q: tuple[mpq, ...], kind: str, t: mpq) -> list[TrimmedPiece]:
@@ -274,7 +291,7 @@ def _line_pieces(conditions: _Conditions, c: Curve, q: tuple[mpq, ...], kind: st
     mesh, kept, halves = Mesh([mpq(-1), mpq(0), mpq(1)]), [], []
     for side, segment in ((-1, (mpq(-1), mpq(0))), (1, (mpq(0), mpq(1)))):
         ends = [(m, side * x) if side > 0 else (side * x, m) for m, x in zip(middle, across, strict=True)]
-        scale = _common_denominator([x for end in ends for x in end])
+        scale = lcm(*[int(x.denominator) for end in ends for x in end])
         forms = [fmpz_poly([int(x * scale) for x in end]) for end in ends]
         below = fmpz_poly([scale, 0] if side > 0 else [0, scale])
         halves.append([*forms, below])
@@ -288,12 +305,6 @@ def _line_pieces(conditions: _Conditions, c: Curve, q: tuple[mpq, ...], kind: st
         else:
             merged.append((low, high))
     return [TrimmedPiece(kind, low, high, value, t) for low, high in merged]
-
-
-def _common_denominator(values: list[mpq]) -> int:
-    from math import lcm
-
-    return lcm(*[int(x.denominator) for x in values])
 
 
 def _same_scale(halves: list[list[fmpz_poly]]) -> list[list[fmpz_poly]]:

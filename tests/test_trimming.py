@@ -215,3 +215,41 @@ def test_an_irrational_singular_point_is_named():
     points = list(zip(x.elevate_degree(n - x.degree).control_points, y.elevate_degree(n - y.degree).control_points, strict=True))
     curve = Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
     assert any("irrational" in reason for reason in trimmed_bisector(curve, (-3, 0)).missing)
+
+
+def test_where_the_curve_stands_still_its_point_has_one_line():
+    """The same pieces as without the stretch, and the reason for what is missing."""
+    standing = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 1), (1, 1), (3, 0)])
+    going = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 1), (3, 0)])
+    one, other = trimmed_bisector(standing, (1, 4)), trimmed_bisector(going, (1, 4))
+    assert [piece.kind for piece in one.pieces] == [piece.kind for piece in other.pieces] == ["arc", "arc", "end point", "end point", "corner"]
+    assert len(one.missing) == 1
+    assert "stands still" in one.missing[0]
+    at_start = trimmed_bisector(Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (0, 0), (3, 0)]), (1, 4))
+    assert [piece.foot for piece in at_start.pieces if piece.foot is not None] == [0, 2]
+
+
+def test_corners_at_one_point_have_one_line():
+    """Two triangles that share a vertex: the curve passes it twice, at its seam and half way."""
+    curve = Nurbs(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [(0, 0), (-2, 1), (-1, 2), (0, 0), (1, 2), (2, 1), (0, 0)])
+    assert [piece.foot for piece in trimmed_bisector(curve, (0, -1)).pieces if piece.foot is not None].count(0) == 1
+    assert [piece.foot for piece in trimmed_bisector(curve, (0, -1)).pieces].count(3) == 0
+
+
+def test_an_arc_of_a_circle_through_the_point_has_no_arc():
+    """All normals meet in the centre: what is left are the lines of the two ends, which meet there."""
+    quarter = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, 1, 2])
+    result = trimmed_bisector(quarter, (0, -1))
+    assert [(piece.kind, piece.foot) for piece in result.pieces] == [("end point", 0), ("end point", 1)]
+    assert "circle through the point" in result.missing[0]
+    for piece in result.pieces:
+        assert [piece(inner(end, end, 0)) for end in (piece.low, piece.high) if end not in (-1, 1)] == [(0, 0)]
+
+
+def test_the_infinite_end_of_a_piece_is_a_pole():
+    end = next(piece for piece in trimmed_bisector(LINE, (0, 2)).pieces if piece.kind == "end point")
+    infinite = next(t for t in (end.low, end.high) if t in (-1, 1))
+    with pytest.raises(ZeroDivisionError):
+        end(infinite)
+    with pytest.raises(ShapeError, match="outside"):
+        end(2 * infinite)
