@@ -109,6 +109,20 @@ def test_degrees_of_figures_4_and_5():
         assert {piece.surface.degree for piece in point_bisector(example(name), (1, 1, 2), "explicit").pieces} == {17}
 
 
+def test_the_planar_bisector_is_an_iso_curve_of_the_direct_form_in_planes_of_constant_height_only():
+    """In the plane z = x the direct surface meets the plane of curve and point at a height that changes; the explicit directrix stays in it."""
+    curve, point = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1, -1), (0, -1, 0), (1, 1, 1)]), (0, 3, 0)
+    explicit = point_bisector(curve, point, "explicit").pieces[0].surface.directrix
+    direct = point_bisector(curve, point).pieces[0].surface
+    heights = []
+    for s in ("1/4", "1/3"):
+        x, _, z = explicit(s)
+        assert x == z
+        low, slope_up = ((b[2] - b[0]) for b in (direct.directrix(s), direct.generator(s)))
+        heights.append(-low / slope_up)
+    assert heights[0] != heights[1]
+
+
 # ---- degenerate input
 
 
@@ -213,7 +227,7 @@ def test_bad_input_is_refused():
 def test_random_curves_and_points(curve, point):
     generator = find("point_bisector_generator_polynomial")(with_point(curve, tuple(map(mpq, point))))
     if generator.is_zero:
-        with pytest.raises(ShapeError, match="passes through the point|stands still"):
+        with pytest.raises(ShapeError, match=r"passes through the point|stands still"):
             point_bisector(curve, point)
         return
     found = point_bisector(curve, point)

@@ -9,7 +9,7 @@ from exactspline import Nurbs, Vector
 from exactspline.companions import companion_point, pair_with, turned_copy, with_point
 from exactspline.factors import substitute
 from exactspline.formulas import all_formulas, find
-from exactspline.language import DIMENSIONS, Curve, Pair, RuledSurface, assemble, operands
+from exactspline.language import DIMENSIONS, Curve, Pair, RuledSurface, assemble, cross, dot, norm2, operands, ruled
 from exactspline.printers.latex import print_latex
 from exactspline.printers.text import print_text
 from exactspline.quotients import Rational
@@ -158,6 +158,20 @@ def test_a_bisector_point_by_hand():
         x, y, z = surface(s, t)
         assert (x, y) == (mpq(Fraction(s)), mpq(Fraction(t)))
         assert y * y + z * z == x * x + (z - 1) ** 2
+
+
+def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
+    """Cramer's rule for (31): the terms of the first and the last row are over one denominator; the claims add row by row."""
+    c = degree_argument("point", 3)
+    generator, offset, velocity = find("point_bisector_generator")(c), c.gamma - c.point, c.gamma.d(1)
+    first = cross(generator, offset) * find("normal_height")(c)
+    second = cross(offset, velocity) * dot(c.point, generator)
+    third = cross(velocity, generator) * ((norm2(c.gamma) - norm2(c.point)) / 2)
+    below = find("point_bisector_determinant")(c)
+    assert ((first + second + third) / below).degree == find("point_bisector_directrix")(c).degree == parse("26d")
+    shared_first = (first + third + second) / below
+    assert shared_first.degree == parse("19d")
+    assert ruled(shared_first, generator).degree == parse("22d")
 
 
 def test_a_point_and_a_line_give_a_parabolic_cylinder():
