@@ -54,11 +54,11 @@ def in_lowest_terms(value: Rational) -> Rational:
         common = ONE
         for m in denominators:
             common = common * (m // common.gcd(m))
-        lowest.append(_lowest([as_mpoly(c * (common // m), stride) for c, m in zip(polynomials, denominators, strict=True)], w.degree))
+        lowest.append(_lowest([as_mpoly(c * (common // m), stride) for c, m in zip(polynomials, denominators, strict=True)]))
     return _joined(value, w, lowest)
 
 
-def _lowest(forms: list[fmpz_mpoly], degree: Degrees) -> tuple[list[fmpz_mpoly], Degrees]:
+def _lowest(forms: list[fmpz_mpoly]) -> tuple[list[fmpz_mpoly], Degrees]:
     """The forms without their common factor, and the degree that is left: factors u and ū are degrees that no form reaches."""
     common = forms[0]
     for form in forms[1:]:

@@ -59,6 +59,7 @@ def test_a_point_and_a_plane_curve_is_trimmed():
         ("circle", "--point", "5,5", "--form", "naive"),
         ("no_such_curve", "--point", "1,2"),
         ("space_line", "space_line"),
+        ("helix_like", "twisted_cubic", "--point", "0,0,0"),
     ],
 )
 def test_bad_input_ends_in_one_line_and_status_2(arguments):
@@ -67,6 +68,14 @@ def test_bad_input_ends_in_one_line_and_status_2(arguments):
     assert done.stdout == ""
     assert done.stderr.count("\n") == 1
     assert "Traceback" not in done.stderr
+
+
+def test_gaps_are_told_with_their_place(tmp_path):
+    file = tmp_path / "stands.json"
+    points = [["0", "0", "0"], ["1", "0", "0"], ["1", "0", "0"], ["1", "2", "3"]]
+    file.write_text(json.dumps({"degree": 1, "knots": ["0", "0", "1", "2", "3", "3"], "control_points": points}))
+    assert "missing: [1, 2]: the curve stands still" in run("bisector", file, "--point=-1,5,0").stdout
+    assert "missing: [1, 2] × [0, 1]: the curve stands still" in run("bisector", file, "twisted_cubic").stdout
 
 
 def test_a_derived_net_can_be_read_back():

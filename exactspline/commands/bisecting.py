@@ -13,14 +13,19 @@ def bisector(
     curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
     other: Annotated[str, typer.Argument(help="A second curve in space; or give a point.")] = "",
     point: Annotated[str, typer.Option("--point", help='A point, "1,1/2" or "0,0,2".')] = "",
-    form: Annotated[str, typer.Option("--form", help="Curves: naive, levelled, paper, symmetric, minimal. Point: naive, explicit, direct.")] = "",
+    form: Annotated[
+        str, typer.Option("--form", help="Two curves: naive, levelled, paper, symmetric, minimal. Point and space curve: naive, explicit, direct.")
+    ] = "",
     digits: Annotated[int, typer.Option("--digits", min=1, max=100_000, help="Digits of the ends of trimmed pieces.")] = 20,
     output: Annotated[str, typer.Option("--output", "-o", help="Write the pieces as exact control points (JSON).")] = "",
     as_json: AsJson = False,
 ) -> None:
     """Bisector of two space curves, of a point and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve."""
     from exactspline.curves import load, write_json
+    from exactspline.errors import ShapeError
 
+    if other and point:
+        raise ShapeError("both a second curve and a point", where="bisector", remedy="name a second curve, or give --point")
     c = load(curve)
     data, rows, title = _of_two(c, load(other), form) if other else _of_point(c, _coordinates(point), form, digits)
     if output:
@@ -101,4 +106,9 @@ def _print(c: Any, rows: list[tuple[str, ...]], title: str, missing: list[Any]) 
         made.add_row(*row)
     out.print(made)
     for gap in missing:
-        out.print(f"missing: {gap if isinstance(gap, str) else gap['reason']}", markup=False)
+        out.print(f"missing: {gap if isinstance(gap, str) else _where(gap) + ': ' + gap['reason']}", markup=False)
+
+
+def _where(gap: dict[str, Any]) -> str:
+    """The interval or the rectangle of a gap."""
+    return " × ".join(f"[{a}, {b}]" for a, b in gap.get("sides", [gap.get("interval")]))
