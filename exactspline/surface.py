@@ -200,6 +200,8 @@ class TensorSpline(Operand):
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
         (mpq(3,1), True)
         """
+        if i > self.degree.s or j > self.degree.t:
+            return self.constant(0)
         return self.along(0, lambda f: f.d(i)).along(1, lambda f: f.d(j))
 
     def raised_to(self, other: TensorSpline) -> TensorSpline:
