@@ -128,6 +128,10 @@ class Vector(Displayed):
         """A component, or the vector of those that a slice takes."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
+    def __call__(self, *place: Any, **side: str) -> tuple[Any, ...]:
+        """The values of components that are functions, at a parameter (or at two)."""
+        return tuple(a(*place, **side) for a in self.components)
+
     def __repr__(self) -> str:
         return f"Vector({', '.join(map(repr, self.components))})"
 

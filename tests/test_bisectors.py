@@ -103,6 +103,13 @@ def test_explicit_and_direct_form_are_one_surface(name):
             assert [offset[i] * g[j] - offset[j] * g[i] for i, j in ((0, 1), (1, 2), (2, 0))] == [0, 0, 0]
 
 
+def test_a_generator_is_evaluated_whether_it_is_a_quotient_or_not():
+    """On a polynomial curve the generator of the explicit form is a vector of splines."""
+    surface = point_bisector(example("twisted_cubic"), (1, 2, 3), "explicit").pieces[0].surface
+    line = [b - a for a, b in zip(surface.at(0)("1/3"), surface.at(1)("1/3"), strict=True)]
+    assert list(surface.generator("1/3")) == line
+
+
 def test_degrees_of_figures_4_and_5():
     for name in ("helix_like", "ellipse_in_space"):
         assert {piece.surface.degree for piece in point_bisector(example(name), (1, 1, 2)).pieces} == {7}
