@@ -73,7 +73,12 @@ def common_denominators(p: list[fmpz_poly], k: list[fmpz], q: list[fmpz_poly], m
     """Two lists of polynomials, over the denominators k and m, brought to common ones."""
     shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
     denominators = [x * y for x, y in zip(shared, m, strict=True)]
-    return ([c * (d // x) for c, d, x in zip(p, denominators, k, strict=True)], [c * x for c, x in zip(q, shared, strict=True)], denominators)
+    lifts = [d // x for d, x in zip(denominators, k, strict=True)]
+    return _times(p, lifts), _times(q, shared), denominators
+
+
+def _times(polynomials: list[fmpz_poly], factors: list[fmpz]) -> list[fmpz_poly]:
+    return [c if x == 1 else c * x for c, x in zip(polynomials, factors, strict=True)]
 
 
 def value(form: Form, n: int, t: mpq) -> mpq:

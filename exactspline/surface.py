@@ -7,7 +7,6 @@ only is kept as the `BSpline` it is, so that nothing is computed once a patch th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from itertools import product
 from operator import add as plus
 from operator import mul as times
 from operator import sub as minus
@@ -16,14 +15,16 @@ from typing import Any
 from flint import fmpz, fmpz_poly
 from gmpy2 import lcm, mpq
 
-from exactspline import bezier_points, patch, refinement, structure
-from exactspline.errors import FormulaError, ShapeError
+from exactspline import patch, refinement, structure
+from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import rational, text, to_fmpz
 from exactspline.form import common_denominators, primitive, raiser
-from exactspline.knots import SMOOTH, KnotVector, Mesh, clamped
+from exactspline.knots import KnotVector, Mesh, clamped
 from exactspline.language import CONSTANTS, Curve, Operand, Pair
 from exactspline.spline import BSpline
 from exactspline.surface_lines import Degrees, joined, lines
+from exactspline.surface_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
+from exactspline.surface_profile import Profile, changed_one, one_parameter, packed_segments, replaced, smooth, spread
 
 
 class TensorSpline(Operand):
@@ -38,64 +39,61 @@ class TensorSpline(Operand):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
 
-    __slots__ = ("_packed", "_points", "continuity", "degree", "denominators", "meshes", "profile", "recipe")
+    __slots__ = ("_denominators", "_packed", "_points", "continuity", "degree", "meshes", "profile", "recipe", "stride")
 
     degree: Degrees
     #: The breakpoints in each direction, and the continuity at the interior ones.
     meshes: tuple[Mesh, Mesh]
     continuity: tuple[tuple[int, ...], tuple[int, ...]]
-    #: Denominators patch by patch, t running faster.
-    denominators: list[fmpz]
     #: Where it depends on one parameter only: which (0 for s), and the spline.
-    profile: tuple[int, BSpline] | None
+    profile: Profile | None
     recipe: structure.Recipe
-    #: The packed polynomials by stride (see `exactspline.patch`).
+    #: The stride of `polynomials` (see `exactspline.patch`); results keep it while it has room, since packing anew costs more than a product.
+    stride: int
+    #: The packed polynomials by stride, and the denominators; what depends on one parameter only has them when they are asked for.
     _packed: dict[int, list[fmpz_poly]]
+    _denominators: list[fmpz] | None
     _points: tuple[tuple[mpq, ...], ...] | None
 
     def __init__(self, degrees: tuple[int, int], knots_s: Iterable[Any], knots_t: Iterable[Any], control_points: Iterable[Iterable[Any]]) -> None:
-        m, n = degrees
-        net, vector_t = [list(row) for row in control_points], KnotVector(knots_t)
-        if not net:
-            raise ShapeError("no control points", where="control_points", remedy="give a net of them")
-        along_t = [BSpline(n, vector_t, row) for row in net]
-        vector_s = KnotVector(knots_s)
-        along_s = [BSpline(m, vector_s, column) for column in zip(*[[x for part in row.segments for x in part] for row in along_t], strict=True)]
-        meshes, stride = (along_s[0].mesh, along_t[0].mesh), patch.stride_for(m)
-        nets = [
-            [list(row) for row in zip(*[along_s[j * (n + 1) + k].segments[i] for k in range(n + 1)], strict=True)]
-            for i, j in product(range(len(meshes[0])), range(len(meshes[1])))
-        ]
-        forms = [patch.from_net(net, stride) for net in nets]
-        self._fill(Degrees(m, n), meshes, (along_s[0].continuity, along_t[0].continuity), structure.leaf())
-        self._packed, self.denominators = {stride: [c for c, _ in forms]}, [d for _, d in forms]
-
-    def _fill(self, degree: Degrees, meshes: tuple[Mesh, Mesh], continuity: tuple[tuple[int, ...], tuple[int, ...]], recipe: Any) -> None:
-        self.degree, self.meshes, self.continuity, self.recipe = degree, meshes, continuity, recipe
-        self.profile, self._points = None, None
+        degree = checked_degrees(degrees)
+        vectors = checked_knots(knots_s, degree.s, "knots_s"), checked_knots(knots_t, degree.t, "knots_t")
+        rows, columns = (len(vector) - n - 1 for vector, n in zip(vectors, degree, strict=True))
+        along_t = [BSpline(degree.t, vectors[1], row) for row in checked_net(control_points, rows, columns)]
+        bezier = zip(*[[x for part in row.segments for x in part] for row in along_t], strict=True)
+        along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
+        stride = patch.stride_for(degree.s)
+        forms = [patch.from_net(net, stride) for net in bezier_nets(degree, along_s)]
+        self.degree, self.meshes, self.recipe, self.stride = degree, (along_s[0].mesh, along_t[0].mesh), structure.leaf(), stride
+        self.continuity = along_s[0].continuity, along_t[0].continuity
+        self._packed, self._denominators = {stride: [c for c, _ in forms]}, [d for _, d in forms]
+        self.profile = self._points = None
 
     # ---- representation
 
-    @property
-    def stride(self) -> int:
-        """The stride of the packed polynomials at hand."""
-        return next(iter(self._packed), patch.stride_for(self.degree.s))
-
-    def packed(self, stride: int | None = None) -> list[fmpz_poly]:
-        """The packed polynomials of all patches, t running faster."""
-        stride = self.stride if stride is None else stride
-        if stride not in self._packed:
+    def packed(self, stride: int) -> list[fmpz_poly]:
+        """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
+        found = self._packed.get(stride)
+        if found is None:
             if self.profile is None:
-                self._packed[stride] = [patch.repacked(c, self.stride, stride) for c in self.packed()]
+                found = [patch.repacked(c, self.stride, stride) for c in self.polynomials]
             else:
-                direction, spline = self.profile
-                self._packed[stride] = _spread(spline.polynomials if direction == 0 else [c.inflate(stride) for c in spline.polynomials], self)
-        return self._packed[stride]
+                found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
+            self._packed[stride] = found
+        return found
 
     @property
     def polynomials(self) -> list[fmpz_poly]:
         """The packed polynomials at the stride at hand: zero where the spline is."""
-        return self.packed()
+        return self.packed(self.stride)
+
+    @property
+    def denominators(self) -> list[fmpz]:
+        """Denominators patch by patch, t running faster."""
+        if self._denominators is None:
+            assert self.profile is not None
+            self._denominators = spread(self.profile[1].denominators, self.profile[0], self.meshes)
+        return self._denominators
 
     @property
     def domain(self) -> tuple[tuple[mpq, mpq], tuple[mpq, mpq]]:
@@ -112,27 +110,21 @@ class TensorSpline(Operand):
     def control_points(self) -> tuple[tuple[mpq, ...], ...]:
         """The control net over `knots`, rows along s."""
         if self._points is None:
-            n, knots_s, knots_t = self.degree.t + 1, self.knots[0].knots, self.knots[1].knots
-            columns = []
-            for j in range(len(self.meshes[1])):
-                nets = [self.bezier_net(i, j) for i in range(len(self.meshes[0]))]
-                for k in range(n):
-                    segments = [[row[k] for row in net] for net in nets]
-                    columns.append(bezier_points.to_control_points(knots_s, self.degree.s, self.meshes[0].breaks, segments))
-            rows = zip(*columns, strict=True)
-            segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in rows)
-            self._points = tuple(bezier_points.to_control_points(knots_t, n - 1, self.meshes[1].breaks, parts) for parts in segmented)
+            nets = [[self.bezier_net(i, j) for j in range(len(self.meshes[1]))] for i in range(len(self.meshes[0]))]
+            self._points = control_net(self.knots, self.degree, self.meshes, nets)
         return self._points
 
     @property
     def control_point_counts(self) -> tuple[int, int]:
         """How many control points there are along s and along t."""
+        if min(self.degree) < 0:
+            return 0, 0
         return len(self.knots[0]) - self.degree.s - 1, len(self.knots[1]) - self.degree.t - 1
 
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
-        return patch.bezier_net((self.packed()[at], self.denominators[at]), self.degree, self.stride)
+        return patch.bezier_net((self.polynomials[at], self.denominators[at]), self.degree, self.stride)
 
     def __repr__(self) -> str:
         (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
@@ -152,46 +144,61 @@ class TensorSpline(Operand):
         return self._sum(other, minus, structure.DIFFERENCE)
 
     def _sum(self, other: Any, operation: Any, name: int) -> Any:
-        right = self.beside(other)
+        right = other if type(other) is TensorSpline else self.beside(other)
         if right is None:
             return NotImplemented
-        a, b = aligned(self, right)
-        if (shared := _one_parameter(a, b)) is not None:
-            return lifted(operation(shared[1], shared[2]), a.meshes, shared[0])
-        degree = a.degree.max(b.degree)
-        stride = _stride(degree, a, b)
-        p, q, denominators = _elevated(a, degree, stride), _elevated(b, degree, stride), a.denominators
+        a, b = (self, right) if self.meshes is right.meshes else aligned(self, right)
+        stride = a.stride if a.stride >= b.stride else b.stride
+        if a.profile is not None and b.profile is not None and (shared := one_parameter(a.profile, b.profile)) is not None:
+            return lifted(operation(shared[1], shared[2]), a.meshes, shared[0], stride)
+        degree = a.degree
+        if degree == b.degree:
+            p, q = a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride)
+        else:
+            degree = degree.max(b.degree)
+            p, q = _elevated(a, degree, stride), _elevated(b, degree, stride)
+        denominators = a.denominators
         if denominators != b.denominators:
             p, q, denominators = common_denominators(p, denominators, q, b.denominators)
-        return make(degree, a.meshes, _lower(a, b), {stride: list(map(operation, p, q))}, denominators, (name, self.recipe, right.recipe))
+        continuity = a.continuity if a.continuity == b.continuity else _lower(a, b)
+        return make(degree, a.meshes, continuity, stride, list(map(operation, p, q)), denominators, (name, self.recipe, right.recipe))
 
     def __mul__(self, other: Any) -> Any:
         if type(other) is not TensorSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
-        a, b = aligned(self, other)
-        if (shared := _one_parameter(a, b)) is not None:
-            return lifted(shared[1] * shared[2], a.meshes, shared[0])
-        degree = Degrees(a.degree.s + b.degree.s, a.degree.t + b.degree.t)
-        stride = _stride(degree, a, b)
-        polynomials = list(map(times, a.packed(stride), b.packed(stride)))
-        denominators = list(map(times, a.denominators, b.denominators))
-        return make(degree, a.meshes, _lower(a, b), {stride: polynomials}, denominators, (structure.PRODUCT, self.recipe, other.recipe))
+        a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)
+        stride = a.stride if a.stride >= b.stride else b.stride
+        if a.profile is not None and b.profile is not None and (shared := one_parameter(a.profile, b.profile)) is not None:
+            return lifted(shared[1] * shared[2], a.meshes, shared[0], stride)
+        (m, n), (k, h) = a.degree, b.degree
+        if m + k >= stride:
+            stride = patch.stride_for(m + k)
+        return make(
+            _tuple(Degrees, (m + k, n + h)),
+            a.meshes,
+            a.continuity if a.continuity == b.continuity else _lower(a, b),
+            stride,
+            list(map(times, a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride))),
+            list(map(times, a.denominators, b.denominators)),
+            (structure.PRODUCT, self.recipe, other.recipe),
+        )
 
     def scaled(self, constant: Any) -> TensorSpline:
         """The spline times an exact constant."""
         if self.profile is not None:
-            return lifted(self.profile[1].scaled(constant), self.meshes, self.profile[0])
+            return lifted(self.profile[1].scaled(constant), self.meshes, self.profile[0], self.stride)
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
         denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
-        polynomials = {self.stride: [c * top for c in self.packed()]}
-        return make(self.degree, self.meshes, self.continuity, polynomials, denominators, (structure.MULTIPLE, self.recipe, q))
+        polynomials = self.polynomials if top == 1 else [c * top for c in self.polynomials]
+        recipe = (structure.MULTIPLE, self.recipe, q)
+        return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, recipe)
 
     def d(self, order: int = 1) -> TensorSpline:
         """The derivative of what depends on one parameter only; `FormulaError` for anything else (see `partial`)."""
         if self.profile is None:
             raise FormulaError("a derivative of a spline in two parameters", remedy="say by which: partial(1, 0) or partial(0, 1)")
-        return lifted(self.profile[1].d(order), self.meshes, self.profile[0])
+        return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 
     def partial(self, i: int, j: int) -> TensorSpline:
         """The derivative of order i by s and j by t.
@@ -200,9 +207,8 @@ class TensorSpline(Operand):
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
         (mpq(3,1), True)
         """
-        if i > self.degree.s or j > self.degree.t:
-            return self.constant(0)
-        return self.along(0, lambda f: f.d(i)).along(1, lambda f: f.d(j))
+        first = self.along(0, lambda f: f.d(i)) if i else self
+        return first.along(1, lambda f: f.d(j)) if j else first
 
     def raised_to(self, other: TensorSpline) -> TensorSpline:
         """The same function, in each direction at least of the degree of `other`."""
@@ -219,7 +225,7 @@ class TensorSpline(Operand):
         i, j = self.meshes[0].locate(s), self.meshes[1].locate(t)
         at = i * len(self.meshes[1]) + j
         place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
-        return patch.evaluated(self.packed()[at], self.denominators[at], self.degree, self.stride, *place)
+        return patch.evaluated(self.polynomials[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Any) -> BSpline:
         """The iso-curve of constant t, a spline in s."""
@@ -237,7 +243,7 @@ class TensorSpline(Operand):
     @property
     def is_zero(self) -> bool:
         """Whether the function is identically zero."""
-        return not any(self.packed())
+        return not any(self.polynomials)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same rectangle, whatever their knots and degrees."""
@@ -259,18 +265,25 @@ class TensorSpline(Operand):
 
     def along(self, direction: int, change: Callable[[BSpline], BSpline]) -> TensorSpline:
         """The spline with a linear map of splines applied along one direction (0: along s)."""
-        if self.profile is not None and self.profile[0] == direction:
-            spline = change(self.profile[1])
-            return lifted(spline, (spline.mesh, self.meshes[1]) if direction == 0 else (self.meshes[0], spline.mesh), direction)
+        if direction not in (0, 1):
+            raise ShapeError(f"the direction {shown(direction)}", remedy="0 for s or 1 for t")
+        if self.profile is not None:
+            own, spline = self.profile
+            if own != direction:
+                other = changed_one(self.meshes[direction], change)
+                meshes = replaced(self.meshes, direction, other.mesh)
+                crossed: TensorSpline = lifted(spline, meshes, own, self.stride) * lifted(other, meshes, direction)
+                return crossed
+            spline = change(spline)
+            return lifted(spline, replaced(self.meshes, direction, spline.mesh), direction, self.stride)
         if direction == 0:
             return self.turned().along(1, change).turned()
-        changed = [[change(line) for line in own] for own in lines(self)]
-        degree, meshes, continuity, packed, denominators = joined(changed, self)
-        return make(degree, meshes, continuity, packed, denominators, structure.leaf())
+        return make(*joined([[change(line) for line in own] for own in lines(self)], self), structure.leaf())
 
     def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """The same function, its degrees raised."""
-        return self.along(0, lambda f: f.elevate_degree(by_s)).along(1, lambda f: f.elevate_degree(by_t)) if by_s or by_t else self
+        first = self.along(0, lambda f: f.elevate_degree(by_s)) if by_s else self
+        return first.along(1, lambda f: f.elevate_degree(by_t)) if by_t else first
 
     def reduce_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """The same function, its degrees lowered; `ReductionError` where that cannot be done exactly."""
@@ -291,61 +304,32 @@ class TensorSpline(Operand):
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
         degree, stride = Degrees(self.degree.t, self.degree.s), patch.stride_for(self.degree.t)
         order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
-        polynomials = [patch.turned(self.packed()[k], self.stride, self.degree.t, stride) for k in order]
-        return make(degree, meshes, continuity, {stride: polynomials}, [self.denominators[k] for k in order], structure.leaf())
+        polynomials = [patch.turned(self.polynomials[k], self.stride, self.degree.t, stride) for k in order]
+        return make(degree, meshes, continuity, stride, polynomials, [self.denominators[k] for k in order], structure.leaf())
 
 
-_new = object.__new__
+_new, _tuple = object.__new__, tuple.__new__
 
 
-def make(degree: Degrees, meshes: Any, continuity: Any, packed: dict[int, list[fmpz_poly]], denominators: list[fmpz], recipe: Any) -> TensorSpline:
+def make(
+    degree: Degrees, meshes: Any, continuity: Any, stride: int, polynomials: list[fmpz_poly], denominators: list[fmpz], recipe: Any
+) -> TensorSpline:
     """The spline with these packed polynomials; the caller vouches for the continuity."""
     spline = _new(TensorSpline)
-    spline._fill(degree, meshes, continuity, recipe)
-    spline._packed, spline.denominators = packed, denominators
+    spline.degree, spline.meshes, spline.continuity, spline.stride, spline.recipe = degree, meshes, continuity, stride, recipe
+    spline._packed, spline._denominators = {stride: polynomials}, denominators
+    spline.profile = spline._points = None
     return spline
-
-
-def _spread(values: list[Any], f: TensorSpline) -> list[Any]:
-    """What belongs to the segments of the one direction of f, patch by patch."""
-    assert f.profile is not None
-    return [x for x in values for _ in range(len(f.meshes[1]))] if f.profile[0] == 0 else values * len(f.meshes[0])
-
-
-def _one_parameter(a: TensorSpline, b: TensorSpline) -> tuple[int, BSpline, BSpline] | None:
-    """The direction and the splines of two that depend on the same parameter only; a constant depends on either."""
-    if a.profile is None or b.profile is None:
-        return None
-    (i, f), (j, g) = a.profile, b.profile
-    if i != j and _is_constant(f):
-        i, f = j, _constant_beside(g, f)
-    elif i != j and _is_constant(g):
-        g = _constant_beside(f, g)
-    elif i != j:
-        return None
-    return i, f, g
-
-
-def _is_constant(f: BSpline) -> bool:
-    return f.degree == 0 and all(c == SMOOTH for c in f.continuity)
-
-
-def _constant_beside(f: BSpline, constant: BSpline) -> BSpline:
-    return refinement.over(f.constant(constant(constant.domain[0])), f.mesh)
-
-
-def _stride(degree: Degrees, a: TensorSpline, b: TensorSpline) -> int:
-    """A stride with room for a result, the one at hand where it will do."""
-    return max(patch.stride_for(degree.s), *[x.stride if x.profile is None else 1 for x in (a, b)])
 
 
 def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> list[fmpz_poly]:
     """The packed polynomials raised to a degree."""
-    polynomials = f.packed(stride)
     if f.degree == degree:
-        return polynomials
+        return f.packed(stride)
     lift = raiser(degree.s - f.degree.s) * raiser(degree.t - f.degree.t).inflate(stride)
-    return [c * lift for c in polynomials]
+    if f.profile is None:
+        return [c * lift for c in f.packed(stride)]
+    return spread([c * lift for c in packed_segments(f.profile, stride)], f.profile[0], f.meshes)
 
 
 def _lower(a: TensorSpline, b: TensorSpline) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -353,35 +337,46 @@ def _lower(a: TensorSpline, b: TensorSpline) -> tuple[tuple[int, ...], tuple[int
     return s, t
 
 
-def aligned(a: TensorSpline, b: TensorSpline) -> tuple[TensorSpline, TensorSpline]:
-    """Both over the union of their breakpoints."""
-    if a.meshes is b.meshes or (a.meshes[0].breaks == b.meshes[0].breaks and a.meshes[1].breaks == b.meshes[1].breaks):
-        return a, b
-    meshes = tuple(m if m.breaks == n.breaks else m.union(n) for m, n in zip(a.meshes, b.meshes, strict=True))
-    return _over(a, meshes), _over(b, meshes)
+def aligned(*splines: TensorSpline) -> list[TensorSpline]:
+    """All over the union of their breakpoints."""
+    meshes = splines[0].meshes
+    for f in splines[1:]:
+        if f.meshes is not meshes:
+            first, second = (m if m.breaks == n.breaks else m.union(n) for m, n in zip(meshes, f.meshes, strict=True))
+            meshes = replaced(replaced(meshes, 0, first), 1, second)
+    return [_over(f, meshes) for f in splines]
 
 
 def _over(f: TensorSpline, meshes: Any) -> TensorSpline:
+    if f.meshes is meshes or all(m.breaks == n.breaks for m, n in zip(f.meshes, meshes, strict=True)):
+        return f
     if f.profile is not None:
-        return lifted(refinement.over(f.profile[1], meshes[f.profile[0]]), meshes, f.profile[0])
+        return lifted(refinement.over(f.profile[1], meshes[f.profile[0]]), meshes, f.profile[0], f.stride)
     return f.along(0, lambda g: refinement.over(g, meshes[0])).along(1, lambda g: refinement.over(g, meshes[1]))
 
 
-def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int) -> TensorSpline:
+def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: int = 1) -> TensorSpline:
     """A spline of one parameter as one of two: direction 0 if the parameter is s, 1 if it is t.
+
+    A stride is room for the products that it will be part of.
 
     >>> f = BSpline.bezier([0, 0, 1])
     >>> lifted(f, (f.mesh, Mesh([mpq(0), mpq(1)])), 0)("1/2", "1/3")
     mpq(1,4)
     """
-    n, other = spline.degree, (SMOOTH,) * (len(meshes[1 - direction]) - 1)
-    result = _new(TensorSpline)
-    degree = Degrees(n, 0) if direction == 0 else Degrees(0, n)
-    result._fill(degree, meshes, (spline.continuity, other) if direction == 0 else (other, spline.continuity), spline.recipe)
-    result.profile = (direction, spline)
-    result._packed = {}
-    result.denominators = _spread(spline.denominators, result)
+    result, n = _new(TensorSpline), spline.degree
+    if direction == 0:
+        result.degree, result.continuity = _tuple(Degrees, (n, 0)), (spline.continuity, smooth(len(meshes[1].widths)))
+        result.stride = stride if n < stride else patch.stride_for(n)
+    else:
+        result.degree, result.continuity, result.stride = _tuple(Degrees, (0, n)), (smooth(len(meshes[0].widths)), spline.continuity), stride
+    result.meshes, result.recipe, result.profile, result._packed, result._points = meshes, spline.recipe, (direction, spline), {}, None
+    result._denominators = None
     return result
+
+
+#: Degrees in each parameter stay below this multiple of the curve's in the polynomial forms of §6.
+BISECTOR_ROOM = 4
 
 
 def surface_pair(first: Curve, second: Curve) -> Pair:
@@ -392,5 +387,5 @@ def surface_pair(first: Curve, second: Curve) -> Pair:
     >>> (c.first.p[0] * c.second.w).degree
     Degrees(s=3, t=3)
     """
-    meshes = first.w.mesh, second.w.mesh
-    return Pair(first.mapped(lambda f: lifted(f, meshes, 0)), second.mapped(lambda f: lifted(f, meshes, 1)))
+    meshes, room = (first.w.mesh, second.w.mesh), max(BISECTOR_ROOM * first.p.degree, 1)
+    return Pair(first.mapped(lambda f: lifted(f, meshes, 0, room)), second.mapped(lambda f: lifted(f, meshes, 1, room)))

@@ -10,7 +10,7 @@ from exactspline.exact import text
 from exactspline.form import ONE, raiser
 from exactspline.language import Vector
 from exactspline.quotients import Rational
-from exactspline.surface import TensorSpline, make
+from exactspline.surface import TensorSpline, aligned, make
 from exactspline.surface_lines import Degrees
 
 CONTEXT = fmpz_mpoly_ctx.get(["z", "y"], Ordering.lex)
@@ -44,7 +44,8 @@ def in_lowest_terms(value: Rational) -> Rational:
     Raises `ReductionError` where the denominator vanishes on a whole patch.
     """
     top, w = value.raised()
-    scalars = [*top, w] if isinstance(top, Vector) else [top, w]
+    scalars = aligned(*top, w) if isinstance(top, Vector) else aligned(top, w)
+    w = scalars[-1]
     stride = max(s.stride for s in scalars)
     lowest = []
     for at, forms in enumerate(zip(*[s.packed(stride) for s in scalars], *[s.denominators for s in scalars], strict=True)):
@@ -78,7 +79,7 @@ def _joined(value: Rational, w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly
         lift = raiser(degree.s - own.s) * raiser(degree.t - own.t).inflate(stride)
         columns.append([as_packed(form, stride) * lift for form in forms])
     ones = [ONE] * len(lowest)
-    *top, bottom = [make(degree, w.meshes, rough, {stride: list(column)}, ones, structure.leaf()) for column in zip(*columns, strict=True)]
+    *top, bottom = [make(degree, w.meshes, rough, stride, list(column), ones, structure.leaf()) for column in zip(*columns, strict=True)]
     return Rational(Vector(*top) if value.is_vector else top[0], bottom)
 
 

@@ -7,6 +7,7 @@ from flint import fmpq, fmpq_mat
 from gmpy2 import mpq
 
 from exactspline import BSpline
+from exactspline.surface import TensorSpline
 
 
 def basis(knots, n, i, t, side="right"):
@@ -131,3 +132,51 @@ def assert_function(f, function):
         assert f(t, side) == expected
         assert value(knots, n, points, t, side) == expected
     assert rebuilt(f) == f
+
+
+def surface_value(knots, degrees, net, s, t):
+    """Value of a tensor-product spline by the de Boor algorithm, in t on every row of the net and then in s."""
+    return value(knots[0], degrees[0], [value(knots[1], degrees[1], row, t) for row in net], s)
+
+
+def surface_data(f):
+    """Knots, degrees and control points of a spline in two parameters."""
+    return tuple(tuple(k) for k in f.knots), f.degree, f.control_points
+
+
+def transposed(net):
+    """The net with rows and columns exchanged."""
+    return [list(column) for column in zip(*net, strict=True)]
+
+
+def surface_differentiated(knots, degrees, net):
+    """Knots, degrees and net of the derivative by t, row by row."""
+    rows = [differentiated(knots[1], degrees[1], row) for row in net]
+    return (knots[0], rows[0][0]), (degrees[0], degrees[1] - 1), [row for _, row in rows]
+
+
+def surface_places(f):
+    """All corners of patches, and in each patch as many places as determine a polynomial of the degrees."""
+    sides = []
+    for mesh, n in zip(f.meshes, f.degree, strict=True):
+        pairs = zip(mesh.breaks, mesh.breaks[1:], strict=False)
+        count = max(n, 0) + 1
+        sides.append([*mesh.breaks, *[a + (b - a) * mpq(k, count + 1) for a, b in pairs for k in range(1, count + 1)]])
+    return [(s, t) for s in sides[0] for t in sides[1]]
+
+
+def surface_rebuilt(f):
+    """The spline made anew from what it prints."""
+    knots = [[str(x) for x in k] for k in f.knots]
+    return TensorSpline(tuple(f.degree), *knots, [[str(b) for b in row] for row in f.control_points])
+
+
+def assert_surface(f, function):
+    """f has the given values at enough places; its printed data give the same by de Boor."""
+    data = surface_data(f)
+    for s, t in surface_places(f):
+        expected = function(s, t)
+        assert f(s, t) == expected
+        assert surface_value(*data, s, t) == expected
+    assert (len(f.control_points), len(f.control_points[0])) == f.control_point_counts
+    assert surface_rebuilt(f) == f

@@ -4,6 +4,7 @@ from gmpy2 import mpq
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, Vector
+from exactspline.surface import TensorSpline, lifted
 
 KINK = BSpline(1, [0, 0, "1/2", 1, 1], [0, 1, 0])
 JUMP = BSpline(0, [0, "1/2", 1], [0, 1])
@@ -97,3 +98,30 @@ def nurbs(draw, dimension=2, low=2, high=3, most=1):
     if kind == "nearly straight":
         rows[-1] = (*rows[-1][:-1], rows[-1][-1] + TINY)
     return Nurbs(n, knots, rows, draw(st.lists(positive_numbers(), min_size=count, max_size=count)))
+
+
+@st.composite
+def tensor_splines(draw, domains=None, high=2, most=1, values=None):
+    """A spline in two parameters: over a net, or of one parameter only, known as such or not, or a constant."""
+    domains = domains or (draw(st.sampled_from(DOMAINS)), draw(st.sampled_from(DOMAINS)))
+    m, n = (draw(st.integers(0, high)) for _ in range(2))
+    knots = [draw(knot_vectors(k, domain, most)) for k, domain in zip((m, n), domains, strict=True)]
+    rows, columns = len(knots[0]) - m - 1, len(knots[1]) - n - 1
+    kind = draw(st.sampled_from(["net", "net", "net", "s", "t", "s, as a net", "t, as a net", "constant"]))
+    if kind == "net":
+        return TensorSpline((m, n), *knots, [draw(control_points(columns, values)) for _ in range(rows)])
+    first = draw(control_points(rows, values)) if kind.startswith("s") else [mpq(1)] * rows
+    second = draw(control_points(columns, values)) if kind.startswith("t") else [mpq(1)] * columns
+    spline = TensorSpline((m, n), *knots, [[a * b for b in second] for a in first])
+    if kind == "constant":
+        return spline.constant(draw(numbers() if values is None else values))
+    if kind in ("s", "t"):
+        return lifted(spline.at_t(domains[1][0]) if kind == "s" else spline.at_s(domains[0][0]), spline.meshes, "st".index(kind))
+    return spline
+
+
+@st.composite
+def tensor_splines_on_one_rectangle(draw, count=2, high=2, most=1, values=None):
+    """Splines in two parameters over one rectangle, with knots and degrees of their own."""
+    domains = draw(st.sampled_from(DOMAINS)), draw(st.sampled_from(DOMAINS))
+    return [draw(tensor_splines(domains, high, most, values)) for _ in range(count)]

@@ -22,6 +22,7 @@ FLOORS = [
     ["refinement"],
     ["spline"],
     ["composition", "surface_lines"],
+    ["surface_net", "surface_profile"],
     ["surface"],
     ["surface_lowest"],
     ["nurbs"],
