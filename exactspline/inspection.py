@@ -112,7 +112,7 @@ def compare_approaches(curve: Any) -> list[Approach]:
 
     >>> from exactspline.curves import example
     >>> [(a.name, a.degree, a.roots, a.invented) for a in compare_approaches(example("six_segment_cubic"))]
-    [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('minimal', 5, 6, 0)]
+    [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
     found: dict[str, tuple[Any, ZeroSet, float]] = {}
     in_space = curve.dimension == 3

@@ -185,7 +185,7 @@ def test_tables_hold_what_was_computed():
         assert row[table.columns.index("control points")] == str(control_point_count(construction("evolute").on(curve, form)))
     assert measured(curve, "f2")["degree here"] == [str(find("f2")(curve).degree)]
     assert len(measured(curve)) == len(measured(curve)["formula"]) > 20
-    assert approaches_table(curve)["roots"] == ["4"] * 4
+    assert approaches_table(curve)["roots"] == ["4"] * 5
     assert all(parse(cell).names == {"d"} for cell in symbolic_table()["minimal"])
     assert "w" in reduction_table("g0")["cancelled"][0]
     assert "degree" in repr(table)

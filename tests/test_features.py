@@ -178,7 +178,7 @@ def test_inspect_prints_what_it_found(monkeypatch):
     assert result.exit_code == 0
     assert "0.557536515835051410132825074912507419474995695480529" in result.output
     data = json.loads(run("inspect", "six_segment_cubic", "--json", "--approach", "all").output)
-    assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6]
+    assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6, 6]
     assert [f["kind"] for f in data["inflections"]] == ["inflection"] * 2
     assert "κ′ ≡ 0" in run("inspect", "circle").output
 
@@ -214,5 +214,5 @@ def test_a_picture_is_written(tmp_path):
 def test_what_cannot_be_inspected_says_why():
     with pytest.raises(ShapeError, match="plane"):
         inflections(example("twisted_cubic"))
-    with pytest.raises(FormulaError, match="squaring, direct, reduced, minimal"):
+    with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
         inspect_curve(example("circle"), "best")

@@ -195,7 +195,7 @@ def test_a_circle_and_a_line_in_space_have_constant_curvature():
 def test_what_is_not_known_is_refused():
     with pytest.raises(ShapeError, match="in space"):
         torsion_zeros(example("circle"))
-    with pytest.raises(FormulaError, match="squaring, direct, reduced, minimal"):
+    with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
         inspect_curve(example("twisted_cubic"), "best")
     cusp = power_curve([0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1])
     (singular,) = inspect_curve(cusp).singularities

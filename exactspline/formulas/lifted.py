@@ -134,9 +134,9 @@ def rectifying_generator_lifted(c):
 
 @formula("definition of a developable", curve="space")
 def rectifying_development(c):
-    """``[D1 G G′]`` for the generator without denominators: zero when the rectifying developable is one."""
+    """``[D1 G G′] / ‖G‖²`` for the generator without denominators: zero when the rectifying developable is one."""
     generator = rectifying_generator_lifted(c)
-    return det(D1(c), generator, generator.d(1))
+    return det(D1(c), generator, generator.d(1)) / norm2(generator)
 
 
 @formula("lifted", curve="space")
