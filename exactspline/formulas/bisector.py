@@ -78,10 +78,16 @@ def bisector_polynomial(c):
     return bisector_numerators_polynomial(c) / (bisector_determinant_polynomial(c) * c.first.w)
 
 
+@formula("eq. (27), for both curves", curve="pair", symbol="C")
+def chord(c):
+    """``w̄p − wp̄``: the direction from one foot to the other."""
+    return c.first.p * c.second.w - c.second.p * c.first.w
+
+
 @formula("eq. (27), for both curves", curve="pair", symbol="D")
 def bisector_determinant_symmetric(c):
     """``[D1 D̄1 w̄p − wp̄]``."""
-    return det(D1(c.first), D1(c.second), c.first.p * c.second.w - c.second.p * c.first.w)
+    return det(D1(c.first), D1(c.second), chord(c))
 
 
 @formula("eq. (27), for both curves", curve="pair")
@@ -89,7 +95,7 @@ def bisector_numerators_symmetric(c):
     """The numerators of Cramer's rule for (27) polynomial in both curves, in the unknown ww̄B."""
     (p, w), (q, v) = (c.first.p, c.first.w), (c.second.p, c.second.w)
     (a, h), (b, k) = _normal_plane_polynomial(c.first), _normal_plane_polynomial(c.second)
-    return cramer((a, h * v), (b, k * w), (p * v - q * w, (norm2(p) * v**2 - norm2(q) * w**2) / 2))
+    return cramer((a, h * v), (b, k * w), (chord(c), (norm2(p) * v**2 - norm2(q) * w**2) / 2))
 
 
 @formula("eqs. (27), (28), for both curves", curve="pair", symbol="B")
