@@ -36,7 +36,10 @@ for command in COMMANDS:
 def main() -> None:
     """Entry point: bad input ends in one line on standard error and exit status 2."""
     try:
-        app()
+        try:
+            app()
+        finally:
+            sys.stdout.flush()
     except ExactSplineError as error:
         from exactspline.report import show_error
 
@@ -45,6 +48,11 @@ def main() -> None:
     except BrokenPipeError:
         sys.stderr.close()
         sys.exit(0)
+    except OSError as error:
+        # what could not be written must not be tried again when Python closes its files
+        sys.stdout = None  # type: ignore[assignment]
+        sys.stderr.write(f"error: the output cannot be written ({error.strerror})\n")
+        sys.exit(2)
 
 
 if __name__ == "__main__":

@@ -236,7 +236,8 @@ def feature_data(curve: Any, f: Any, digits: int) -> dict[str, Any]:
     if f.of_absolute or regular:
         data |= {"of_absolute": f.of_absolute, "curvature": value_of(curvature_value, curve, f, digits)}
     if regular:
-        data |= {"torsion": value_of(torsion_value, curve, f, digits)}
+        zero = f.kind in ("torsion zero", "torsion touch", "torsion end") and not f.by_jump
+        data |= {"torsion": "0" if zero else value_of(torsion_value, curve, f, digits)}
     return data
 
 

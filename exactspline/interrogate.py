@@ -14,7 +14,7 @@ from gmpy2 import isqrt, mpq, mpz
 
 from exactspline.constructions import CONSTRUCTIONS, MINIMAL, construction, joined, numerator
 from exactspline.displayed import Displayed
-from exactspline.errors import ShapeError
+from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import ratio, rational, text
 from exactspline.form import ONE, is_square_class, primitive, zero_on_segment
 from exactspline.formulas import find
@@ -93,7 +93,7 @@ def space(curve: Any) -> Any:
 def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `form` is ``minimal`` or anything for the
+    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `form` is ``minimal`` or ``naive``, the
     formula as it stands). Where an object does not exist (the evolute of a straight piece) the other pieces are returned and the missing ones
     named.
 
@@ -109,6 +109,8 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
         formula = made.formula(form)
     else:
         formula = find(name)
+        if form not in (MINIMAL, "naive"):
+            raise FormulaError(f"{name} has no form {form!r}", remedy=f"a formula has the forms {MINIMAL} and naive (as it stands)")
         needed = formula.curve
         compute = (lambda c: joined(in_lowest_terms(formula(c)))) if form == MINIMAL else (lambda c: joined(formula(c)))
     if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):

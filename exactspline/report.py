@@ -26,8 +26,8 @@ LONGEST = 40
 
 def console() -> Console:
     """The console for results: as wide as the terminal; what goes into a file or a pipe has room."""
-    made = Console(highlight=False)
-    return made if made.is_terminal or "COLUMNS" in os.environ else Console(highlight=False, width=160)
+    made = Console(highlight=False, emoji=False)
+    return made if made.is_terminal or "COLUMNS" in os.environ else Console(highlight=False, emoji=False, width=160)
 
 
 class Columns(Table):
@@ -178,4 +178,4 @@ def closing(rows: list[Row]) -> str:
 
 def show_error(error: Any) -> None:
     """One line on standard error."""
-    Console(stderr=True, highlight=False, soft_wrap=True).print(f"error: {error}", markup=False)
+    Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(f"error: {error}", markup=False)

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from exactspline.commands.common import AsJson, described, print_json
+from exactspline.commands.common import AsJson, check_output, described, print_json
 
 
 def bisector(
@@ -26,6 +26,7 @@ def bisector(
 
     if other and point:
         raise ShapeError("both a second curve and a point", where="bisector", remedy="name a second curve, or give --point")
+    check_output(output, curve, other)
     c = load(curve)
     data, rows, title = _of_two(c, load(other), form) if other else _of_point(c, _coordinates(point), form, digits)
     if output:

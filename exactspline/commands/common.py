@@ -57,3 +57,14 @@ def described(c: Any) -> str:
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
     segments = f"{c.segments} segment{'s' if c.segments != 1 else ''}"
     return f"{kind}{equal}, degree {c.degree}, {segments}, {len(c.control_points)} control points in R{c.dimension}"
+
+
+def check_output(output: str, *inputs: str) -> None:
+    """Raise `CurveFileError` when an output is one of the files that are read."""
+    from pathlib import Path
+
+    from exactspline.errors import CurveFileError
+
+    for name in inputs:
+        if output and name and Path(output).exists() and Path(name).exists() and Path(output).samefile(name):
+            raise CurveFileError("is the curve that is read", where=output, remedy="write to another file")

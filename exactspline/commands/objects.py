@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from exactspline.commands.common import AsJson, CurveFiles, also_in_their_planes, described, loaded, print_json, tracked
+from exactspline.commands.common import AsJson, CurveFiles, also_in_their_planes, check_output, described, loaded, print_json, tracked
 from exactspline.errors import ShapeError
 
 
@@ -117,6 +117,7 @@ def derive(
     from exactspline.interrogate import derive as derived
     from exactspline.tables import derived_data
 
+    check_output(output, curve)
     data = derived_data(derived(name, load(curve), form), curve)
     if output:
         write_json(output, data)

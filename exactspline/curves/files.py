@@ -65,7 +65,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     if unknown := sorted(set(data) - {*REQUIRED, *OPTIONAL}):
         raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=f"a curve has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}")
     for field in ("knots", "control_points", "weights"):
-        if not isinstance(data.get(field, []), list) and data.get(field) is not None:
+        if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is no list", where=field, remedy="write a JSON list")
     degree = data["degree"]
     if isinstance(degree, _Decimal):

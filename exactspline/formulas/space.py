@@ -246,15 +246,15 @@ def focal_binormal_by_arc_length(c):
 
 
 @formula("eq. (19), derivative by arc length", curve="space")
-def focal_binormal_ratio_squared(c):
-    """The square of this component over that of the centre of the osculating sphere."""
-    return (focal_binormal_by_arc_length(c) / focal_binormal(c)) ** 2
+def focal_binormal_squared_by_arc_length(c):
+    """The square of this component."""
+    return focal_binormal_by_arc_length(c) ** 2
 
 
 @formula("eq. (19), derivative by the parameter", curve="space")
-def focal_binormal_ratio_squared_by_parameter(c):
+def focal_binormal_squared_by_parameter(c):
     """The same with the derivative by the parameter, ``(1/κ)′B = ‖γ′‖ Ψ``; squared, so that it is rational."""
-    return speed_squared(c) * focal_binormal_ratio_squared(c)
+    return speed_squared(c) * focal_binormal_squared_by_arc_length(c)
 
 
 @formula("definition of the focal curve", curve="space")
