@@ -7,6 +7,8 @@ import sys
 
 import pytest
 
+from exactspline.curves import example, read_curve
+from exactspline.interrogate import derive
 from tests.test_cli import run
 
 CURVE = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}
@@ -57,3 +59,27 @@ def test_the_torsion_at_its_zero_is_zero():
 
 def test_text_in_an_error_is_taken_literally():
     assert "x:smile:.json" in run("inspect", "x:smile:.json").stderr
+
+
+@pytest.mark.parametrize(("name", "curve"), [("evolute", "ellipse_skew"), ("evolute", "parabola"), ("focal_curve", "rational_space_cubic")])
+def test_a_derived_curve_can_be_read_again(tmp_path, name, curve):
+    file = tmp_path / "derived.json"
+    assert run("derive", name, curve, "-o", file).returncode == 0
+    found, expected = read_curve(file), derive(name, example(curve))
+    for t in ("1/7", "3/5"):
+        assert found(t) == expected(t)
+
+
+def test_what_is_no_curve_is_not_read_as_one(tmp_path):
+    file = tmp_path / "derived.json"
+    for name, curve in (("zero_curvature", "ellipse"), ("evolute", "straight_between_arcs"), ("tangent_developable", "twisted_cubic")):
+        assert run("derive", name, curve, "-o", file).returncode == 0
+        done = run("inspect", file)
+        assert done.returncode == 2
+        assert "not one curve in one piece" in done.stderr
+    for net in ([[1, "x", 1]], [1], None, [[]], [["1", "1"]]):
+        piece = {"kind": "rational", "degree": 1, "knots": [0, 0, 1, 1], "homogeneous_control_points": net}
+        file.write_text(json.dumps({"pieces": [piece]}))
+        done = run("inspect", file)
+        assert done.returncode == 2
+        assert done.stderr.count("\n") == 1

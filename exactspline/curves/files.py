@@ -1,6 +1,6 @@
 """Curve files: JSON with ``degree``, ``knots``, ``control_points``, optional ``weights``, ``name``, ``source``; numbers as ints, decimals or text.
 
-A number in JSON is read as the decimal it shows: 0.1 is 1/10.
+A number in JSON is read as the decimal it shows: 0.1 is 1/10. What ``derive`` wrote is read too, where it is one curve in one piece.
 """
 
 from __future__ import annotations
@@ -59,6 +59,8 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     data = _parsed(text)
     if not isinstance(data, dict):
         raise CurveFileError("the JSON text is no object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
+    if "pieces" in data:
+        data = _one_piece(data)
     for field in REQUIRED:
         if field not in data:
             raise CurveFileError(f"the field {field!r} is missing", remedy=f"a curve has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}")
@@ -80,6 +82,26 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         source=str(data.get("source") or ""),
         note=str(data.get("note") or ""),
     )
+
+
+def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
+    """The curve in what `derive` wrote: its only piece, its homogeneous control points ``(w x, w y, …, w)`` divided out."""
+    pieces = data["pieces"] if isinstance(data["pieces"], list) else []
+    if data.get("layout") or len(pieces) != 1 or not isinstance(pieces[0], dict) or pieces[0].get("kind") not in ("polynomial", "rational"):
+        raise CurveFileError(
+            "is a derived object, but not one curve in one piece", where="pieces", remedy="a curve has degree, knots and control points; copy a piece"
+        )
+    piece = pieces[0]
+    curve = {"name": f"{data.get('name')} of {data.get('curve')}"} | {field: piece[field] for field in ("degree", "knots") if field in piece}
+    if piece["kind"] == "polynomial":
+        return curve | {field: piece[field] for field in ("control_points",) if field in piece}
+    net = piece.get("homogeneous_control_points")
+    if not isinstance(net, list) or not all(isinstance(row, list) and row for row in net):
+        raise CurveFileError("is no list of points", where="homogeneous_control_points", remedy="write (w x, w y, …, w) for each")
+    rows = [[rational(_number(x)) for x in row] for row in net]
+    # a point of weight zero is a direction: it is kept as it stands
+    points = [[str(x / (row[-1] or 1)) for x in row[:-1]] for row in rows]
+    return curve | {"control_points": points, "weights": [str(row[-1]) for row in rows]}
 
 
 class _Decimal(str):
