@@ -6,7 +6,6 @@ own polynomials: with python-flint installed it would silently hand its polynomi
 """
 
 import os
-import random
 from fractions import Fraction
 from itertools import pairwise
 from math import comb
@@ -15,38 +14,19 @@ os.environ.setdefault("SYMPY_GROUND_TYPES", "gmpy")
 
 import pytest
 import sympy
-from flint import fmpz, fmpz_poly
+from ground import curve, d, fresh
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline
 from exactspline.formulas.plane import f2
 
 CASES = [(2, 1), (3, 1), (3, 10), (3, 100), (3, 1000), (5, 10), (10, 1), (10, 10), (10, 100)]
 SLOW_PEERS = [(2, 1), (3, 1), (3, 10), (5, 10), (10, 1)]
-U_PLUS_V = fmpz_poly([1, 1])
 ids = [f"degree {n}, {segments} segments" for n, segments in CASES]
 slow_ids = [f"degree {n}, {segments} segments" for n, segments in SLOW_PEERS]
 
 
-def curve(degree, segments):
-    numbers = random.Random(1)
-    points = [(numbers.randint(-1000, 1000), numbers.randint(-1000, 1000)) for _ in range(degree + segments)]
-    weights = [numbers.randint(1, 20) for _ in points]
-    return Nurbs(degree, [0] * degree + list(range(segments + 1)) + [segments] * degree, points, weights)
-
-
-def fresh(c):
-    """Drop cached derivatives: what is timed is the whole computation."""
-    c.p._derivative = None
-    for spline in (*c.p, c.w):
-        spline._derivative = None
-    return (c,), {}
-
-
 def inline_f2(segments, n):
     """f2 on forms, written inline over fmpz_poly: the baseline."""
-
-    def d(p, degree):
-        return p.derivative() * U_PLUS_V - fmpz(degree) * p
 
     results = []
     for x, y, w, m in segments:

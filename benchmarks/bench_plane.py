@@ -1,38 +1,19 @@
 """From a curve to g2 and to the naive (κ²)′, against the same computation in raw python-flint and the same formulas over sympy's polynomials."""
 
 import os
-import random
 from math import comb
 
 os.environ.setdefault("SYMPY_GROUND_TYPES", "gmpy")
 
 import pytest
 import sympy
-from flint import fmpz, fmpz_poly
+from ground import U_PLUS_V, curve, d, fresh
 
-from exactspline import Nurbs, Vector
+from exactspline import Vector
 from exactspline.formulas.plane import curvature_squared_derivative, g2
 from exactspline.language import Curve, Operand
 
 DEGREES = range(2, 7)
-U_PLUS_V = fmpz_poly([1, 1])
-
-
-def curve(degree):
-    numbers = random.Random(1)
-    points = [(numbers.randint(-1000, 1000), numbers.randint(-1000, 1000)) for _ in range(degree + 1)]
-    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points, [numbers.randint(1, 20) for _ in points])
-
-
-def fresh(c):
-    c.p._derivative = None
-    for spline in (*c.p, c.w):
-        spline._derivative = None
-    return (c,), {}
-
-
-def d(p, degree):
-    return p.derivative() * U_PLUS_V - fmpz(degree) * p
 
 
 def inline_g2(x, y, w, n):

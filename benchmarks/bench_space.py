@@ -3,36 +3,14 @@
 `extra_info` of a result (`--benchmark-json`) has the size: degree, control points, and bits of all integers together.
 """
 
-import random
-
 import pytest
-from flint import fmpz, fmpz_poly
+from ground import U_PLUS_V, curve, d, fresh
 
-from exactspline import Nurbs
 from exactspline.factors import split
 from exactspline.formulas.space import rectifying_developable, rectifying_developable_reduced, torsion, torsion_reduced
 from exactspline.measure import control_point_count
 
 DEGREES = (3, 4, 5)
-U_PLUS_V = fmpz_poly([1, 1])
-
-
-def curve(degree):
-    numbers = random.Random(1)
-    points = [tuple(numbers.randint(-1000, 1000) for _ in range(3)) for _ in range(degree + 1)]
-    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points, [numbers.randint(1, 20) for _ in points])
-
-
-def fresh(c):
-    """Nothing remembered of derivatives from the round before."""
-    c.p._derivative = None
-    for spline in (*c.p, c.w):
-        spline._derivative = None
-    return (c,), {}
-
-
-def d(p, degree):
-    return p.derivative() * U_PLUS_V - fmpz(degree) * p
 
 
 def dot(a, b):
@@ -118,7 +96,7 @@ def size(value):
 def test_space(benchmark, what, who, degree):
     benchmark.group = f"{what}, rational Bézier curve of degree {degree}"
     compute, inline = WHAT[what]
-    c = curve(degree)
+    c = curve(degree, dimension=3)
     *p, w = [spline.polynomials[0] for spline in (*c.p, c.w)]
     if who == "python-flint inline":
         assert benchmark.pedantic(inline, args=(p, w, degree), rounds=50)

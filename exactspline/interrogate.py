@@ -126,7 +126,7 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
 
 
 def evolute(curve: Any, form: str = MINIMAL) -> Derived:
-    """The evolute of a plane curve, in lowest terms: ``6 d − 6`` at most, ``3 d − 3`` of a polynomial curve.
+    """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.curves import example
     >>> evolute(example("ellipse_skew")).pieces[0].value.degree
@@ -138,7 +138,7 @@ def evolute(curve: Any, form: str = MINIMAL) -> Derived:
 
 
 def focal_curve(curve: Any, form: str = MINIMAL) -> Derived:
-    """The centres of the osculating spheres of a space curve, in lowest terms: ``8 d − 12`` at most, ``4 d − 7`` of a polynomial curve.
+    """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.curves import example
     >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
@@ -150,7 +150,7 @@ def focal_curve(curve: Any, form: str = MINIMAL) -> Derived:
 
 
 def torsion(curve: Any, form: str = MINIMAL) -> Derived:
-    """The torsion of a space curve, in lowest terms: ``6 d − 12`` at most, ``4 d − 8`` of a polynomial curve.
+    """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.curves import example
     >>> torsion(example("twisted_cubic")).pieces[0].value.degree
@@ -162,7 +162,7 @@ def torsion(curve: Any, form: str = MINIMAL) -> Derived:
 
 
 def circle_centres(curve: Any, form: str = MINIMAL) -> Derived:
-    """The centres of the osculating circles of a space curve, in lowest terms: ``9 d − 12`` at most, ``5 d − 7`` of a polynomial curve.
+    """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.curves import example
     >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree
