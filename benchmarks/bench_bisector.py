@@ -1,10 +1,12 @@
-"""Bisectors of rational cubics of one segment and of eight: the forms of §6, against the same determinants over other polynomials.
+"""Bisectors of rational cubics of one segment and of eight: the forms of §6, against the same determinants over other
+polynomials.
 
-python-flint has two routes to polynomials in two variables: its own ``fmpz_mpoly``, and ``fmpz_poly`` with the second variable a power of the first
-("packed"). Both are written inline for the symmetric form: what depends on one parameter is computed once a segment, every minor once, no continuity
-and no structure is kept. The same inline code runs over sympy's sparse rings of integers ("sympy inline", the fastest that sympy has), and sympy's
-``Poly`` runs the library's own formulas, as in the other benchmarks. The point/curve forms are written inline over ``fmpz_poly``.
-`test_targets` holds the ratios; ``python benchmarks/bench_bisector.py`` prints medians of one run, ratios and memory.
+python-flint has two routes to polynomials in two variables: its own ``fmpz_mpoly``, and ``fmpz_poly`` with the second
+variable a power of the first ("packed"). Both are written inline for the symmetric form: what depends on one parameter
+is computed once a segment, every minor once, no continuity and no structure is kept. The same inline code runs over
+sympy's sparse rings of integers ("sympy inline", the fastest that sympy has), and sympy's ``Poly`` runs the library's
+own formulas, as in the other benchmarks. The point/curve forms are written inline over ``fmpz_poly``. `test_targets`
+holds the ratios; ``python benchmarks/bench_bisector.py`` prints medians of one run, ratios and memory.
 """
 
 import os
@@ -28,11 +30,11 @@ from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_poly
 from sympy.polys.rings import ring
 
 from exactspline import Nurbs, Vector
-from exactspline.companions import with_point
-from exactspline.formulas import find
-from exactspline.language import CONSTANTS, Curve, Operand, Pair
-from exactspline.quotients import Rational
-from exactspline.surface import surface_pair
+from exactspline.language.arguments import Curve, Pair, with_point
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.rational import Rational
+from exactspline.papers import find
+from exactspline.splines.tensor import surface_pair
 
 U_PLUS_V = fmpz_poly([1, 1])
 DEGREE = 3
@@ -187,7 +189,9 @@ def sympy_inline(_name, segments):
 
 
 class SympyOperand(Operand):
-    """A sympy polynomial as an operand, differentiated by one of its variables: the library's own formulas run over it."""
+    """A sympy polynomial as an operand, differentiated by one of its variables: the library's own formulas run over
+    it.
+    """
 
     __slots__ = ("poly", "variable")
     recipe = degree = 0
@@ -202,7 +206,9 @@ class SympyOperand(Operand):
     def __mul__(self, other):
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
-        return SympyOperand(self.poly * other.poly, self.variable) if isinstance(other, SympyOperand) else NotImplemented
+        return (
+            SympyOperand(self.poly * other.poly, self.variable) if isinstance(other, SympyOperand) else NotImplemented
+        )
 
     def __eq__(self, other):
         return self.poly == other.poly
@@ -278,7 +284,9 @@ def check(name, segments, who):
     value, peer = getattr(value, "directrix", value), getattr(peer, "directrix", peer)
     place = (sympy.Rational(1, 3), sympy.Rational(2, 5))[: 1 if name in POINTS else 2]
     if who == "sympy Poly":
-        *numbers, below = [x.poly.eval(place[0] if len(place) == 1 else place) for x in (*peer.numerator, peer.denominator)]
+        *numbers, below = [
+            x.poly.eval(place[0] if len(place) == 1 else place) for x in (*peer.numerator, peer.denominator)
+        ]
     else:
         *numbers, below = [at(p, [t / (1 - t) for t in place], who) for p in (*peer[0], 2 * peer[1])]
     assert below
@@ -321,9 +329,10 @@ def milliseconds(name, segments, summary):
     return {who: summary(own) for who, own in times.items()}
 
 
-#: Against whom, at most this multiple of the other's best time, with eight segments. Not held with one: there each of the 120 operations of the
-#: symmetric form costs some three microseconds of Python, all together three times what FLINT needs, and sympy's ``Poly`` takes but 20 to 35 times
-#: as long as exactspline. Nor held against "sympy inline", to which python-flint itself is but 40 to 60 times as fast.
+#: Against whom, at most this multiple of the other's best time, with eight segments. Not held with one: there each of
+#: the 120 operations of the #: symmetric form costs some three microseconds of Python, all together three times what
+#: FLINT needs, and sympy's ``Poly`` takes but 20 to 35 times #: as long as exactspline. Nor held against "sympy
+#: inline", to which python-flint itself is but 40 to 60 times as fast.
 TARGETS = [("python-flint packed", 2), ("python-flint fmpz_mpoly", 2), ("sympy Poly", 1 / 50)]
 
 
@@ -338,10 +347,14 @@ def targets():
 
 
 def memory(name, segments, who):
-    """Peak of Python's own allocations, and growth of the resident size (FLINT's numbers included), in MB, each in a process of its own."""
+    """Peak of Python's own allocations, and growth of the resident size (FLINT's numbers included), in MB, each in a
+    process of its own.
+    """
     found = []
     for kind in ("python", "resident"):
-        done = subprocess.run([sys.executable, __file__, kind, name, str(segments), who], capture_output=True, text=True, check=True)
+        done = subprocess.run(
+            [sys.executable, __file__, kind, name, str(segments), who], capture_output=True, text=True, check=True
+        )
         found.append(int(done.stdout) / 2**20)
     return found
 
@@ -369,7 +382,13 @@ def table():
             for who, ms in took.items():
                 python, resident = memory(name, segments, who)
                 ratio = ms / took["exactspline"]
-                print(f"{name:26}{segments} {who:24}{ms:10.2f} ms {ratio:8.2f}   {python:7.2f} MB Python {resident:8.2f} MB resident", flush=True)
+                print(
+                    (
+                        f"{name:26}{segments} {who:24}{ms:10.2f} ms {ratio:8.2f}   {python:7.2f} MB Python "
+                        f"{resident:8.2f} MB resident"
+                    ),
+                    flush=True,
+                )
 
 
 if __name__ == "__main__":

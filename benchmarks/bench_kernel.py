@@ -1,8 +1,10 @@
-"""The kernel against peers: the same form arithmetic written inline over python-flint, sympy's Poly, and fractions.Fraction.
+"""The kernel against peers: the same form arithmetic written inline over python-flint, sympy's Poly, and
+fractions.Fraction.
 
-Every benchmark is reported together with its peers on the same data in one group, so that ratios can be read off the table. The curve's
-cached derivatives are dropped before every run. Control points are timed apart, as they are made when asked for. sympy is timed with its
-own polynomials: with python-flint installed it would silently hand its polynomials to FLINT (SYMPY_GROUND_TYPES=flint times that).
+Every benchmark is reported together with its peers on the same data in one group, so that ratios can be read off the
+table. The curve's cached derivatives are dropped before every run. Control points are timed apart, as they are made
+when asked for. sympy is timed with its own polynomials: with python-flint installed it would silently hand its
+polynomials to FLINT (SYMPY_GROUND_TYPES=flint times that).
 """
 
 import os
@@ -17,7 +19,7 @@ import sympy
 from ground import curve, d, fresh
 
 from exactspline import BSpline
-from exactspline.formulas.plane import f2
+from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f2
 
 CASES = [(2, 1), (3, 1), (3, 10), (3, 100), (3, 1000), (5, 10), (10, 1), (10, 10), (10, 100)]
 SLOW_PEERS = [(2, 1), (3, 1), (3, 10), (5, 10), (10, 1)]
@@ -94,7 +96,10 @@ def fraction_f2(segments):
 
 
 def as_fractions(c):
-    return [tuple([Fraction(str(b)) for b in row] for row in rows) for rows in zip(c.p[0].segments, c.p[1].segments, c.w.segments, strict=True)]
+    return [
+        tuple([Fraction(str(b)) for b in row] for row in rows)
+        for rows in zip(c.p[0].segments, c.p[1].segments, c.w.segments, strict=True)
+    ]
 
 
 @pytest.mark.parametrize("case", CASES, ids=ids)

@@ -1,7 +1,7 @@
 """From control points to all vertices: squaring, the paper's form and the lowest one, on the same curves in one run.
 
-As a script it prints a table and draws it: ``python benchmarks/bench_lowest.py --plot lowest.svg``; with ``--most 600`` a form that would have more
-degrees times segments than that is left out (squaring soon has).
+As a script it prints a table and draws it: ``python benchmarks/bench_lowest.py --plot lowest.svg``; with ``--most 600``
+a form that would have more degrees times segments than that is left out (squaring soon has).
 """
 
 import argparse
@@ -12,8 +12,8 @@ from time import perf_counter
 import pytest
 
 from exactspline import Nurbs
-from exactspline.joints import zero_form
-from exactspline.zeros import zeros
+from exactspline.geometry.zero_forms import zero_form
+from exactspline.roots.zero_set import zeros
 
 FORMS = ("squaring", "paper", "minimal")
 DEGREES, SEGMENTS = (2, 3, 4, 5, 6), (1, 3, 10, 30, 100)
@@ -48,7 +48,9 @@ class Cost:
 
 
 def cost(form, degree, segments, rounds=3):
-    """Build the form from control points, then all its zeros, certified: the best of several rounds, each on a curve made afresh."""
+    """Build the form from control points, then all its zeros, certified: the best of several rounds, each on a curve
+    made afresh.
+    """
     build = solve = float("inf")
     for _ in range(rounds):
         c = curve(degree, segments)
@@ -62,7 +64,7 @@ def cost(form, degree, segments, rounds=3):
 
 
 def zero_form_only(c, form):
-    from exactspline.constructions import construction
+    from exactspline.geometry.constructions import construction
 
     return construction("critical_curvature").on(c, form)
 
@@ -86,7 +88,10 @@ def test_vertices(benchmark, degree, form):
 
 
 def table(rows):
-    head = f"{'d':>2} {'segments':>8} {'form':>9} {'degree':>6} {'points':>7} {'kbits':>9} {'build s':>9} {'zeros s':>9} {'roots':>6}"
+    head = (
+        f"{'d':>2} {'segments':>8} {'form':>9} {'degree':>6} {'points':>7} {'kbits':>9} {'build s':>9} "
+        f"{'zeros s':>9} {'roots':>6}"
+    )
     lines = [head]
     for r in rows:
         sizes = f"{r.form_degree:>6} {r.control_points:>7} {r.bits / 1000:>9.1f}"
@@ -101,11 +106,20 @@ def draw(rows, path):
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5))
-    for axis, measure, label in ((axes[0], lambda r: r.build + r.solve, "seconds to all vertices"), (axes[1], lambda r: r.bits, "bits of the form")):
+    for axis, measure, label in (
+        (axes[0], lambda r: r.build + r.solve, "seconds to all vertices"),
+        (axes[1], lambda r: r.bits, "bits of the form"),
+    ):
         for form, colour in zip(FORMS, ("tab:red", "tab:orange", "tab:blue"), strict=True):
             for degree, style in zip(DEGREES, ("-", "--", "-.", ":", (0, (1, 3))), strict=True):
                 mine = [r for r in rows if r.form == form and r.degree == degree]
-                axis.plot([r.segments for r in mine], [measure(r) for r in mine], color=colour, linestyle=style, label=f"{form}, d = {degree}")
+                axis.plot(
+                    [r.segments for r in mine],
+                    [measure(r) for r in mine],
+                    color=colour,
+                    linestyle=style,
+                    label=f"{form}, d = {degree}",
+                )
         axis.set(xscale="log", yscale="log", xlabel="segments", ylabel=label)
     axes[1].legend(fontsize=6, ncols=3)
     figure.tight_layout()

@@ -1,4 +1,6 @@
-"""From a curve to g2 and to the naive (κ²)′, against the same computation in raw python-flint and the same formulas over sympy's polynomials."""
+"""From a curve to g2 and to the naive (κ²)′, against the same computation in raw python-flint and the same formulas
+over sympy's polynomials.
+"""
 
 import os
 from math import comb
@@ -10,8 +12,9 @@ import sympy
 from ground import U_PLUS_V, curve, d, fresh
 
 from exactspline import Vector
-from exactspline.formulas.plane import curvature_squared_derivative, g2
-from exactspline.language import Curve, Operand
+from exactspline.language.arguments import Curve
+from exactspline.language.operand import Operand
+from exactspline.papers.chen_riesenfeld_cohen_2007.plane import curvature_squared_derivative, g2
 
 DEGREES = range(2, 7)
 
@@ -25,7 +28,12 @@ def inline_g2(x, y, w, n):
     cx, cy = x3 * w - x * w3, y3 * w - y * w3
     ex, ey = x2 * w1 - x1 * w2, y2 * w1 - y1 * w2
     speed, turn = ax * ax + ay * ay, ax * by - ay * bx
-    return (ax * cy - ay * cx) * speed * w + (ax * ey - ay * ex) * speed * w + 2 * w1 * turn * speed - 3 * (ax * bx + ay * by) * turn * w
+    return (
+        (ax * cy - ay * cx) * speed * w
+        + (ax * ey - ay * ex) * speed * w
+        + 2 * w1 * turn * speed
+        - 3 * (ax * bx + ay * by) * turn * w
+    )
 
 
 def inline_squaring(x, y, w, n):
@@ -94,5 +102,7 @@ def test_pipeline(benchmark, what, degree, who):
         assert benchmark.pedantic(inline, args=(*forms, degree), rounds=100)
     else:
         peer = sympy_curve(c)
-        value = benchmark.pedantic(lambda: formula(Curve(Vector(*[SympyOperand(x.poly) for x in peer.p]), peer.w)), rounds=3)
+        value = benchmark.pedantic(
+            lambda: formula(Curve(Vector(*[SympyOperand(x.poly) for x in peer.p]), peer.w)), rounds=3
+        )
         assert value is not None

@@ -1,4 +1,5 @@
-"""Torsion and the rectifying developable of a rational space curve: naive (26d, 39d) and reduced (8d − 6, 13d − 8), each against raw python-flint.
+"""Torsion and the rectifying developable of a rational space curve: naive (26d, 39d) and reduced (8d − 6, 13d − 8),
+each against raw python-flint.
 
 `extra_info` of a result (`--benchmark-json`) has the size: degree, control points, and bits of all integers together.
 """
@@ -6,9 +7,14 @@
 import pytest
 from ground import U_PLUS_V, curve, d, fresh
 
-from exactspline.factors import split
-from exactspline.formulas.space import rectifying_developable, rectifying_developable_reduced, torsion, torsion_reduced
-from exactspline.measure import control_point_count
+from exactspline.language.parts import split
+from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
+    rectifying_developable,
+    rectifying_developable_reduced,
+    torsion,
+    torsion_reduced,
+)
+from exactspline.splines.lowest_terms import control_point_count
 
 DEGREES = (3, 4, 5)
 
@@ -105,5 +111,7 @@ def test_space(benchmark, what, who, degree):
     numerators, denominator = split(value)
     top, bottom = inline(p, w, degree)
     tops = top if isinstance(top, list) else [top]
-    assert all(x.polynomials[0] * bottom == y * denominator.polynomials[0] for x, y in zip(numerators, tops, strict=True))
+    assert all(
+        x.polynomials[0] * bottom == y * denominator.polynomials[0] for x, y in zip(numerators, tops, strict=True)
+    )
     benchmark.extra_info |= size(value)

@@ -1,7 +1,8 @@
 """Every zero on [0, 1], isolated and refined, against PARI, python-flint and sympy on the same polynomials.
 
-PARI's ``polrootsreal`` gives floating-point numbers without a bound, python-flint all complex roots in balls, sympy intervals. The polynomials are
-f2, g2 and the naive (κ²)′ of rational Bézier curves, and random ones in Bernstein form. `test_targets` holds the ratios; the rest is for looking at.
+PARI's ``polrootsreal`` gives floating-point numbers without a bound, python-flint all complex roots in balls, sympy
+intervals. The polynomials are f2, g2 and the naive (κ²)′ of rational Bézier curves, and random ones in Bernstein form.
+`test_targets` holds the ratios; the rest is for looking at.
 """
 
 import os
@@ -18,9 +19,9 @@ import sympy
 from flint import fmpz_poly
 
 from exactspline import BSpline, Nurbs
-from exactspline.form import substituted
-from exactspline.formulas.plane import curvature_derivative_numerator, f2, g2
-from exactspline.zeros import zeros
+from exactspline.papers.chen_riesenfeld_cohen_2007.plane import curvature_derivative_numerator, f2, g2
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bernstein import substituted
 
 pari = cypari.pari
 
@@ -117,9 +118,16 @@ def seconds(tool, name, digits):
 
 
 #: Against whom, digits, at most this multiple of the other's time.
-TARGETS = [("PARI", 50, 4), ("PARI", 1000, 2), ("python-flint", 50, 1 / 3), ("python-flint", 1000, 1 / 3), ("sympy", 50, 1 / 50)]
-#: Not held: below degree 20 a root costs PARI 20 microseconds, what a few Python calls cost; the naive form of degree 60 has factors of degree 4
-#: and 2, the latter 22 times, and the others take the square-free part first, which costs more than it saves in every other case here.
+TARGETS = [
+    ("PARI", 50, 4),
+    ("PARI", 1000, 2),
+    ("python-flint", 50, 1 / 3),
+    ("python-flint", 1000, 1 / 3),
+    ("sympy", 50, 1 / 50),
+]
+#: Not held: below degree 20 a root costs PARI 20 microseconds, what a few Python calls cost; the naive form of degree
+#: 60 has factors of degree 4 #: and 2, the latter 22 times, and the others take the square-free part first, which costs
+#: more than it saves in every other case here.
 HELD = [name for name in CASES if int(name.split()[-1]) > 20 and name != "naive, degree 60"]
 
 
@@ -129,7 +137,10 @@ def targets():
         for tool, digits, limit in TARGETS:
             if (name, digits, tool) in COMBINATIONS:
                 ratio = seconds("exactspline", name, digits) / seconds(tool, name, digits)
-                print(f"{name:24}{digits:6} digits  exactspline / {tool}: {ratio:.3f} (at most {limit:.3f} is wanted)", flush=True)
+                print(
+                    f"{name:24}{digits:6} digits  exactspline / {tool}: {ratio:.3f} (at most {limit:.3f} is wanted)",
+                    flush=True,
+                )
 
 
 def table():

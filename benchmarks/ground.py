@@ -1,4 +1,6 @@
-"""What several benchmarks have in common: random curves from a fixed seed, a fresh start for every round, the derivative inline over python-flint."""
+"""What several benchmarks have in common: random curves from a fixed seed, a fresh start for every round, the
+derivative inline over python-flint.
+"""
 
 import random
 

@@ -9,23 +9,32 @@ True
 from importlib import import_module
 from typing import Any
 
+from exactspline.language.services import register
+
 __version__ = "0.1.0"
 
+_SERVICES = {
+    "html": "exactspline.display.notebook:html",
+    "latex": "exactspline.display.latex:latex",
+    "short": "exactspline.display.notebook:short",
+}
+register(_SERVICES)
+
 _HOMES = {
-    "BSpline": "spline",
-    "KnotVector": "knots",
-    "Nurbs": "nurbs",
-    "Vector": "language",
-    "Rational": "quotients",
-    "formula": "language",
-    "dot": "language",
-    "cross": "language",
-    "det": "language",
-    "perp": "language",
-    "norm2": "language",
-    "triple": "language",
-    "generalized_cross": "language",
-    "wronskian": "language",
+    "BSpline": "splines.bspline",
+    "KnotVector": "splines.knots",
+    "Nurbs": "splines.nurbs",
+    "Vector": "language.vector",
+    "Rational": "language.rational",
+    "formula": "language.formula",
+    "dot": "language.vector",
+    "cross": "language.vector",
+    "det": "language.vector",
+    "perp": "language.vector",
+    "norm2": "language.vector",
+    "triple": "language.vector",
+    "generalized_cross": "language.vector",
+    "wronskian": "language.vector",
     "rational": "exact",
     "from_float": "exact",
 }

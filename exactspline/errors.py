@@ -31,7 +31,8 @@ class ExactSplineError(ValueError):
 
 
 def shown(value: object, limit: int = 40) -> str:
-    """A value as an error message shows it: short, and never a failure of its own (integers of thousands of digits refuse to be printed).
+    """A value as an error message shows it: short, and never a failure of its own (integers of thousands of digits
+    refuse to be printed).
 
     >>> shown("one"), shown(10**5000)
     ("'one'", 'an int too long to print')
@@ -39,7 +40,11 @@ def shown(value: object, limit: int = 40) -> str:
     try:
         text = repr(value)
     except ValueError:
-        return f"an {type(value).__name__} too long to print" if type(value) is int else f"a {type(value).__name__} too long to print"
+        return (
+            f"an {type(value).__name__} too long to print"
+            if type(value) is int
+            else f"a {type(value).__name__} too long to print"
+        )
     return text if len(text) <= limit else f"{text[:limit]}…"
 
 

@@ -1,7 +1,8 @@
 """The only gate between other numbers and ``gmpy2.mpq``, and between gmpy2 and FLINT both ways.
 
 gmpy2 takes floats without a word (``mpq(0.1)`` is a 55-bit number nobody wrote, ``mpq(1, 3) + 0.5`` is an ``mpfr``), so
-every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from foreign data.
+every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from foreign
+data.
 """
 
 from __future__ import annotations
@@ -31,8 +32,8 @@ _HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+
 def rational(value: Any) -> mpq:
     """The exact value of a number as ``gmpy2.mpq``.
 
-    Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, and text: ``"3/4"``, ``"0.1"``,
-    ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
+    Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, and text:
+    ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
 
     >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
     (mpq(1,10), mpq(3,4), mpq(3,16))
@@ -42,7 +43,7 @@ def rational(value: Any) -> mpq:
 
     >>> rational(0.1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" for the decimal, ...
+    exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" ...
     """
     kind = type(value)
     if kind in _TYPES:
@@ -132,7 +133,9 @@ def _from_text(value: str) -> mpq:
     if match := _FRACTION.fullmatch(value):
         numerator, denominator = mpz(match[1].lstrip("+")), mpz(match[2].lstrip("+"))
         if denominator == 0:
-            raise NumberError(f"{value.strip()[:40]!r} has a zero denominator", remedy="write a fraction with a non-zero denominator")
+            raise NumberError(
+                f"{value.strip()[:40]!r} has a zero denominator", remedy="write a fraction with a non-zero denominator"
+            )
         return mpq(numerator, denominator)
     for pattern, radix, per_digit in ((_DECIMAL, 10, 1), (_HEX, 16, 4)):
         match = pattern.fullmatch(value)

@@ -1,13 +1,14 @@
 """§2. The degree calculus of Table 1.
 
-An operand has a degree; a sum has the larger of the two, a product their sum, a derivative one less, and a quotient is differentiated by the
-quotient rule without cancelling anything. Seventeen rows, each read off the formula that runs and compared with the row of the paper.
+An operand has a degree; a sum has the larger of the two, a product their sum, a derivative one less, and a quotient is
+differentiated by the quotient rule without cancelling anything. Seventeen rows, each read off the formula that runs and
+compared with the row of the paper.
 """
 
 import pytest
 from theorem import establish
 
-from exactspline.claims import all_claims
+from exactspline.verification.claims import all_claims
 
 
 @pytest.mark.parametrize("row", [claim.id for claim in all_claims() if claim.curve == "table"])

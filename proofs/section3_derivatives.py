@@ -1,13 +1,14 @@
 """§3. Derivatives of a rational curve γ = p/w.
 
-The derivatives are expressed by D1 = p′w − pw′, D2 = p″w − pw″, D3 = p‴w − pw‴ and D21 = p″w′ − p′w″, of lower degree than the quotient rule gives.
+The derivatives are expressed by D1 = p′w − pw′, D2 = p″w − pw″, D3 = p‴w − pw‴ and D21 = p″w′ − p′w″, of lower degree
+than the quotient rule gives.
 """
 
 from theorem import establish, verdict_for_all
 
-from exactspline.curves import example, example_names
-from exactspline.formulas import find
-from exactspline.readings.series import series_curve
+from exactspline.papers import find
+from exactspline.readings.taylor import series_curve
+from exactspline.splines.examples import example, example_names
 
 
 def test_equations_1_2_3_and_5():
@@ -18,7 +19,9 @@ def test_equations_1_2_3_and_5():
 
 
 def test_derivatives_are_taylor_coefficients():
-    """Against the definition: power series division knows no quotient rule, and gives the same derivatives on every example curve."""
+    """Against the definition: power series division knows no quotient rule, and gives the same derivatives on every
+    example curve.
+    """
     for name in example_names():
         curve = example(name)
         a, b = curve.domain
@@ -26,7 +29,9 @@ def test_derivatives_are_taylor_coefficients():
         for order, formula in enumerate(("velocity", "acceleration", "jerk"), start=1):
             definition = series_curve(curve, t, 4).gamma.d(order)
             value = find(formula)(curve)
-            assert tuple(c.value for c in definition) == (value(t) if hasattr(value, "denominator") else tuple(c(t) for c in value))
+            assert tuple(c.value for c in definition) == (
+                value(t) if hasattr(value, "denominator") else tuple(c(t) for c in value)
+            )
 
 
 def test_remark_3_1_degrees():

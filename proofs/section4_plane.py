@@ -1,7 +1,8 @@
 """§4. Plane curves: zero curvature, critical curvature, evolutes.
 
-Each naive form and its reduction are one up to a factor that is found, for all curves; on the example curves this is verified by multiplication;
-and each object is held against its geometric definition by a route that shares no formula with it.
+Each naive form and its reduction are one up to a factor that is found, for all curves; on the example curves this is
+verified by multiplication; and each object is held against its geometric definition by a route that shares no formula
+with it.
 """
 
 from fractions import Fraction
@@ -12,11 +13,11 @@ from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
 from exactspline import dot
-from exactspline.curves import example, example_names
-from exactspline.form import zero_on_segment
-from exactspline.formulas import find
-from exactspline.interrogate import derive
-from exactspline.readings.series import series_curve
+from exactspline.geometry.derived import derive
+from exactspline.papers import find
+from exactspline.readings.taylor import series_curve
+from exactspline.splines.bernstein import zero_on_segment
+from exactspline.splines.examples import example, example_names
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
 CURVED = [name for name in PLANE if not find("f2")(example(name)).is_zero]
@@ -61,14 +62,18 @@ def test_squaring_adds_the_inflections():
 
 
 def test_counts_in_the_text_and_the_captions():
-    """Out of the actual splines: 12, 24, 72, 144; 24 with 150; 96 with 388, 12 with 52; 26 with 108, 9 with 40. g0 of Fig. 1 has 42, not 24."""
+    """Out of the actual splines: 12, 24, 72, 144; 24 with 150; 96 with 388, 12 with 52; 26 with 108, 9 with 40. g0 of
+    Fig. 1 has 42, not 24.
+    """
     assert set(verdict_for_all("C4.2h")) == {"VERIFIED"}
     assert verdict_for_all("Fig. 1") == ["VERIFIED", "REFUTED", "VERIFIED", "VERIFIED", "VERIFIED", "VERIFIED"]
     assert set(verdict_for_all("Fig. 2") + verdict_for_all("Fig. 3")) == {"VERIFIED"}
 
 
 def test_equation_12():
-    """The evolute is the centre of the circle of second-order contact; naive and reduced form are one; κ beside it is printed upside down."""
+    """The evolute is the centre of the circle of second-order contact; naive and reduced form are one; κ beside it is
+    printed upside down.
+    """
     assert verdict_for_all("E12") == ["PROVED", "PROVED"]
     assert verdict_for_all("C4.3a") == ["PROVED"]
     assert verdict_for_all("C4.3c") == ["REFUTED", "PROVED"]
@@ -76,7 +81,9 @@ def test_equation_12():
 
 
 def centre_of_contact(x, y):
-    """The centre of the circle through the point with the Taylor coefficients x, y that the curve meets to second order: two linear equations."""
+    """The centre of the circle through the point with the Taylor coefficients x, y that the curve meets to second
+    order: two linear equations.
+    """
     (_, x1, x2), (_, y1, y2) = x, y
     # ‖γ(h) − m‖² constant to h²:  x1 u + y1 v = 0  and  2 x2 u + 2 y2 v = x1² + y1², with (u, v) = m − γ(0)
     determinant = x1 * 2 * y2 - y1 * 2 * x2
@@ -115,7 +122,11 @@ def curvature_at(curve, i, t):
     def bernstein(row, u):
         n = len(row) - 1
         return mpmath.fsum(
-            mpmath.binomial(n, k) * mpmath.mpf(Fraction(str(c)).numerator) / Fraction(str(c)).denominator * u**k * (1 - u) ** (n - k)
+            mpmath.binomial(n, k)
+            * mpmath.mpf(Fraction(str(c)).numerator)
+            / Fraction(str(c)).denominator
+            * u**k
+            * (1 - u) ** (n - k)
             for k, c in enumerate(row)
         )
 
@@ -144,7 +155,9 @@ def test_zeros_of_g0_are_zeros_of_the_derivative_of_curvature(name):
             low, high = (low, middle) if g2(low) * g2(middle) <= 0 else (middle, high)
         with mpmath.workdps(60):
             root = mpmath.mpf(int(low.numerator)) / int(low.denominator)
-            slopes = [mpmath.diff(lambda s, i=i: curvature_at(curve, i, s), root + shift) for shift in (0, mpmath.mpf("0.01"))]
+            slopes = [
+                mpmath.diff(lambda s, i=i: curvature_at(curve, i, s), root + shift) for shift in (0, mpmath.mpf("0.01"))
+            ]
             assert abs(slopes[0]) < mpmath.mpf(10) ** -15 * (1 + abs(slopes[1]))
             assert abs(slopes[1]) > mpmath.mpf(10) ** -6
         checked += 1

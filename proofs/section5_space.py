@@ -1,7 +1,8 @@
-"""§5. Space curves: curvature and torsion, the ruled surfaces on the Frenet directions, the focal curve and the focal surface.
+"""§5. Space curves: curvature and torsion, the ruled surfaces on the Frenet directions, the focal curve and the focal
+surface.
 
-Each naive form and its reduction are one; each object is held against its definition. In two places the paper is wrong: the parameter of the
-rectifying developable is λ = ζ/‖γ′‖, not ‖γ′‖ζ, and the focal curve is rational.
+Each naive form and its reduction are one; each object is held against its definition. In two places the paper is wrong:
+the parameter of the rectifying developable is λ = ζ/‖γ′‖, not ‖γ′‖ζ, and the focal curve is rational.
 """
 
 from fractions import Fraction
@@ -11,11 +12,11 @@ from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
 from exactspline import Vector, dot
-from exactspline.curves import example, example_names
-from exactspline.formulas import find
-from exactspline.language import Curve
-from exactspline.quotients import Rational
-from exactspline.readings.series import Series, series_curve
+from exactspline.language.arguments import Curve
+from exactspline.language.rational import Rational
+from exactspline.papers import find
+from exactspline.readings.taylor import Series, series_curve
+from exactspline.splines.examples import example, example_names
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 TWISTED = [name for name in SPACE if not find("D1_D2_D3")(example(name)).is_zero]
@@ -36,7 +37,9 @@ def helix(pitch, terms=6):
 
 @pytest.mark.parametrize("pitch", ["1", "-2", "3/7"])
 def test_a_helix_has_constant_curvature_and_torsion(pitch):
-    """κ = 1/(1 + c²) and τ = c/(1 + c²), positive for a right-handed helix; the focal curve is the helix of the centres."""
+    """κ = 1/(1 + c²) and τ = c/(1 + c²), positive for a right-handed helix; the focal curve is the helix of the
+    centres.
+    """
     c, h = mpq(pitch), helix(pitch)
     assert find("torsion")(h).value == find("torsion_reduced")(h).value == c / (1 + c * c)
     assert find("space_curvature_squared")(h).value == 1 / (1 + c * c) ** 2
@@ -67,7 +70,9 @@ def test_ruled_surfaces_of_the_frenet_directions(claim):
 
 def test_relations_between_the_ruling_parameters():
     """ζ = w λ, w³ λ and w⁵ λ: found, not assumed."""
-    found = [row.factor for claim in ("C5.3a", "C5.3b", "C5.3c") for row in establish(claim, "one surface") if not row.curve]
+    found = [
+        row.factor for claim in ("C5.3a", "C5.3b", "C5.3c") for row in establish(claim, "one surface") if not row.curve
+    ]
     assert found == ["ζ = w λ", "ζ = w³ λ", "ζ = w⁵ λ"]
 
 
@@ -81,7 +86,9 @@ def test_the_rectifying_developable():
 
 
 def test_the_focal_curve_is_rational():
-    """Defined by contact of third order it is eq. (19) with the derivative by arc length; Ψ is right; "non-rational" is not."""
+    """Defined by contact of third order it is eq. (19) with the derivative by arc length; Ψ is right; "non-rational" is
+    not.
+    """
     assert verdict_for_all("E19") == ["PROVED"] * 4
     assert verdict_for_all("C5.5a") == ["PROVED"]
     assert verdict_for_all("C5.5b", "non-rational") == ["REFUTED"]
@@ -130,7 +137,9 @@ def constant_point(c):
 
 
 def test_the_focal_surface():
-    """One surface, developable, the envelope of the normal planes: its rulings are where a normal plane meets the next."""
+    """One surface, developable, the envelope of the normal planes: its rulings are where a normal plane meets the
+    next.
+    """
     assert verdict_for_all("C5.6a", "one surface") == ["PROVED"]
     assert verdict_for_all("C5.6a", "developable") == ["PROVED"]
     for name in TWISTED:

@@ -1,9 +1,10 @@
 """§6. Bisectors, in the sense of equal critical distances.
 
-The reductions hold: (27), made polynomial in both curves, brings the bisector of two rational space curves to degree 4d − 1 in either
-parameter, and the direct approach that of a point and a curve. Four things are wrong: (24) gives γ′ of a rational curve the degree d − 1,
-and the naive counts that start from it are too low; (27) as printed is polynomial in one curve only; (34) as printed lacks a factor w; and
-the 4d − 2 of Farouki and Johnstone is no typo but the true degree.
+The reductions hold: (27), made polynomial in both curves, brings the bisector of two rational space curves to degree 4d
+− 1 in either parameter, and the direct approach that of a point and a curve. Four things are wrong: (24) gives γ′ of a
+rational curve the degree d − 1, and the naive counts that start from it are too low; (27) as printed is polynomial in
+one curve only; (34) as printed lacks a factor w; and the 4d − 2 of Farouki and Johnstone is no typo but the true
+degree.
 """
 
 from itertools import product
@@ -12,11 +13,11 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline.bisectors import curve_bisector, point_bisector
-from exactspline.companions import companion_point
-from exactspline.curves import example, example_names
-from exactspline.formulas import find
-from exactspline.trimming import trimmed_bisector
+from exactspline.geometry.bisectors import curve_bisector, point_bisector
+from exactspline.geometry.trimmed_bisector import trimmed_bisector
+from exactspline.papers import find
+from exactspline.splines.examples import example, example_names
+from exactspline.verification.test_arguments import companion_point
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 TWISTED = [name for name in SPACE if not find("D1_D2_D3")(example(name)).is_zero]
@@ -32,30 +33,42 @@ def test_polynomial_curves():
 
 
 def test_naive_counts_of_rational_curves():
-    """Not those of the paper by either policy of Table 1; all of them come out if γ′ had the degree that (24) gives it."""
+    """Not those of the paper by either policy of Table 1; all of them come out if γ′ had the degree that (24) gives
+    it.
+    """
     assert verdict_for_all("C6.1b", "d − 1, either polynomial or rational: rational") == ["REFUTED"]
     assert set(verdict_for_all("C6.1b", "of (24): the paper adds as Table 1 does")) == {"PROVED"}
     assert set(verdict_for_all("C6.1b", "by Table 1")) == {"PROVED"}
-    for what in ("determinant D, rational curves", "Di, added as they come, rational", "Di, each row first brought to one denominator, rational"):
+    for what in (
+        "determinant D, rational curves",
+        "Di, added as they come, rational",
+        "Di, each row first brought to one denominator, rational",
+    ):
         assert verdict_for_all("C6.1b", what)[0] == "REFUTED"
 
 
 def test_the_polynomial_formulation():
-    """(27) gives the same surface, of degree 4d − 1 in s; in s̄ only when it is made polynomial in the second curve too."""
+    """(27) gives the same surface, of degree 4d − 1 in s; in s̄ only when it is made polynomial in the second curve
+    too.
+    """
     assert set(verdict_for_all("C6.1c")) == {"PROVED"}
     assert verdict_for_all("C6.1e", "same degree in s̄ as in s, rational") == ["REFUTED"]
     assert set(verdict_for_all("C6.1e", "polynomial in both curves")) == {"PROVED"}
 
 
 def test_the_footnote():
-    """4d − 2 is the degree in lowest terms of the planar bisector, and of the bisector of two space curves in either parameter."""
+    """4d − 2 is the degree in lowest terms of the planar bisector, and of the bisector of two space curves in either
+    parameter.
+    """
     assert verdict_for_all("C6.1d", "is a typo") == ["REFUTED"]
     assert verdict_for_all("C6.1d", "planar point/curve bisector of a rational curve has") == ["PROVED"]
     assert verdict_for_all("C6.1d", "two rational space curves") == ["PROVED"]
 
 
 def test_a_point_and_a_curve():
-    """The counts of the explicit directrix follow Table 1 with each row levelled; the direct form is the same surface."""
+    """The counts of the explicit directrix follow Table 1 with each row levelled; the direct form is the same
+    surface.
+    """
     assert set(verdict_for_all("C6.2a")) == {"PROVED"}
     assert set(verdict_for_all("C6.2b")) == {"PROVED"}
     assert set(verdict_for_all("C6.2c")) == {"PROVED"}
@@ -76,7 +89,9 @@ def test_misprints():
 
 
 def test_definitions():
-    """A bisector point lies in the normal planes of its feet and is equidistant from them: proved, and seen on points."""
+    """A bisector point lies in the normal planes of its feet and is equidistant from them: proved, and seen on
+    points.
+    """
     assert set(verdict_for_all("E22")) == {"PROVED"}
     assert set(verdict_for_all("E30")) == {"PROVED"}
 

@@ -1,8 +1,8 @@
 """Beyond the paper: the forms that come from the lifts of a curve, and why their degrees cannot be beaten.
 
-Each lifted form is identical to what the paper has, for all curves; on the example curves this is verified; and its geometry is checked by a route of
-its own: contact with lines, planes, circles and spheres, counted on exact Taylor series. The degree theorem is stated and proved in
-docs/degree-theorem.md; here its numbers are those of the ledger.
+Each lifted form is identical to what the paper has, for all curves; on the example curves this is verified; and its
+geometry is checked by a route of its own: contact with lines, planes, circles and spheres, counted on exact Taylor
+series. The degree theorem is stated and proved in docs/degree-theorem.md; here its numbers are those of the ledger.
 """
 
 import pytest
@@ -10,17 +10,20 @@ from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
 from exactspline import Vector, dot
-from exactspline.constructions import CONSTRUCTIONS, construction, symbolic_minimum
-from exactspline.covariants import true_degree
-from exactspline.curves import example, example_names
-from exactspline.formulas import find
-from exactspline.minimality import attained
+from exactspline.geometry.constructions import all_constructions, construction
+from exactspline.papers import find
 from exactspline.readings.jet import jet_curve
-from exactspline.readings.series import Series, series_curve
-from exactspline.reduce import reduction
+from exactspline.readings.taylor import Series, series_curve
+from exactspline.splines.examples import example, example_names
+from exactspline.symbolic.covariants import true_degree
+from exactspline.symbolic.reduction import reduction
+from exactspline.verification.generic_degree import symbolic_minimum
+from exactspline.verification.minimality import attained
 
 PLANE = [name for name in example_names() if example(name).dimension == 2 and not find("f2")(example(name)).is_zero]
-SPACE = [name for name in example_names() if example(name).dimension == 3 and not find("D1_D2_D3")(example(name)).is_zero]
+SPACE = [
+    name for name in example_names() if example(name).dimension == 3 and not find("D1_D2_D3")(example(name)).is_zero
+]
 
 
 def parameters(curve, count=4):
@@ -82,7 +85,11 @@ def test_the_osculating_circle_has_three_point_contact(name):
 
 
 #: What touches a space curve, the lift it is paired with, and the order of contact.
-CONTACTS = [("osculating_sphere", "conformal_lift", 4), ("osculating_plane", "projective_lift", 3), ("circle_sphere", "conformal_lift", 3)]
+CONTACTS = [
+    ("osculating_sphere", "conformal_lift", 4),
+    ("osculating_plane", "projective_lift", 3),
+    ("circle_sphere", "conformal_lift", 3),
+]
 
 
 @pytest.mark.parametrize("name", SPACE)
@@ -115,7 +122,7 @@ def test_the_centre_of_the_osculating_circle_lies_in_the_osculating_plane(name):
             assert a + sum(n * x for n, x in zip(normal, centre, strict=True)) == 0
 
 
-@pytest.mark.parametrize("name", CONSTRUCTIONS)
+@pytest.mark.parametrize("name", all_constructions())
 def test_no_degree_can_be_dropped_on_the_generic_curve(name):
     """One certified witness for each degree from 2 to 6, rational and polynomial."""
     for polynomial in (False, True):
@@ -132,12 +139,18 @@ def test_an_ellipse_has_as_many_vertices_as_its_form_has_degrees():
 
 def test_what_reduce_finds_is_what_the_lifts_give():
     """The reduced form of the naive formula is the lifted form itself, not only a multiple of it."""
-    for naive, lifted in (("g0", "vertices_lifted"), ("velocity_acceleration_jerk", "torsion_zeros_lifted"), ("binormal", "binormal_lifted")):
+    for naive, lifted in (
+        ("g0", "vertices_lifted"),
+        ("velocity_acceleration_jerk", "torsion_zeros_lifted"),
+        ("binormal", "binormal_lifted"),
+    ):
         dimension = 2 if naive == "g0" else 3
         found = reduction(naive, dimension).main.reduced
         value = find(lifted)(jet_curve(dimension, 3))
         expected = list(value) if isinstance(value, Vector) else [value]
-        assert [jet.polynomial.terms() and dict(by_names(jet)) for jet in found] == [dict(by_names(jet)) for jet in expected]
+        assert [jet.polynomial.terms() and dict(by_names(jet)) for jet in found] == [
+            dict(by_names(jet)) for jet in expected
+        ]
     assert isinstance(series_curve(example("circle"), 0, 3).w, Series)
 
 

@@ -2,8 +2,8 @@
 
 from functools import cache
 
-from exactspline.audit import audit
-from exactspline.claims import all_claims
+from exactspline.verification.claims import all_claims
+from exactspline.verification.ledger import audit
 
 
 @cache
@@ -16,7 +16,10 @@ def establish(claim_id, statement=""):
     rows = [row for row in _audited(claim_id) if statement in row.statement]
     assert rows, f"no claim {claim_id} says {statement!r}"
     for row in rows:
-        assert row.as_recorded, f"{row.id}, {row.statement}, on {row.curve or 'all curves'}: {row.verdict}, recorded {row.expected}. {row.witness}"
+        assert row.as_recorded, (
+            f"{row.id}, {row.statement}, on {row.curve or 'all curves'}: {row.verdict}, recorded "
+            f"{row.expected}. {row.witness}"
+        )
     return rows
 
 

@@ -7,7 +7,7 @@ from flint import fmpq, fmpq_mat
 from gmpy2 import mpq
 
 from exactspline import BSpline
-from exactspline.surface import TensorSpline
+from exactspline.splines.tensor import TensorSpline
 
 
 def basis(knots, n, i, t, side="right"):
@@ -31,7 +31,10 @@ def polar(knots, n, points, j, arguments):
     """The polar form (blossom) of the polynomial over span j, by de Boor's triangle with one argument a column."""
     d = {i: points[i] for i in range(j - n, j + 1)}
     for r, u in enumerate(arguments, start=1):
-        d = {i: ((knots[i + n + 1 - r] - u) * d[i - 1] + (u - knots[i]) * d[i]) / (knots[i + n + 1 - r] - knots[i]) for i in range(j - n + r, j + 1)}
+        d = {
+            i: ((knots[i + n + 1 - r] - u) * d[i - 1] + (u - knots[i]) * d[i]) / (knots[i + n + 1 - r] - knots[i])
+            for i in range(j - n + r, j + 1)
+        }
     return d[j]
 
 
@@ -41,7 +44,9 @@ def value(knots, n, points, t, side="right"):
 
 
 def differentiated(knots, n, points):
-    """Knots and control points of the derivative of a spline of degree n ≥ 1, by differences; where a basis function is void the point is free."""
+    """Knots and control points of the derivative of a spline of degree n ≥ 1, by differences; where a basis function is
+    void the point is free.
+    """
     widths = [knots[i + n] - knots[i] for i in range(1, len(points))]
     return knots[1:-1], [n * (b - a) / h if h else mpq(0) for a, b, h in zip(points, points[1:], widths, strict=False)]
 
@@ -63,7 +68,9 @@ def derivative_values(knots, n, points, t, side="right"):
 
 
 def product_knots(f, g):
-    """The knots of a product (Mørken): a knot of multiplicity m of one factor gets m plus the degree of the other; clamped ends."""
+    """The knots of a product (Mørken): a knot of multiplicity m of one factor gets m plus the degree of the other;
+    clamped ends.
+    """
     (a, b), n = f.domain, f.degree + g.degree
     inner = {
         t: max([h.knots.multiplicity(t) + other.degree for h, other in ((f, g), (g, f)) if t in h.knots.knots])
@@ -74,9 +81,11 @@ def product_knots(f, g):
 
 
 def collocated(knots, n, function):
-    """Control points over clamped knots of the spline that interpolates the function, by solving the collocation system.
+    """Control points over clamped knots of the spline that interpolates the function, by solving the collocation
+    system.
 
-    Site i is the mean of the n+2 knots of N_i: inside its support, increasing, and never at a jump (Schoenberg–Whitney holds).
+    Site i is the mean of the n+2 knots of N_i: inside its support, increasing, and never at a jump (Schoenberg–Whitney
+    holds).
     """
     size = len(knots) - n - 1
     sites = [sum(knots[i : i + n + 2]) / (n + 2) for i in range(size)]
@@ -91,7 +100,9 @@ def _fmpq(x):
 
 
 def blossomed(knots, f, g):
-    """Control points of the product over the given knots: means of products of polar forms over all ways to deal out the knots (Lee, Mørken)."""
+    """Control points of the product over the given knots: means of products of polar forms over all ways to deal out
+    the knots (Lee, Mørken).
+    """
     n = f.degree + g.degree
     points = []
     for i in range(len(knots) - n - 1):
@@ -103,7 +114,9 @@ def blossomed(knots, f, g):
         for chosen in combinations(range(n), f.degree):
             mine = [inner[k] for k in chosen]
             yours = [inner[k] for k in range(n) if k not in chosen]
-            total += polar(f.knots, f.degree, f.control_points, spans[0], mine) * polar(g.knots, g.degree, g.control_points, spans[1], yours)
+            total += polar(f.knots, f.degree, f.control_points, spans[0], mine) * polar(
+                g.knots, g.degree, g.control_points, spans[1], yours
+            )
         points.append(total / comb(n, f.degree))
     return tuple(points)
 
@@ -115,8 +128,12 @@ def inner_parameters(f, count):
 
 
 def places(f):
-    """Every breakpoint from both sides, and as many parameters in every segment as determine a polynomial of the degree."""
-    return [(t, side) for t in f.breakpoints for side in ("left", "right")] + [(t, "right") for t in inner_parameters(f, max(f.degree, 0) + 1)]
+    """Every breakpoint from both sides, and as many parameters in every segment as determine a polynomial of the
+    degree.
+    """
+    return [(t, side) for t in f.breakpoints for side in ("left", "right")] + [
+        (t, "right") for t in inner_parameters(f, max(f.degree, 0) + 1)
+    ]
 
 
 def rebuilt(f):
@@ -125,7 +142,9 @@ def rebuilt(f):
 
 
 def assert_function(f, function):
-    """f has the given values at its breakpoints from both sides and at enough places between; its printed data give the same by de Boor."""
+    """f has the given values at its breakpoints from both sides and at enough places between; its printed data give the
+    same by de Boor.
+    """
     knots, n, points = data(f)
     for t, side in places(f):
         expected = function(t, side)

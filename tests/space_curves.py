@@ -1,4 +1,6 @@
-"""Space curves for the tests, made from polynomials and put together from pieces, and what can be done to a curve without changing its shape."""
+"""Space curves for the tests, made from polynomials and put together from pieces, and what can be done to a curve
+without changing its shape.
+"""
 
 from gmpy2 import mpq
 
@@ -14,7 +16,9 @@ def power_curve(*coordinates, domain=(-1, 1)):
         total, power = t.constant(0), t.constant(1)
         for c in coefficients:
             total, power = total + power * mpq(c), power * t
-        splines.append(total.elevate_degree(n - total.degree) if total.degree < n else total.reduce_degree(total.degree - n))
+        splines.append(
+            total.elevate_degree(n - total.degree) if total.degree < n else total.reduce_degree(total.degree - n)
+        )
     a, b = domain
     return Nurbs(n, [a] * (n + 1) + [b] * (n + 1), list(zip(*[s.control_points for s in splines], strict=True)))
 
@@ -32,7 +36,9 @@ def moved(curve, matrix, shift=(0, 0, 0)):
     rows = [[mpq(x) for x in row] for row in matrix]
 
     def image(point):
-        return tuple(sum(a * x for a, x in zip(row, point, strict=True)) + mpq(d) for row, d in zip(rows, shift, strict=True))
+        return tuple(
+            sum(a * x for a, x in zip(row, point, strict=True)) + mpq(d) for row, d in zip(rows, shift, strict=True)
+        )
 
     points = [image(p) for p in curve.control_points]
     return Nurbs(curve.degree, curve.knots, points, curve.weights)

@@ -1,15 +1,24 @@
-"""What hypothesis draws from, biased to trouble: jumps, repeated knots, tiny and far-off intervals, huge and tiny coordinates, coinciding points."""
+"""What hypothesis draws from, biased to trouble: jumps, repeated knots, tiny and far-off intervals, huge and tiny
+coordinates, coinciding points.
+"""
 
 from gmpy2 import mpq
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, Vector
-from exactspline.surface import TensorSpline, lifted
+from exactspline.splines.tensor import TensorSpline, lifted
 
 KINK = BSpline(1, [0, 0, "1/2", 1, 1], [0, 1, 0])
 JUMP = BSpline(0, [0, "1/2", 1], [0, 1])
 TINY, HUGE = mpq(1, 10**12), mpq(10**20)
-DOMAINS = [(mpq(0), mpq(1)), (mpq(-1), mpq(2)), (mpq(0), TINY), (HUGE, HUGE + 1), (mpq(-1, 3), mpq(1, 7)), (mpq(0), HUGE)]
+DOMAINS = [
+    (mpq(0), mpq(1)),
+    (mpq(-1), mpq(2)),
+    (mpq(0), TINY),
+    (HUGE, HUGE + 1),
+    (mpq(-1, 3), mpq(1, 7)),
+    (mpq(0), HUGE),
+]
 #: Where interior breakpoints may lie, as parts of the domain.
 PARTS = [mpq(1, 2), mpq(1, 3), mpq(2, 3), mpq(1, 2) + TINY, TINY, 1 - TINY, mpq(1, 5), mpq(3, 7)]
 
@@ -24,14 +33,22 @@ def numbers():
 
 def positive_numbers():
     """Weights: positive, not all of one size."""
-    return st.one_of(st.sampled_from([mpq(1), mpq(1), mpq(2), mpq(1, 2)]), st.builds(mpq, st.integers(1, 9), st.integers(1, 9)), st.just(TINY))
+    return st.one_of(
+        st.sampled_from([mpq(1), mpq(1), mpq(2), mpq(1, 2)]),
+        st.builds(mpq, st.integers(1, 9), st.integers(1, 9)),
+        st.just(TINY),
+    )
 
 
 @st.composite
 def ends(draw, n, a, outwards):
     """Knots at one end of the domain, from outside to inside: of any multiplicity, the missing ones farther out."""
     multiplicity = draw(st.sampled_from([n + 1, n + 1, *range(1, n + 2)]))
-    missing = draw(st.integers(n + 1 - multiplicity, n)) if multiplicity <= n and draw(st.booleans()) else n + 1 - multiplicity
+    missing = (
+        draw(st.integers(n + 1 - multiplicity, n))
+        if multiplicity <= n and draw(st.booleans())
+        else n + 1 - multiplicity
+    )
     steps = draw(st.lists(st.sampled_from([mpq(0), mpq(1), mpq(1, 3), TINY]), min_size=missing, max_size=missing))
     knots, t = [a] * multiplicity, a
     for i, step in enumerate(steps):
@@ -83,7 +100,9 @@ def vectors(draw, dimension=3, low=0, high=3):
 
 @st.composite
 def nurbs(draw, dimension=2, low=2, high=3, most=1):
-    """A rational curve with positive weights: general, with a cusp or a run of equal points, straight, or straight up to a hair."""
+    """A rational curve with positive weights: general, with a cusp or a run of equal points, straight, or straight up
+    to a hair.
+    """
     n = draw(st.integers(low, high))
     knots = draw(knot_vectors(n, draw(st.sampled_from(DOMAINS[:5])), most))
     count = len(knots) - n - 1
@@ -116,7 +135,9 @@ def tensor_splines(draw, domains=None, high=2, most=1, values=None):
     if kind == "constant":
         return spline.constant(draw(numbers() if values is None else values))
     if kind in ("s", "t"):
-        return lifted(spline.at_t(domains[1][0]) if kind == "s" else spline.at_s(domains[0][0]), spline.meshes, "st".index(kind))
+        return lifted(
+            spline.at_t(domains[1][0]) if kind == "s" else spline.at_s(domains[0][0]), spline.meshes, "st".index(kind)
+        )
     return spline
 
 

@@ -9,16 +9,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import Nurbs
-from exactspline.bisectors import AXES, CURVE_FORMS, curve_bisector, point_bisector
-from exactspline.companions import with_point
-from exactspline.curves import example, example_names
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.formulas import find
-from exactspline.zeros import zeros
+from exactspline.geometry.bisectors import AXES, CURVE_FORMS, curve_bisector, point_bisector
+from exactspline.language.arguments import with_point
+from exactspline.papers import find
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example, example_names
 from tests.strategies import nurbs
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
-PAIRS = [("rational_space_cubic", "twisted_cubic"), ("helix_like", "ellipse_in_space"), ("rational_space_cubic_spline", "space_quartic")]
+PAIRS = [
+    ("rational_space_cubic", "twisted_cubic"),
+    ("helix_like", "ellipse_in_space"),
+    ("rational_space_cubic_spline", "space_quartic"),
+]
 
 
 def square(a, b):
@@ -117,7 +121,9 @@ def test_degrees_of_figures_4_and_5():
 
 
 def test_the_planar_bisector_is_an_iso_curve_of_the_direct_form_in_planes_of_constant_height_only():
-    """In the plane z = x the direct surface meets the plane of curve and point at a height that changes; the explicit directrix stays in it."""
+    """In the plane z = x the direct surface meets the plane of curve and point at a height that changes; the explicit
+    directrix stays in it.
+    """
     curve, point = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1, -1), (0, -1, 0), (1, 1, 1)]), (0, 3, 0)
     explicit = point_bisector(curve, point, "explicit").pieces[0].surface.directrix
     direct = point_bisector(curve, point).pieces[0].surface
@@ -153,7 +159,12 @@ AHEAD, ASIDE = (2, 0, 0), (1, 2, 0)
         (two_parabolas((0, 1, 1), (1, 0, 0), AHEAD, (3, 1, 0), (4, 1, 1)), [1]),
         (two_parabolas((0, 1, 1), ASIDE, ASIDE, (3, 1, 0), (4, 1, 1)), [1]),
     ],
-    ids=["after a missing piece", "missing piece, then a corner", "corner with one tangent through the point", "stop before a corner"],
+    ids=[
+        "after a missing piece",
+        "missing piece, then a corner",
+        "corner with one tangent through the point",
+        "stop before a corner",
+    ],
 )
 def test_a_parameter_may_be_singular_from_one_side(curve, singular):
     """The generator vanishes at the knot from one side only; the surface has a pole there, from that side."""
@@ -165,7 +176,9 @@ def test_a_parameter_may_be_singular_from_one_side(curve, singular):
 
 def test_a_curve_that_stands_still_has_no_normals():
     standing = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 2, 3)])
-    assert [(interval, "stands still" in reason) for interval, reason in point_bisector(standing, (-1, 5, 0)).missing] == [((1, 2), True)]
+    assert [
+        (interval, "stands still" in reason) for interval, reason in point_bisector(standing, (-1, 5, 0)).missing
+    ] == [((1, 2), True)]
     assert all("stands still" in reason for _, reason in curve_bisector(standing, example("twisted_cubic")).missing)
     with pytest.raises(ShapeError, match="stands still"):
         point_bisector(Nurbs(1, [0, 0, 1, 1], [(1, 0, 0), (1, 0, 0)]), (-1, 5, 0))

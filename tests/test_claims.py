@@ -5,15 +5,17 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from exactspline import on_all_curves, on_one_curve
-from exactspline.audit import audit
-from exactspline.claims import all_claims, select
-from exactspline.curves import example
 from exactspline.errors import ClaimError
-from exactspline.factors import factor_of_text, find_factor, jets_for
-from exactspline.formulas import find
+from exactspline.papers import find
 from exactspline.readings.degree import Degree, equal_from, parse
-from exactspline.verdict import VACUOUS
+from exactspline.splines.examples import example
+from exactspline.symbolic.factorization import find_factor, jets_for
+from exactspline.verification import curve_check as on_one_curve
+from exactspline.verification import generic_proof as on_all_curves
+from exactspline.verification.claim_factor import factor_of_text
+from exactspline.verification.claims import all_claims, select
+from exactspline.verification.ledger import audit
+from exactspline.verification.verdict import VACUOUS
 
 
 def claim(claim_id, index=0):
@@ -34,7 +36,8 @@ def test_ids_select_what_they_begin():
 
 
 @pytest.mark.parametrize(
-    ("field", "wrong"), [("factor", "w^2"), ("factor", "2 w"), ("factor", "1"), ("right", "f1_expanded"), ("left", "velocity_jerk")]
+    ("field", "wrong"),
+    [("factor", "w^2"), ("factor", "2 w"), ("factor", "1"), ("right", "f1_expanded"), ("left", "velocity_jerk")],
 )
 def test_a_wrong_identity_is_refuted_with_the_exact_quotient(field, wrong):
     false = replace(claim("C4.1a"), **{field: wrong})
@@ -53,8 +56,13 @@ def test_a_factor_changes_no_zero_set_only_where_the_claim_assumes_that_it_has_n
 
 def test_a_wrong_degree_is_refuted():
     for wrong in ("3d − 2", "3d", "max(3d − 3, 9)"):
-        finding = on_all_curves.prove(replace(next(c for c in select(["C4.1c"]) if c.formula == "f2"), claimed=wrong))[1]
-        assert (finding.verdict, finding.computed.split(" (")[0]) == ("PROVED" if "max" in wrong else "REFUTED", "3d − 3")
+        finding = on_all_curves.prove(replace(next(c for c in select(["C4.1c"]) if c.formula == "f2"), claimed=wrong))[
+            1
+        ]
+        assert (finding.verdict, finding.computed.split(" (")[0]) == (
+            "PROVED" if "max" in wrong else "REFUTED",
+            "3d − 3",
+        )
 
 
 def test_a_wrong_vanishing_is_refuted_at_a_parameter_where_it_does_not_vanish():
@@ -89,7 +97,11 @@ def test_the_jet_proofs_agree_with_sympy():
     second = [sympy_naive_derivative(p, w, t, 2) for p in (x, y)]
     naive = first[0] * second[1] - first[1] * second[0]
     xs, ys, ws = ([f, f.diff(t), f.diff(t, 2)] for f in (x, y, w))
-    reduced = (xs[1] * ys[2] - ys[1] * xs[2]) * ws[0] - (xs[0] * ys[2] - ys[0] * xs[2]) * ws[1] - (xs[1] * ys[0] - ys[1] * xs[0]) * ws[2]
+    reduced = (
+        (xs[1] * ys[2] - ys[1] * xs[2]) * ws[0]
+        - (xs[0] * ys[2] - ys[0] * xs[2]) * ws[1]
+        - (xs[1] * ys[0] - ys[1] * xs[0]) * ws[2]
+    )
     assert sympy.expand(sympy.numer(sympy.together(naive * w**3 - reduced))) == 0
     assert str(find_factor(find("f0")(jets_for(("f0",), 2)), find("f2")(jets_for(("f0",), 2)))) == "w⁻³"
 

@@ -11,7 +11,20 @@ from typer.testing import CliRunner
 
 from exactspline.cli import app
 
-TEXT_FIELDS = ["id", "kind", "source", "statement", "assumes", "reading", "curve", "claimed", "computed", "factor", "witness", "expected"]
+TEXT_FIELDS = [
+    "id",
+    "kind",
+    "source",
+    "statement",
+    "assumes",
+    "reading",
+    "curve",
+    "claimed",
+    "computed",
+    "factor",
+    "witness",
+    "expected",
+]
 ROW = {
     "type": "object",
     "required": [*TEXT_FIELDS, "verdict", "seconds"],
@@ -47,7 +60,9 @@ def test_prove_on_a_curve_shows_the_cancelled_factor():
 
 def test_equal_weights_are_told_to_be_polynomial(tmp_path):
     file = tmp_path / "equal.json"
-    file.write_text('{"degree": 2, "knots": [0,0,0,1,1,1], "control_points": [[0,0],[1,1],[2,0.5]], "weights": [0.5, "1/2", 5e-1]}')
+    file.write_text(
+        '{"degree": 2, "knots": [0,0,0,1,1,1], "control_points": [[0,0],[1,1],[2,0.5]], "weights": [0.5, "1/2", 5e-1]}'
+    )
     done = run("prove", "--curve", file)
     assert done.returncode == 0
     assert "polynomial (equal weights)" in done.stdout
@@ -55,23 +70,42 @@ def test_equal_weights_are_told_to_be_polynomial(tmp_path):
 
 def test_degrees_and_curves():
     assert "3d − 3" in run("degrees", "--curve", "ellipse", "--formulas").stdout
-    found = {row["formula"]: row for row in json.loads(run("degrees", "--curve", "ellipse", "--formulas", "--json").stdout)[0]["formulas"]}
+    found = {
+        row["formula"]: row
+        for row in json.loads(run("degrees", "--curve", "ellipse", "--formulas", "--json").stdout)[0]["formulas"]
+    }
     f2 = found["f2"]
     assert (f2["nominal"], f2["represented"], f2["true"], f2["control_points"]) == ("3d − 3", 3, 0, 16)
     names = [row["name"] for row in json.loads(run("curves", "--json").stdout)]
-    assert {"circle", "ellipse", "parabola", "cusp", "straight_line", "twisted_cubic", "helix_like", "six_segment_cubic"} <= set(names)
+    assert {
+        "circle",
+        "ellipse",
+        "parabola",
+        "cusp",
+        "straight_line",
+        "twisted_cubic",
+        "helix_like",
+        "six_segment_cubic",
+    } <= set(names)
 
 
 @pytest.mark.parametrize("name", ["straight_line", "planar_in_space", "space_line", "jump", "twisted_cubic"])
 def test_degrees_go_on_where_an_object_does_not_exist(name):
     for option in ([], ["--formulas"]):
-        rows = json.loads(CliRunner().invoke(app, ["degrees", "--curve", name, "--json", *option]).stdout)[0]["formulas"]
+        rows = json.loads(CliRunner().invoke(app, ["degrees", "--curve", name, "--json", *option]).stdout)[0][
+            "formulas"
+        ]
         assert len(rows) > 5
 
 
 def test_a_ruled_surface_is_written_with_directrix_and_generator(tmp_path):
     file = tmp_path / "surface.json"
-    assert CliRunner().invoke(app, ["derive", "tangent_developable_reduced", "rational_space_cubic", "-o", str(file)]).exit_code == 0
+    assert (
+        CliRunner()
+        .invoke(app, ["derive", "tangent_developable_reduced", "rational_space_cubic", "-o", str(file)])
+        .exit_code
+        == 0
+    )
     data = json.loads(file.read_text())
     assert data["layout"] == "directrix, generator"
     assert all(len(point) == 7 for point in data["pieces"][0]["homogeneous_control_points"])
@@ -91,7 +125,7 @@ def test_what_does_not_exist_says_why():
 def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
     from dataclasses import replace
 
-    from exactspline import claims
+    from exactspline.verification import claims
 
     wrong = tuple(replace(c, factor="w^2") if c.id == "C4.1a" else c for c in claims.all_claims())
     monkeypatch.setattr(claims, "all_claims", lambda: wrong)
@@ -103,7 +137,10 @@ def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
 GOOD = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}
 BAD = {
     "knots that decrease": (GOOD | {"knots": [0, 0, 0, 1, "1/2", 1]}, "knots[4]"),
-    "a multiplicity above degree + 1": (GOOD | {"knots": [0, 0, 0, 0, 1, 1, 1, 1], "control_points": [[0, 0]] * 5}, "multiplicity 4"),
+    "a multiplicity above degree + 1": (
+        GOOD | {"knots": [0, 0, 0, 0, 1, 1, 1, 1], "control_points": [[0, 0]] * 5},
+        "multiplicity 4",
+    ),
     "wrong counts": (GOOD | {"control_points": [[0, 0], [1, 1]]}, "there must be 3"),
     "weights of another number": (GOOD | {"weights": [1, 2]}, "2 weights for 3 control points"),
     "an empty domain": (GOOD | {"knots": [0, 0, 1, 1, 2, 2], "degree": 2}, "empty"),
@@ -143,7 +180,10 @@ TEXTS = {
     "NaN": ('{"degree": 2, "knots": [NaN], "control_points": []}', "NaN is not a number"),
     "infinity": ('{"degree": 2, "knots": [-Infinity], "control_points": []}', "Infinity is not a number"),
     "nested too deep": ("[" * 100_000 + "]" * 100_000, "nested too deep"),
-    "an exponent that would fill the memory": ('{"degree": 1, "knots": [0,0,1,1], "control_points": [[1e999999999,0],[1,1]]}', "exponent"),
+    "an exponent that would fill the memory": (
+        '{"degree": 1, "knots": [0,0,1,1], "control_points": [[1e999999999,0],[1,1]]}',
+        "exponent",
+    ),
     "empty": ("", "not JSON"),
 }
 
@@ -164,7 +204,12 @@ def test_bad_files_give_one_line_and_status_2(tmp_path):
         stream.truncate(500 * 1024 * 1024)
     binary = tmp_path / "binary.json"
     binary.write_bytes(b"\xff\xfe\x00")
-    for file, message in [(tmp_path, "is a directory"), (tmp_path / "none.json", "cannot be read"), (huge, "at most"), (binary, "not UTF-8")]:
+    for file, message in [
+        (tmp_path, "is a directory"),
+        (tmp_path / "none.json", "cannot be read"),
+        (huge, "at most"),
+        (binary, "not UTF-8"),
+    ]:
         done = run("prove", "--curve", file)
         assert (done.returncode, done.stderr.count("\n")) == (2, 1), done.stderr
         assert message in done.stderr
@@ -218,7 +263,11 @@ not_a_function = 3
 def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
     (tmp_path / "strange_formulas.py").write_text(OWN)
     monkeypatch.chdir(tmp_path)
-    for target in ("strange_formulas.py:pedal", "strange_formulas:pedal", str(tmp_path / "strange_formulas.py") + ":pedal"):
+    for target in (
+        "strange_formulas.py:pedal",
+        "strange_formulas:pedal",
+        str(tmp_path / "strange_formulas.py") + ":pedal",
+    ):
         done = run("reduce", target)
         assert done.returncode == 0
         assert "4d − 4" in done.stdout
@@ -262,8 +311,12 @@ def test_the_generic_degree_table():
 
 
 def test_certificates_from_the_command_line():
-    from exactspline.minimality.checker import check
+    from exactspline.verification.minimality.checker import check
 
-    data = json.loads(CliRunner().invoke(app, ["degrees", "--certify", "--curve", "ellipse_skew", "--curve", "circle"]).stdout)
-    assert {(d["curve"], d["construction"]): check(d) for d in data if "missing" not in d}["ellipse_skew", "critical_curvature"] == 4
+    data = json.loads(
+        CliRunner().invoke(app, ["degrees", "--certify", "--curve", "ellipse_skew", "--curve", "circle"]).stdout
+    )
+    assert {(d["curve"], d["construction"]): check(d) for d in data if "missing" not in d}[
+        "ellipse_skew", "critical_curvature"
+    ] == 4
     assert any("vanishes" in d.get("missing", "") for d in data)

@@ -5,8 +5,9 @@ import json
 import pytest
 from gmpy2 import mpq
 
-from exactspline.bisectors import curve_bisector
-from exactspline.curves import curve_from_text, example
+from exactspline.geometry.bisectors import curve_bisector
+from exactspline.splines.curve_files import curve_from_text
+from exactspline.splines.examples import example
 from tests.test_cli import run
 
 

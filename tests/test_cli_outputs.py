@@ -7,8 +7,9 @@ import sys
 
 import pytest
 
-from exactspline.curves import example, read_curve
-from exactspline.interrogate import derive
+from exactspline.geometry.derived import derive
+from exactspline.splines.curve_files import read_curve
+from exactspline.splines.examples import example
 from tests.test_cli import run
 
 CURVE = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}
@@ -61,7 +62,9 @@ def test_text_in_an_error_is_taken_literally():
     assert "x:smile:.json" in run("inspect", "x:smile:.json").stderr
 
 
-@pytest.mark.parametrize(("name", "curve"), [("evolute", "ellipse_skew"), ("evolute", "parabola"), ("focal_curve", "rational_space_cubic")])
+@pytest.mark.parametrize(
+    ("name", "curve"), [("evolute", "ellipse_skew"), ("evolute", "parabola"), ("focal_curve", "rational_space_cubic")]
+)
 def test_a_derived_curve_can_be_read_again(tmp_path, name, curve):
     file = tmp_path / "derived.json"
     assert run("derive", name, curve, "-o", file).returncode == 0
@@ -72,7 +75,11 @@ def test_a_derived_curve_can_be_read_again(tmp_path, name, curve):
 
 def test_what_is_no_curve_is_not_read_as_one(tmp_path):
     file = tmp_path / "derived.json"
-    for name, curve in (("zero_curvature", "ellipse"), ("evolute", "straight_between_arcs"), ("tangent_developable", "twisted_cubic")):
+    for name, curve in (
+        ("zero_curvature", "ellipse"),
+        ("evolute", "straight_between_arcs"),
+        ("tangent_developable", "twisted_cubic"),
+    ):
         assert run("derive", name, curve, "-o", file).returncode == 0
         done = run("inspect", file)
         assert done.returncode == 2

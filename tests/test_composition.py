@@ -14,7 +14,9 @@ from tests.strategies import JUMP, KINK, TINY, numbers, splines
 
 @st.composite
 def compositions(draw):
-    """An outer spline over [0, 1] and an inner one with values there; knots of the outer one often lie at values at knots of the inner one."""
+    """An outer spline over [0, 1] and an inner one with values there; knots of the outer one often lie at values at
+    knots of the inner one.
+    """
     parts = st.sampled_from([mpq(0), mpq(1), mpq(1, 2), mpq(1, 2), mpq(1, 3), mpq(1, 4), TINY])
     inner = draw(splines(low=0, high=3, domain=(mpq(0), mpq(1)), values=parts))
     at_knots = [x for t in inner.breakpoints for x in (inner(t), inner(t, "left")) if 0 < x < 1]
@@ -22,7 +24,9 @@ def compositions(draw):
     knots = sorted(draw(st.lists(st.sampled_from([*at_knots, mpq(1, 2), mpq(1, 3)]), max_size=2, unique=True)))
     inside = [t for t in knots for _ in range(draw(st.integers(1, n + 1)))]
     count = n + 1 + len(inside)
-    return BSpline(n, [*[0] * (n + 1), *inside, *[1] * (n + 1)], draw(st.lists(numbers(), min_size=count, max_size=count))), inner
+    return BSpline(
+        n, [*[0] * (n + 1), *inside, *[1] * (n + 1)], draw(st.lists(numbers(), min_size=count, max_size=count))
+    ), inner
 
 
 def assert_composition(outer, inner):
@@ -52,7 +56,10 @@ def test_composition_and_its_derivative(pair):
         assert h.d() == outer.d().compose(inner) * inner.d()
 
 
-@given(splines(low=1, high=3, domain=(mpq(0), mpq(1))), st.sampled_from([(0, 1), (1, 0), ("1/3", "1/2"), ("1/2", "1/2"), (0, "0.000000000001")]))
+@given(
+    splines(low=1, high=3, domain=(mpq(0), mpq(1))),
+    st.sampled_from([(0, 1), (1, 0), ("1/3", "1/2"), ("1/2", "1/2"), (0, "0.000000000001")]),
+)
 def test_composition_with_lines(outer, ends):
     inner = BSpline.bezier(ends, 2, 3)
     h = assert_composition(outer, inner)

@@ -1,4 +1,6 @@
-"""O1: condition numbers against their definition, the theorem as a property, the witnesses either way, and what double precision does."""
+"""O1: condition numbers against their definition, the theorem as a property, the witnesses either way, and what double
+precision does.
+"""
 
 import json
 from functools import cache
@@ -13,15 +15,17 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from exactspline import BSpline
-from exactspline.commands.conditioning import conditioning as command
-from exactspline.conditioning import condition_number, conditioning, double_precision_root, quotient, search_witnesses
-from exactspline.conditioning.condition import WIDTH
-from exactspline.constructions import construction
-from exactspline.curves import example
-from exactspline.curves.files import curve_data
+from exactspline.cli.conditioning import conditioning as command
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.form import ONE, bezier, from_bezier
-from exactspline.zeros import zeros
+from exactspline.geometry.constructions import construction
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bernstein import ONE, bezier, from_bezier
+from exactspline.splines.curve_files import curve_data
+from exactspline.splines.examples import example
+from exactspline.verification.conditioning.compare import conditioning
+from exactspline.verification.conditioning.condition_number import WIDTH, condition_number, quotient
+from exactspline.verification.conditioning.double_precision import double_precision_root
+from exactspline.verification.conditioning.search import search_witnesses
 
 small = st.integers(-9, 9)
 
@@ -117,9 +121,15 @@ def test_enclosures_hold_the_number_and_are_close(points, m):
             x, n = root.mpf(45), f.degree
             b = [mpmath.mpf(int(y.numerator)) / int(y.denominator) for y in f.control_points]
             basis = [mpmath.binomial(n, i) * x**i * (1 - x) ** (n - i) for i in range(n + 1)]
-            slope = n * sum((b[i + 1] - b[i]) * mpmath.binomial(n - 1, i) * x**i * (1 - x) ** (n - 1 - i) for i in range(n))
+            slope = n * sum(
+                (b[i + 1] - b[i]) * mpmath.binomial(n - 1, i) * x**i * (1 - x) ** (n - 1 - i) for i in range(n)
+            )
             expected = sum(abs(y) * z for y, z in zip(b, basis, strict=True)) / abs(slope)
-            assert mpmath.mpf(int(low.numerator)) / int(low.denominator) < expected < mpmath.mpf(int(high.numerator)) / int(high.denominator)
+            assert (
+                mpmath.mpf(int(low.numerator)) / int(low.denominator)
+                < expected
+                < mpmath.mpf(int(high.numerator)) / int(high.denominator)
+            )
 
 
 def test_a_double_irrational_zero():
@@ -133,7 +143,10 @@ def test_a_double_irrational_zero():
 
 
 def test_the_quotient_of_forms():
-    assert quotient(from_bezier([mpq(1), mpq(0), mpq(-1)]), 2, from_bezier([mpq(2), mpq(-2)]), 1) == (fmpz_poly([1, 1]), ONE)
+    assert quotient(from_bezier([mpq(1), mpq(0), mpq(-1)]), 2, from_bezier([mpq(2), mpq(-2)]), 1) == (
+        fmpz_poly([1, 1]),
+        ONE,
+    )
     assert quotient(from_bezier([mpq(1), mpq(1)]), 1, from_bezier([mpq(1), mpq(-2)]), 1) is None
     assert quotient(from_bezier([mpq(1)]), 0, from_bezier([mpq(1), mpq(1)]), 1) is None
 
@@ -142,7 +155,10 @@ def test_the_quotient_of_forms():
 def test_what_the_reductions_leave_out(name):
     """f0 = w³ (u + v)³ f2 and g0 = w¹⁷ (u + v)⁶ g2 as naive numerators, with the degrees they have."""
     curve = example(name)
-    for construction_name, naive, power, raised in (("zero_curvature", "naive", 3, 3), ("critical_curvature", "direct", 17, 6)):
+    for construction_name, naive, power, raised in (
+        ("zero_curvature", "naive", 3, 3),
+        ("critical_curvature", "direct", 17, 6),
+    ):
         made = construction(construction_name)
         f, reduced = made.on(curve, naive), made.on(curve, "paper")
         assert f == curve.w**power * reduced
@@ -182,7 +198,9 @@ def test_the_reduced_form_is_better_on_the_other_exactly():
     assert 25 * row["minimal"].double.error < row["paper"].double.error
 
 
-@pytest.mark.parametrize("name", ["conditioning_reduced_worse", "conditioning_reduced_better", "rational_cubic_s", "ellipse_skew"])
+@pytest.mark.parametrize(
+    "name", ["conditioning_reduced_worse", "conditioning_reduced_better", "rational_cubic_s", "ellipse_skew"]
+)
 def test_no_form_exceeds_the_bound_of_the_theorem(name):
     for row in compared(name).roots:
         for f in row.forms:
@@ -209,7 +227,7 @@ def test_invented_zeros_and_stretches_are_told_and_not_compared():
 
 
 def example_inflections():
-    from exactspline.formulas import find
+    from exactspline.papers import find
 
     return find("f2")(example("rational_cubic_s"))
 
@@ -255,7 +273,9 @@ def test_the_error_of_doubles_stays_below_its_bound(case):
 def test_no_zero_is_found_where_the_signs_drown():
     w = BSpline.bezier([1, "-999999/1000000", 1])
     f = BSpline.bezier(["-1/3", "2/3"]) * w.reparametrize(0, 1) ** 6
-    found = double_precision_root(f.forms[0], f.degree, mpq(1, 3), (mpq(1, 3) - mpq(1, 10**17), mpq(1, 3) + mpq(1, 10**17)))
+    found = double_precision_root(
+        f.forms[0], f.degree, mpq(1, 3), (mpq(1, 3) - mpq(1, 10**17), mpq(1, 3) + mpq(1, 10**17))
+    )
     assert found.error is None
     assert found.reason == "no change of sign in doubles"
 
@@ -291,7 +311,11 @@ def test_the_command_writes_json():
     (zero,) = data["curves"][0]["zeros"]
     assert [f["form"] for f in zero["forms"]] == ["naive", "paper", "minimal"]
     assert all(mpq(a) <= mpq(b) for a, b in (f["condition"] for f in zero["forms"]))
-    assert {t["family"] for t in data["search"]} <= {"positive weights", "a weight near zero", "a denominator near zero"}
+    assert {t["family"] for t in data["search"]} <= {
+        "positive weights",
+        "a weight near zero",
+        "a denominator near zero",
+    }
 
 
 def test_the_command_reports_a_missing_curve():

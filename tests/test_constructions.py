@@ -1,4 +1,6 @@
-"""The minimal forms: identical to the naive ones, of the degree proved for symbolic d, and no lower on generic curves."""
+"""The minimal forms: identical to the naive ones, of the degree proved for symbolic d, and no lower on generic
+curves.
+"""
 
 import random
 from functools import cache
@@ -7,13 +9,14 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.constructions import CONSTRUCTIONS, LIFTED, MINIMAL, construction, symbolic_minimum
-from exactspline.curves import example
 from exactspline.errors import FormulaError, ReductionError
-from exactspline.factors import split
-from exactspline.formulas import find
-from exactspline.measure import in_lowest_terms, lowest_terms, true_degree
-from exactspline.ruled import same_surface
+from exactspline.geometry.constructions import LIFTED, MINIMAL, all_constructions, construction
+from exactspline.geometry.ruled_surfaces import same_surface
+from exactspline.language.parts import split
+from exactspline.papers import find
+from exactspline.splines.examples import example
+from exactspline.splines.lowest_terms import in_lowest_terms, lowest_terms, true_degree
+from exactspline.verification.generic_degree import symbolic_minimum
 
 DIMENSION = {"plane": 2, "space": 3}
 
@@ -34,7 +37,7 @@ def proved_degree(name, polynomial):
 
 @pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
 @pytest.mark.parametrize("degree", [2, 3, 4, 5, 6])
-@pytest.mark.parametrize("name", CONSTRUCTIONS)
+@pytest.mark.parametrize("name", all_constructions())
 def test_generic_curves_attain_the_proved_degree_and_no_lower(name, degree, polynomial):
     c = construction(name)
     dimension = DIMENSION[c.curve]
@@ -51,11 +54,11 @@ def test_generic_curves_attain_the_proved_degree_and_no_lower(name, degree, poly
     assert true_degree(value) == proved
 
 
-@pytest.mark.parametrize("name", CONSTRUCTIONS)
+@pytest.mark.parametrize("name", all_constructions())
 def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
     c = construction(name)
     curve = example("rational_cubic_spline" if c.curve == "plane" else "rational_space_cubic")
-    naive, minimal = c.formula(next(iter(c.forms)))(curve), c.on(curve, MINIMAL)
+    naive, minimal = c.formula(next(iter(c.variants)))(curve), c.on(curve, MINIMAL)
     if c.ruled:
         reduced = in_lowest_terms(naive)
         assert same_surface(naive, reduced) is not None
@@ -76,14 +79,14 @@ def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
         assert p.leading_coefficient() * q.leading_coefficient() > 0
 
 
-@pytest.mark.parametrize("name", [name for name, c in CONSTRUCTIONS.items() if c.zero_set])
+@pytest.mark.parametrize("name", [name for name, c in all_constructions().items() if c.zero_set])
 def test_the_sign_of_the_minimal_form_is_that_of_the_first_form_for_negative_weights_too(name):
     c = construction(name)
     plus = generic(3, c.dimension, polynomial=False)
     minus = Nurbs(3, plus.knots, plus.control_points, [-w for w in plus.weights])
     forms = [c.on(curve, MINIMAL) for curve in (plus, minus)]
     assert forms[0] == forms[1]
-    first = c.formula(next(iter(c.forms)))(minus)
+    first = c.formula(next(iter(c.variants)))(minus)
     for i in range(1, 12):
         a, b = forms[1](mpq(i, 13)), first(mpq(i, 13))
         assert (a > 0, a < 0) == (b > 0, b < 0)
@@ -91,7 +94,9 @@ def test_the_sign_of_the_minimal_form_is_that_of_the_first_form_for_negative_wei
 
 
 def test_the_minimal_form_loses_what_it_shares_with_the_weight_function():
-    """An ellipse as a quadratic curve has a Wronskian of degree 0; multiplied through by (1 + t²) it has one with a power of that factor."""
+    """An ellipse as a quadratic curve has a Wronskian of degree 0; multiplied through by (1 + t²) it has one with a
+    power of that factor.
+    """
     plain = Nurbs(2, [0] * 3 + [1] * 3, [(1, 0), (1, 1), (0, 1)], [1, 1, 2])
     t = BSpline.identity(0, 1)
     common = t * t + 1

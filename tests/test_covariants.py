@@ -8,14 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, Vector
-from exactspline.covariants import generic_degree, graded, true_degree
 from exactspline.errors import FormulaError
-from exactspline.factors import substitute
-from exactspline.formulas import all_formulas, find
-from exactspline.language import Curve
-from exactspline.readings.infinity import drop_of, expansion_curve
+from exactspline.language.arguments import Curve
+from exactspline.papers import all_formulas, find
+from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import jet_curve
-from exactspline.readings.order import is_polynomial, order_of
+from exactspline.readings.leading_terms import drop_of, expansion_curve
+from exactspline.symbolic.covariants import generic_degree, graded, true_degree
+from exactspline.symbolic.substitution import substitute
 
 DIMENSIONS = {"plane": (2,), "space": (3,), "curve": (2, 3)}
 POLYNOMIAL = [(f.name, n) for f in all_formulas().values() for n in DIMENSIONS.get(f.curve, ()) if is_polynomial(f, n)]
@@ -29,7 +29,9 @@ def jets(name, dimension, *, polynomial=False):
 @pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
 @pytest.mark.parametrize(("name", "dimension"), POLYNOMIAL)
 def test_two_readings_agree_on_every_polynomial_formula(name, dimension, polynomial):
-    """The height against the number of leading terms that vanish at infinity: two algorithms without a line in common."""
+    """The height against the number of leading terms that vanish at infinity: two algorithms without a line in
+    common.
+    """
     for i, jet in enumerate(jets(name, dimension, polynomial=polynomial)):
         if jet.is_zero or len(graded(jet)) > 1 or jet.grading[0] == 0:
             continue
@@ -50,13 +52,18 @@ def bezier(points, weights):
 
 def random_curve(draw_numbers, d, dimension):
     rows = [[draw_numbers() for _ in range(dimension)] for _ in range(d + 1)]
-    return Curve(Vector(*[BSpline.bezier([row[i] for row in rows]) for i in range(dimension)]), BSpline.bezier([draw_numbers() for _ in rows]))
+    return Curve(
+        Vector(*[BSpline.bezier([row[i] for row in rows]) for i in range(dimension)]),
+        BSpline.bezier([draw_numbers() for _ in rows]),
+    )
 
 
 @pytest.mark.parametrize(("name", "dimension"), [(name, n) for name, n in POLYNOMIAL if name not in ("D1_D2_D21",)])
 @pytest.mark.parametrize("d", [1, 2, 3, 4])
 def test_the_true_degree_is_attained_for_every_small_d_too(name, dimension, d):
-    """Exceptions included: where the theorem says −1 the form vanishes, elsewhere a fixed random curve has the degree exactly."""
+    """Exceptions included: where the theorem says −1 the form vanishes, elsewhere a fixed random curve has the degree
+    exactly.
+    """
     numbers = random.Random(101 * d + dimension)
     curve = random_curve(lambda: numbers.randint(-99, 99), d, dimension)
     value = find(name)(curve)
@@ -65,7 +72,14 @@ def test_the_true_degree_is_attained_for_every_small_d_too(name, dimension, d):
 
 
 MOBIUS = st.tuples(*[st.integers(1, 5)] * 2)
-COVARIANT = [("D1", 2), ("f2", 2), ("vertices_lifted", 2), ("osculating_circle", 2), ("torsion_zeros_lifted", 3), ("osculating_sphere", 3)]
+COVARIANT = [
+    ("D1", 2),
+    ("f2", 2),
+    ("vertices_lifted", 2),
+    ("osculating_circle", 2),
+    ("torsion_zeros_lifted", 3),
+    ("osculating_sphere", 3),
+]
 COVARIANT += [("space_critical_curvature_lifted", 3), ("rectifying_generator_lifted", 3), ("circle_sphere", 3)]
 
 
@@ -73,7 +87,9 @@ COVARIANT += [("space_critical_curvature_lifted", 3), ("rectifying_generator_lif
 @settings(max_examples=8, deadline=None)
 @given(data=st.data())
 def test_covariants_follow_a_projective_change_of_parameter(name, dimension, data):
-    """The change of parameter u ↦ au, v ↦ bv of [0, 1]: the form of the new curve is (ab)^m times that of the old one, moved likewise."""
+    """The change of parameter u ↦ au, v ↦ bv of [0, 1]: the form of the new curve is (ab)^m times that of the old one,
+    moved likewise.
+    """
     d = data.draw(st.integers(2, 4))
     a, b = data.draw(MOBIUS)
     numbers = st.integers(-9, 9)
@@ -117,7 +133,7 @@ def test_the_formula_behind_the_proof():
     """(∗) of docs/degree-theorem.md, on polynomials over ℚ: F[f](t) from the LⁿF at 1/t of the reversed curve."""
     from math import factorial
 
-    from exactspline.covariants import _lowered_at
+    from exactspline.symbolic.covariants import _lowered_at
 
     d, t = 4, mpq(3, 7)
     F = jets("D2", 2)[0]
@@ -125,7 +141,10 @@ def test_the_formula_behind_the_proof():
 
     def taylor(coefficients, at):
         """The derivatives at a parameter of a polynomial by its coefficients."""
-        return [sum(c * factorial(i) // factorial(i - n) * at ** (i - n) for i, c in enumerate(coefficients) if i >= n) for n in range(d + 1)]
+        return [
+            sum(c * factorial(i) // factorial(i - n) * at ** (i - n) for i, c in enumerate(coefficients) if i >= n)
+            for n in range(d + 1)
+        ]
 
     def value(polynomial, x, w, at):
         xs, ws = taylor(x, at), taylor(w, at)

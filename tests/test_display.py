@@ -11,22 +11,31 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline, Nurbs, Vector
-from exactspline.claims import all_claims, select
-from exactspline.constructions import construction
-from exactspline.curves import example, example_names
-from exactspline.display import html, latex, short
-from exactspline.display.mathematics import fraction, unicode_latex
-from exactspline.display.pictures import curve_picture, graph_picture
-from exactspline.display.tables import Grid, approaches_table, degree_table, measured, printed_numbers, reduction_table, symbolic_table, verdicts
-from exactspline.errata import errata
-from exactspline.formulas import all_formulas, find
-from exactspline.interrogate import derive
-from exactspline.measure import control_point_count
+from exactspline.display.latex import fraction, latex, unicode_latex
+from exactspline.display.notebook import html, short
+from exactspline.display.svg import curve_picture, graph_picture
+from exactspline.display.tables import (
+    Grid,
+    approaches_table,
+    degree_table,
+    measured,
+    printed_numbers,
+    reduction_table,
+    symbolic_table,
+    verdicts,
+)
+from exactspline.geometry.constructions import construction
+from exactspline.geometry.derived import derive
+from exactspline.papers import all_formulas, find
 from exactspline.readings.degree import Degree, degree_curve, parse
 from exactspline.readings.jet import jet_curve
-from exactspline.statement import latex_of, sides, statements
-from exactspline.verdict import REFUTED
-from exactspline.zeros import zeros
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.lowest_terms import control_point_count
+from exactspline.verification.claims import all_claims, select
+from exactspline.verification.errata import errata
+from exactspline.verification.statement import latex_of, sides, statements
+from exactspline.verification.verdict import REFUTED
 
 
 class Balanced(HTMLParser):
@@ -83,7 +92,11 @@ def test_every_example_curve_shows_a_picture_and_its_facts(name):
 def test_the_picture_of_a_curve_has_equal_scales_and_stays_inside():
     square = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (7, 0), (7, 7), (0, 7)])
     picture = ElementTree.fromstring(curve_picture(square))
-    points = [tuple(map(float, p.split(","))) for line in picture.iter("{http://www.w3.org/2000/svg}polyline") for p in line.get("points").split()]
+    points = [
+        tuple(map(float, p.split(",")))
+        for line in picture.iter("{http://www.w3.org/2000/svg}polyline")
+        for p in line.get("points").split()
+    ]
     (x0, x1), (y0, y1) = [(min(c), max(c)) for c in zip(*points, strict=True)]
     assert x1 - x0 == y1 - y0
     assert 0 <= x0 < x1 <= float(picture.get("width"))
@@ -181,8 +194,10 @@ def test_tables_hold_what_was_computed():
     curve = example("ellipse")
     table = degree_table(curve)
     evolutes = [row for row in table.rows if row[0] == "evolute"]
-    for row, form in zip(evolutes, construction("evolute").forms, strict=False):
-        assert row[table.columns.index("control points")] == str(control_point_count(construction("evolute").on(curve, form)))
+    for row, form in zip(evolutes, construction("evolute").unlifted, strict=False):
+        assert row[table.columns.index("control points")] == str(
+            control_point_count(construction("evolute").on(curve, form))
+        )
     assert measured(curve, "f2")["degree here"] == [str(find("f2")(curve).degree)]
     assert len(measured(curve)) == len(measured(curve)["formula"]) > 20
     assert approaches_table(curve)["roots"] == ["4"] * 5
@@ -196,7 +211,9 @@ def test_the_numbers_of_the_paper_are_all_there_and_as_recorded():
     table = printed_numbers()
     assert table.as_recorded
     assert table["statement"] == [claim.statement for claim in numbers]
-    for claim, printed, computed, verdict in zip(numbers, table["printed"], table["computed"], table["verdict"], strict=True):
+    for claim, printed, computed, verdict in zip(
+        numbers, table["printed"], table["computed"], table["verdict"], strict=True
+    ):
         assert claim.claimed in printed
         if verdict == REFUTED:
             assert claim.claimed != computed
@@ -207,12 +224,16 @@ def test_verdicts_for_all_curves_and_on_one():
     assert "on" not in verdicts("C4.1").columns
     one = verdicts("C4.1", curves=[example("circle")])
     assert set(one["on"]) == {"circle"}
-    assert {c.kind for c in select(["C4.2"])} - {"degree", "count"} == {r.kind for r in verdicts("C4.2", without=["degree", "count"]).rows_of_ledger}
+    assert {c.kind for c in select(["C4.2"])} - {"degree", "count"} == {
+        r.kind for r in verdicts("C4.2", without=["degree", "count"]).rows_of_ledger
+    }
 
 
 def test_showing_loads_what_it_needs_only_when_asked():
     code = (
-        "import sys; from exactspline import BSpline; f = BSpline.bezier([0, 1]); assert 'exactspline.display' not in sys.modules;"
-        "assert f._repr_html_() and f._repr_latex_(); assert 'exactspline.display' in sys.modules; assert 'matplotlib' not in sys.modules"
+        "import sys; from exactspline import BSpline; f = BSpline.bezier([0, 1]); assert 'exactspline.display' "
+        "not in sys.modules;"
+        "assert f._repr_html_() and f._repr_latex_(); assert 'exactspline.display' in sys.modules; assert "
+        "'matplotlib' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

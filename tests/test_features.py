@@ -9,21 +9,21 @@ from typer.testing import CliRunner
 
 from exactspline import BSpline, Nurbs
 from exactspline.cli import app
-from exactspline.curves import example, example_names
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.features import (
+from exactspline.geometry.enclosures import curvature_value
+from exactspline.geometry.inspection import APPROACHES, compare_approaches, inspect_curve
+from exactspline.geometry.plane_features import (
     constant_pieces,
     critical_points,
     curvature_extrema,
-    cusps,
     inflections,
     joint,
-    singularities,
     straight_pieces,
-    zero_form,
 )
-from exactspline.inspection import APPROACHES, compare_approaches, curvature_value, inspect_curve
-from exactspline.zeros import checker
+from exactspline.geometry.singular_points import cusps, singularities
+from exactspline.geometry.zero_forms import zero_form
+from exactspline.roots import checker
+from exactspline.splines.examples import example, example_names
 from tests.test_shared_curves import FILES, read_curve
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
@@ -69,7 +69,9 @@ def test_the_six_segment_cubic_has_what_figure_1_says():
 
 def test_a_circle_has_constant_curvature():
     assert constant_pieces(example("circle")) == [(0, 4)]
-    assert critical_points(example("circle")) == inflections(example("circle")) == singularities(example("circle")) == []
+    assert (
+        critical_points(example("circle")) == inflections(example("circle")) == singularities(example("circle")) == []
+    )
 
 
 def test_a_cusp_is_neither_an_inflection_nor_an_extremum():
@@ -130,7 +132,7 @@ def test_all_approaches_agree_on_real_curves(file):
 @pytest.mark.parametrize("name", ["rational_cubic_s", "rational_quartic", "ellipse_turned", "six_segment_cubic"])
 def test_curvature_is_greatest_where_it_says_so(name):
     """Exactly: κ² on both sides of an extremum of |κ|, at rational parameters nearby, is beyond none."""
-    from exactspline.formulas import find
+    from exactspline.papers import find
 
     curve = example(name)
     kappa = find("curvature_squared")(curve)

@@ -1,14 +1,17 @@
-"""Features where it is easy to be wrong: negative weight functions, seams, ends, corners, curves that stand still, squaring."""
+"""Features where it is easy to be wrong: negative weight functions, seams, ends, corners, curves that stand still,
+squaring.
+"""
 
 import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.audit import audit
-from exactspline.claims import select
-from exactspline.curves import example
-from exactspline.features import constant_pieces, curvature_extrema, inflections, singularities, straight_pieces
-from exactspline.inspection import APPROACHES, inspect_curve
+from exactspline.geometry.inspection import APPROACHES, inspect_curve
+from exactspline.geometry.plane_features import constant_pieces, curvature_extrema, inflections, straight_pieces
+from exactspline.geometry.singular_points import singularities
+from exactspline.splines.examples import example
+from exactspline.verification.claims import select
+from exactspline.verification.ledger import audit
 
 
 def bezier(points, weights=None):
@@ -71,7 +74,12 @@ def test_pieces_end_at_corners_and_where_the_curvature_jumps():
 
 
 @pytest.mark.parametrize(
-    ("name", "ids"), [("straight_line", ["C4.3a", "E7", "E12"]), ("planar_in_space", ["E19", "C5.5b"]), ("space_line", ["C5.5c", "C5.4a"])]
+    ("name", "ids"),
+    [
+        ("straight_line", ["C4.3a", "E7", "E12"]),
+        ("planar_in_space", ["E19", "C5.5b"]),
+        ("space_line", ["C5.5c", "C5.4a"]),
+    ],
 )
 def test_what_does_not_exist_is_not_verified(name, ids):
     """x/0 = y/0 is no success, however true after multiplication."""

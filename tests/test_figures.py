@@ -1,4 +1,6 @@
-"""The figures of the paper: what their captions count is what the paper's captions claim (or what was found instead), and every file is whole."""
+"""The figures of the paper: what their captions count is what the paper's captions claim (or what was found instead),
+and every file is whole.
+"""
 
 import re
 from pathlib import Path
@@ -10,10 +12,10 @@ pytest.importorskip("matplotlib")
 
 from typer.testing import CliRunner
 
-from exactspline.claims import all_claims
 from exactspline.cli import app
-from exactspline.figures import FIGURES, folder, make
-from exactspline.plot import PlotError
+from exactspline.display.figures import FIGURES, folder, make
+from exactspline.display.plot.canvas import PlotError
+from exactspline.verification.claims import all_claims
 
 runner = CliRunner()
 #: What the claims of a caption call what the figure's own caption says in a part of the sentence.
@@ -22,9 +24,15 @@ COUNTED = ("degree", "control points", "roots", "extrema")
 
 def counts_of(number):
     """The counts of a caption that hold: as printed, or what must be said instead."""
-    claims = [claim for claim in all_claims() if claim.id == f"Fig. {number}" and claim.kind == "count" and claim.expected != "REFUTED"]
+    claims = [
+        claim
+        for claim in all_claims()
+        if claim.id == f"Fig. {number}" and claim.kind == "count" and claim.expected != "REFUTED"
+    ]
     assert claims or number in (6,)
-    return [part.strip() for claim in claims for part in claim.claimed.split(",") if any(word in part for word in COUNTED)]
+    return [
+        part.strip() for claim in claims for part in claim.claimed.split(",") if any(word in part for word in COUNTED)
+    ]
 
 
 @pytest.mark.parametrize("number", FIGURES)
@@ -54,7 +62,10 @@ def test_the_axes_of_the_figures_hold_the_objects():
     figure = FIGURES[2]().figure
     points = [line for ax in figure.axes for line in ax.lines if line.get_label() == "_control points"]
     titles = [ax.get_title() for ax in figure.axes]
-    counted = [sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "_control points") for ax in figure.axes[:2]]
+    counted = [
+        sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "_control points")
+        for ax in figure.axes[:2]
+    ]
     assert points
     for title, count in zip(titles, counted, strict=False):
         assert f"{count} control points" in title

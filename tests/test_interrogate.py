@@ -4,10 +4,11 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.curves import example
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.formulas import find
-from exactspline.interrogate import curvature, derive
+from exactspline.geometry.curvature import curvature
+from exactspline.geometry.derived import derive
+from exactspline.papers import find
+from exactspline.splines.examples import example
 
 
 def test_circle_has_constant_curvature():

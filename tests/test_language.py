@@ -1,4 +1,6 @@
-"""The language over numbers and over splines: vectors and their products against sympy, quotients against direct evaluation."""
+"""The language over numbers and over splines: vectors and their products against sympy, quotients against direct
+evaluation.
+"""
 
 from types import SimpleNamespace
 
@@ -12,17 +14,23 @@ from exactspline import BSpline, Vector, cross, det, dot, generalized_cross, nor
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.readings.degree import Degree, degree_curve
 from exactspline.readings.jet import jet_curve
-from exactspline.readings.series import series_curve
+from exactspline.readings.taylor import series_curve
 from exactspline.readings.tree import Traced
 from tests.strategies import numbers, splines_on_one_domain, vectors
 
 
 def number_vectors(count, dimension):
-    return st.lists(st.lists(numbers(), min_size=dimension, max_size=dimension).map(lambda x: Vector(*x)), min_size=count, max_size=count)
+    return st.lists(
+        st.lists(numbers(), min_size=dimension, max_size=dimension).map(lambda x: Vector(*x)),
+        min_size=count,
+        max_size=count,
+    )
 
 
 def sympy_det(rows):
-    matrix = sympy.Matrix([[sympy.Rational(int(mpq(x).numerator), int(mpq(x).denominator)) for x in row] for row in rows])
+    matrix = sympy.Matrix(
+        [[sympy.Rational(int(mpq(x).numerator), int(mpq(x).denominator)) for x in row] for row in rows]
+    )
     value = matrix.det(method="berkowitz")
     return mpq(int(value.p), int(value.q))
 
@@ -132,7 +140,17 @@ def test_wrong_dimensions_are_told():
 def operands():
     t = BSpline.identity(1, 2)
     curve = SimpleNamespace(p=Vector(t, t), w=t, polynomial=False)
-    return [t, t / t, Vector(t, t), Vector(t, t) / t, jet_curve(2, 1).w, degree_curve(2).w, series_curve(curve, 1, 2).w, Traced().w, Traced().p]
+    return [
+        t,
+        t / t,
+        Vector(t, t),
+        Vector(t, t) / t,
+        jet_curve(2, 1).w,
+        degree_curve(2).w,
+        series_curve(curve, 1, 2).w,
+        Traced().w,
+        Traced().p,
+    ]
 
 
 @pytest.mark.parametrize("x", operands(), ids=lambda x: type(x).__name__)

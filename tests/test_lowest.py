@@ -1,4 +1,6 @@
-"""What comes out at the true degree: known curves, continuity at knots, polynomial curves, every library function by default."""
+"""What comes out at the true degree: known curves, continuity at knots, polynomial curves, every library function by
+default.
+"""
 
 import pytest
 from gmpy2 import mpq
@@ -6,17 +8,19 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
-from exactspline.constructions import CONSTRUCTIONS, LIFTED, MINIMAL, construction, minimum_at, symbolic_minimum
-from exactspline.curves import example, example_names
 from exactspline.errors import ShapeError
-from exactspline.factors import split
-from exactspline.features import curvature_extrema, inflections
-from exactspline.formulas import find
-from exactspline.interrogate import circle_centres, derive, evolute, focal_curve, torsion
-from exactspline.language import Curve, Vector, wronskian
-from exactspline.measure import primitive, true_degree, without_factor
-from exactspline.reduce import reduction
-from exactspline.transvectants import lowest_wronskian
+from exactspline.geometry.constructions import LIFTED, MINIMAL, all_constructions, construction
+from exactspline.geometry.derived import circle_centres, derive, evolute, focal_curve, torsion
+from exactspline.geometry.plane_features import curvature_extrema, inflections
+from exactspline.language.arguments import Curve
+from exactspline.language.parts import split
+from exactspline.language.vector import Vector, wronskian
+from exactspline.papers import find
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.lowest_terms import primitive, true_degree, without_factor
+from exactspline.splines.wronskian import lowest_wronskian
+from exactspline.symbolic.reduction import reduction
+from exactspline.verification.generic_degree import minimum_at, symbolic_minimum
 from tests.strategies import nurbs, splines_on_one_domain
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
@@ -48,7 +52,9 @@ def test_a_nondegenerate_rational_space_cubic_has_a_constant_torsion_numerator(n
 
 
 def test_a_pythagorean_hodograph_quintic_loses_more_than_the_generic_quintic():
-    """‖γ′‖² = σ², and the evolute ``p + σ² γ′⊥/f`` of degree 3d − 3 = 12 over f of degree 2d − 4 = 6; the vertex form loses a factor σ."""
+    """‖γ′‖² = σ², and the evolute ``p + σ² γ′⊥/f`` of degree 3d − 3 = 12 over f of degree 2d − 4 = 6; the vertex form
+    loses a factor σ.
+    """
     curve = example("ph_quintic")
     vertices = construction("critical_curvature").on(curve, MINIMAL)
     assert vertices.degree == minimum_at(construction("critical_curvature"), 5, polynomial=True) == 13
@@ -70,7 +76,7 @@ def root_of(c):
     return root
 
 
-@pytest.mark.parametrize("name", CONSTRUCTIONS)
+@pytest.mark.parametrize("name", all_constructions())
 @pytest.mark.parametrize("curve", example_names())
 def test_no_curve_exceeds_the_proved_degree(name, curve):
     c, made = example(curve), construction(name)
@@ -102,7 +108,9 @@ def test_the_theorem_guarantees_the_division(name, curve):
 @pytest.mark.parametrize(("name", "less"), [("inflections_lifted", 2), ("vertices_lifted", 3)])
 @pytest.mark.parametrize("curve", ["six_segment_cubic", "rational_cubic_spline", "ellipse"])
 def test_continuity_of_a_lifted_form(name, less, curve):
-    """It is nominally as continuous as the curve less the derivatives taken, and lowering the degree leaves that as it is."""
+    """It is nominally as continuous as the curve less the derivatives taken, and lowering the degree leaves that as it
+    is.
+    """
     c = example(curve)
     form = find(name)(c)
     inner = c.breakpoints[1:-1]
@@ -151,7 +159,9 @@ def test_a_segment_that_shares_a_factor_with_w_is_divided_alone():
 @settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
-    """From partial derivatives and from derivatives: the same function, over segments of any width, and of degree N(n − N + 1)."""
+    """From partial derivatives and from derivatives: the same function, over segments of any width, and of degree N(n −
+    N + 1).
+    """
     components = data.draw(splines_on_one_domain(data.draw(st.integers(3, 4)), 0, 4))
     lowest = lowest_wronskian(Vector(*components))
     assert lowest == wronskian(Vector(*components))
@@ -172,14 +182,18 @@ def test_library_functions_use_the_lowest_form_by_default(function):
 
 def test_inflections_do_not_depend_on_the_form():
     for name in ("rational_cubic_s", "cubic_s", "six_segment_cubic"):
-        found = [[(f.kind, f.root) for f in inflections(example(name), form)] for form in ("naive", "paper", LIFTED, MINIMAL)]
+        found = [
+            [(f.kind, f.root) for f in inflections(example(name), form)] for form in ("naive", "paper", LIFTED, MINIMAL)
+        ]
         assert all(other == found[0] for other in found[1:])
 
 
 @settings(max_examples=20, deadline=None)
 @given(data=st.data())
 def test_a_projective_change_of_parameter_moves_the_zeros(data):
-    """t ↦ at/(at + b(1 − t)) of one Bézier segment: the roots of the vertex form move with it, and their number stays."""
+    """t ↦ at/(at + b(1 − t)) of one Bézier segment: the roots of the vertex form move with it, and their number
+    stays.
+    """
     d = data.draw(st.integers(2, 3))
     a, b = data.draw(st.integers(1, 4)), data.draw(st.integers(1, 4))
     numbers = st.integers(-9, 9)

@@ -1,4 +1,6 @@
-"""Certificates of minimality: the proved degree is attained, the checker is independent, and a wrong certificate is caught."""
+"""Certificates of minimality: the proved degree is attained, the checker is independent, and a wrong certificate is
+caught.
+"""
 
 import copy
 import json
@@ -7,16 +9,16 @@ import random
 import pytest
 
 from exactspline import BSpline, Nurbs
-from exactspline.constructions import CONSTRUCTIONS
-from exactspline.curves import example
 from exactspline.errors import ReductionError, ShapeError
-from exactspline.minimality import _bezout, attained, certificate, witness
-from exactspline.minimality.checker import _irreducible, check
+from exactspline.geometry.constructions import all_constructions
+from exactspline.splines.examples import example
+from exactspline.verification.minimality import _bezout, attained, certificate, witness
+from exactspline.verification.minimality.checker import _irreducible, check
 
 
 @pytest.mark.parametrize("polynomial", [False, True], ids=["rational", "polynomial"])
 @pytest.mark.parametrize("d", [2, 3, 4, 5, 6])
-@pytest.mark.parametrize("name", CONSTRUCTIONS)
+@pytest.mark.parametrize("name", all_constructions())
 def test_the_witness_attains_the_proved_degree(name, d, polynomial):
     found = attained(name, d, polynomial=polynomial)
     assert found.agrees
@@ -26,7 +28,9 @@ def test_the_witness_attains_the_proved_degree(name, d, polynomial):
         assert check(json.loads(json.dumps(found.certificate))) == found.proved
 
 
-@pytest.mark.parametrize("name", ["ellipse_skew", "rational_cubic_spline", "six_segment_cubic", "straight_between_arcs"])
+@pytest.mark.parametrize(
+    "name", ["ellipse_skew", "rational_cubic_spline", "six_segment_cubic", "straight_between_arcs"]
+)
 def test_certificates_on_curves_of_several_segments(name):
     for construction in ("evolute", "zero_curvature", "critical_curvature"):
         data = certificate(construction, example(name))
@@ -75,7 +79,9 @@ def test_a_degree_too_high_is_caught():
 
     def raised(segment):
         old = [int(x) for x in segment["forms"][0]]
-        segment["forms"] = [[str((old[i - 1] if i else 0) + (old[i] if i < len(old) else 0)) for i in range(len(old) + 1)]]
+        segment["forms"] = [
+            [str((old[i - 1] if i else 0) + (old[i] if i < len(old) else 0)) for i in range(len(old) + 1)]
+        ]
         segment["degree"] += 1
         from flint import fmpz_poly
 

@@ -6,18 +6,20 @@ from math import comb
 import pytest
 from flint import fmpq
 
-from exactspline import on_all_curves
-from exactspline.claims import select
 from exactspline.errors import FormulaError
-from exactspline.formulas import find
-from exactspline.readings.generic import generic_curve
-from exactspline.readings.monomials import every_coefficient, monomial_curve
+from exactspline.papers import find
+from exactspline.readings.bernstein_term import every_coefficient, monomial_curve
+from exactspline.readings.generic_bezier import generic_curve
+from exactspline.verification import generic_proof as on_all_curves
+from exactspline.verification.claims import select
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 5])
 @pytest.mark.parametrize("name", ["D1", "D2", "D21"])
 def test_the_coefficients_are_those_of_every_single_degree(name, degree):
-    """Term by term: what the symbolic monomials give at d, a, b is the coefficient of the product of control point a and weight b."""
+    """Term by term: what the symbolic monomials give at d, a, b is the coefficient of the product of control point a
+    and weight b.
+    """
     symbolic = find(name)(monomial_curve(2))[0]
     concrete = find(name)(generic_curve(2, degree))[0]
     expected = [{} for _ in concrete.coefficients]
@@ -27,7 +29,9 @@ def test_the_coefficients_are_those_of_every_single_degree(name, degree):
                 number = c.compose(*[c.context().constant(x) for x in (degree, a, b)], ctx=c.context())
                 if number != 0:
                     row = expected[a + b - j]
-                    row[a, b] = row.get((a, b), 0) + fmpq(number.leading_coefficient()) * comb(degree, a) * comb(degree, b)
+                    row[a, b] = row.get((a, b), 0) + fmpq(number.leading_coefficient()) * comb(degree, a) * comb(
+                        degree, b
+                    )
     for row, polynomial in zip(expected, concrete.coefficients, strict=True):
         found = {}
         for exponents, c in polynomial.terms():
@@ -45,7 +49,9 @@ def test_every_coefficient_of_d1_is_proved_and_of_others_computed():
 
 
 def test_what_is_not_of_that_kind_is_not_proved():
-    """w′p has p_(k+1) w_k with the factor k, zero for k = 0; (w p)′ with a polynomial in d; D2 has three terms; nothing comes of p alone."""
+    """w′p has p_(k+1) w_k with the factor k, zero for k = 0; (w p)′ with a polynomial in d; D2 has three terms; nothing
+    comes of p alone.
+    """
     c = monomial_curve(2)
     for value in (c.p * c.w.d(1), (c.p * c.w).d(1), find("D2")(c), c.p.d(1), c.w.d(1), c.p - c.p):
         assert every_coefficient(value) is None

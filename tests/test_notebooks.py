@@ -1,4 +1,6 @@
-"""The notebooks: each runs from a fresh kernel and shows pictures and tables, links to its neighbours, stores no output, types in no result."""
+"""The notebooks: each runs from a fresh kernel and shows pictures and tables, links to its neighbours, stores no
+output, types in no result.
+"""
 
 import ast
 import re
@@ -41,10 +43,20 @@ def test_a_notebook_runs_from_a_fresh_kernel(path, tmp_path, monkeypatch):
     monkeypatch.setenv("IPYTHONDIR", str(tmp_path / "ipython"))
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "runtime"))
     book = read(path)
-    nbclient.NotebookClient(book, timeout=240, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}).execute()
-    shown = [kind for cell in book.cells if cell.cell_type == "code" for output in cell.outputs for kind in output.get("data", {})]
+    nbclient.NotebookClient(
+        book, timeout=240, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}
+    ).execute()
+    shown = [
+        kind
+        for cell in book.cells
+        if cell.cell_type == "code"
+        for output in cell.outputs
+        for kind in output.get("data", {})
+    ]
     assert {"text/html", "text/latex"} & set(shown)
-    noise = [o.text for cell in book.cells if cell.cell_type == "code" for o in cell.outputs if o.get("name") == "stderr"]
+    noise = [
+        o.text for cell in book.cells if cell.cell_type == "code" for o in cell.outputs if o.get("name") == "stderr"
+    ]
     assert not noise
 
 
@@ -75,7 +87,9 @@ def test_a_derivation_ends_in_an_assertion_and_types_in_no_result(path):
     cells = [ast.parse(code_of(cell)) for cell in book.cells if cell.cell_type == "code"]
     assertions = [node for cell in cells for node in ast.walk(cell) if isinstance(node, ast.Assert)]
     assert assertions
-    compared = [side for a in assertions for n in ast.walk(a) if isinstance(n, ast.Compare) for side in (n.left, *n.comparators)]
+    compared = [
+        side for a in assertions for n in ast.walk(a) if isinstance(n, ast.Compare) for side in (n.left, *n.comparators)
+    ]
     literals = [n for side in compared if isinstance(side, (ast.Constant, ast.Tuple, ast.List)) for n in ast.walk(side)]
     typed = {n.value for n in literals if isinstance(n, ast.Constant) and isinstance(n.value, (int, float))}
     assert typed <= HARMLESS, "a result is computed or read out of a claim, not typed in"

@@ -49,7 +49,8 @@ def test_bad_input_names_the_place(what):
     assert "\n" not in str(caught.value)
 
 
-#: Weight functions with a zero: degree, knots, weights and the parameters between which it lies (equal where it is known exactly).
+#: Weight functions with a zero: degree, knots, weights and the parameters between which it lies (equal where it is
+#: known exactly).
 ZEROS = {
     "inside, double": (2, KNOTS, [1, -1, 1], "1/2", "1/2"),
     "inside, rational": (1, [0, 0, 3, 3], [2, -1], 2, 2),
@@ -101,7 +102,10 @@ def test_weights_that_keep_their_sign_are_taken_whatever_their_signs_are(weights
 @given(nurbs())
 def test_a_curve_is_the_quotient_of_its_splines(curve):
     knots, n = tuple(curve.knots), curve.degree
-    lifted = [[x * w for x, w in zip(column, curve.weights, strict=True)] for column in zip(*curve.control_points, strict=True)]
+    lifted = [
+        [x * w for x, w in zip(column, curve.weights, strict=True)]
+        for column in zip(*curve.control_points, strict=True)
+    ]
     for t, side in oracles.places(curve.p[0]):
         w = oracles.value(knots, n, curve.weights, t, side)
         point = tuple(oracles.value(knots, n, column, t, side) / w for column in lifted)
@@ -113,7 +117,10 @@ def test_a_curve_is_the_quotient_of_its_splines(curve):
 
 @given(nurbs(dimension=3), st.sampled_from([mpq(1), mpq(-2), mpq(1, 3)]))
 def test_homogeneous_points_make_the_same_curve(curve, scale):
-    rows = [tuple(scale * x for x in (*(c * w for c in row), w)) for row, w in zip(curve.control_points, curve.weights, strict=True)]
+    rows = [
+        tuple(scale * x for x in (*(c * w for c in row), w))
+        for row, w in zip(curve.control_points, curve.weights, strict=True)
+    ]
     other = Nurbs.from_homogeneous(curve.degree, curve.knots, rows)
     assert other.control_points == curve.control_points
     assert other.polynomial == curve.polynomial

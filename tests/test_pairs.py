@@ -6,20 +6,22 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs, Vector
-from exactspline.companions import companion_point, pair_with, turned_copy, with_point
-from exactspline.factors import substitute
-from exactspline.formulas import all_formulas, find
-from exactspline.language import DIMENSIONS, Curve, Pair, RuledSurface, assemble, cross, dot, norm2, operands, ruled
-from exactspline.printers.latex import print_latex
-from exactspline.printers.text import print_text
-from exactspline.quotients import Rational
+from exactspline.language.arguments import DIMENSIONS, Curve, Pair, assemble, operands, with_point
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface, ruled
+from exactspline.language.vector import cross, dot, norm2
+from exactspline.papers import all_formulas, find
 from exactspline.readings.degree import Degree, degree_argument, parse
-from exactspline.readings.fraction import fraction_argument
-from exactspline.readings.infinity import generic_drop
+from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.jet import jet_argument
-from exactspline.readings.order import Order, order_of
-from exactspline.readings.series import taylor
+from exactspline.readings.leading_terms import generic_drop
+from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.printing.text import print_text
+from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import evaluate, trace
+from exactspline.symbolic.substitution import substitute
+from exactspline.verification.test_arguments import companion_point, pair_with, turned_copy
 
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("pair", "point", "plane point")}
 over_formulas = pytest.mark.parametrize("name", FORMULAS)
@@ -69,7 +71,9 @@ def test_series_are_the_values_of_splines(name, polynomial):
     place = ("1/3", "8/5") if f.curve == "pair" else ("1/3",)
     found = f(series(f.curve, place[0], place[-1], order_of(f, dimension(f)) + 1, polynomial=polynomial))
     found = getattr(found, "joined", found)
-    assert tuple(x.value for x in (found if isinstance(found, Vector) else [found])) == values(f(argument(f.curve, polynomial=polynomial)), *place)
+    assert tuple(x.value for x in (found if isinstance(found, Vector) else [found])) == values(
+        f(argument(f.curve, polynomial=polynomial)), *place
+    )
 
 
 @pytest.mark.parametrize("polynomial", [False, True])
@@ -102,7 +106,10 @@ def test_a_tree_evaluates_to_the_formula_and_prints(name):
 
 def test_the_second_curve_gets_a_bar():
     assert print_text(trace(find("bisector_determinant"))) == "[γ′ γ̄′ (γ − γ̄)]"
-    assert print_latex(trace(find("bisector_determinant"))) == r"[\gamma'\ \bar{\gamma}'\ \left(\gamma - \bar{\gamma}\right)]"
+    assert (
+        print_latex(trace(find("bisector_determinant")))
+        == r"[\gamma'\ \bar{\gamma}'\ \left(\gamma - \bar{\gamma}\right)]"
+    )
     assert print_text(trace(find("bisector_determinant_symmetric"))) == "[D1 D̄1 C]"
 
 
@@ -150,7 +157,9 @@ def test_the_true_degree_in_one_parameter():
 
 
 def test_a_bisector_point_by_hand():
-    """Two skew lines: the bisector of the x axis and of the parallel of the y axis at height 1 is a hyperbolic paraboloid."""
+    """Two skew lines: the bisector of the x axis and of the parallel of the y axis at height 1 is a hyperbolic
+    paraboloid.
+    """
     first = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)])
     second = Nurbs(1, [0, 0, 1, 1], [(0, 0, 1), (0, 1, 1)])
     surface = find("bisector")(pair_with(first, second))
@@ -161,7 +170,9 @@ def test_a_bisector_point_by_hand():
 
 
 def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
-    """Cramer's rule for (31): the terms of the first and the last row are over one denominator; the claims add row by row."""
+    """Cramer's rule for (31): the terms of the first and the last row are over one denominator; the claims add row by
+    row.
+    """
     c = degree_argument("point", 3)
     generator, offset, velocity = find("point_bisector_generator")(c), c.gamma - c.point, c.gamma.d(1)
     first = cross(generator, offset) * find("normal_height")(c)

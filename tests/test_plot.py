@@ -1,4 +1,6 @@
-"""Pictures: what is drawn is what was computed, nothing is joined that is apart, and files are there whole or not at all."""
+"""Pictures: what is drawn is what was computed, nothing is joined that is apart, and files are there whole or not at
+all.
+"""
 
 import os
 import subprocess
@@ -11,12 +13,14 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
-from exactspline import BSpline, Nurbs, Rational, Vector, plot
-from exactspline.constructions import construction
-from exactspline.curves import example, example_names
+from exactspline import BSpline, Nurbs, Rational, Vector
+from exactspline.display import plot
+from exactspline.display.plot import curves
+from exactspline.display.plot.canvas import PlotError
 from exactspline.errors import DomainError, ExactSplineError, ShapeError
-from exactspline.plot import PlotError, curves
-from exactspline.zeros import zeros
+from exactspline.geometry.constructions import construction
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example, example_names
 
 ZIGZAG = BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1])
 #: Jumps through zero at 1, vanishes on [2, 3], jumps off zero at 3.
@@ -61,7 +65,9 @@ def test_a_curve_is_drawn_segment_by_segment_through_its_exact_points(name):
         assert points[-1] == floats([curve(b, "left")])[0]
         assert points[: n : n // 4] == floats(curve(a + (b - a) * mpq(k, n)) for k in range(0, n, n // 4))
     assert sum(len(line.get_xdata()) for line in lines(ax, "_control points")) == len(curve.control_points)
-    assert set(data(lines(ax, "knots")[0])) == set(floats(curve(t, side) for t in curve.breakpoints for side in ("left", "right")))
+    assert set(data(lines(ax, "knots")[0])) == set(
+        floats(curve(t, side) for t in curve.breakpoints for side in ("left", "right"))
+    )
 
 
 def test_axes_given_are_drawn_on_and_parts_can_be_left_out():
@@ -74,7 +80,10 @@ def test_axes_given_are_drawn_on_and_parts_can_be_left_out():
 
 def test_the_control_polygon_has_no_leg_across_a_jump_or_to_a_direction():
     curve = example("jump")
-    assert [data(line) for line in lines(plot.plot_curve(curve), "_legs")] == [floats(curve.control_points[:3]), floats(curve.control_points[3:])]
+    assert [data(line) for line in lines(plot.plot_curve(curve), "_legs")] == [
+        floats(curve.control_points[:3]),
+        floats(curve.control_points[3:]),
+    ]
     half_circle = Nurbs.from_homogeneous(2, [0, 0, 0, 1, 1, 1], [(1, 0, 1), (0, 1, 0), (-1, 0, 1)])
     assert [data(line) for line in lines(plot.plot_curve(half_circle), "_legs")] == [[(1, 0)], [(-1, 0)]]
 
@@ -146,7 +155,14 @@ def test_evolutes_of_a_circle_and_of_a_curve_with_a_straight_piece():
 
 
 @pytest.mark.parametrize(
-    "f", [ZIGZAG, JUMPING, BSpline(2, [0, 1, 2, 3, 4, 5], [1, "1/3", 2]), BSpline(0, [0, 1, 2], [1, 2]), BSpline.bezier([1]).d()]
+    "f",
+    [
+        ZIGZAG,
+        JUMPING,
+        BSpline(2, [0, 1, 2, 3, 4, 5], [1, "1/3", 2]),
+        BSpline(0, [0, 1, 2], [1, 2]),
+        BSpline.bezier([1]).d(),
+    ],
 )
 def test_greville_abscissae_reproduce_the_identity(f):
     abscissae = plot.greville_abscissae(f)
@@ -172,7 +188,11 @@ def test_a_function_is_drawn_with_its_control_polygon_zero_line_and_roots():
 def test_jumps_are_gaps_and_stretches_are_thick():
     ax = plot.plot_function(JUMPING, roots=zeros(JUMPING))
     graph = lines(ax, "graph") + lines(ax, "_graph")
-    assert [(data(line)[0], data(line)[-1]) for line in graph] == [((0, 1), (1, 2)), ((1, -1), (3, 0)), ((3, 3), (4, 0.5))]
+    assert [(data(line)[0], data(line)[-1]) for line in graph] == [
+        ((0, 1), (1, 2)),
+        ((1, -1), (3, 0)),
+        ((3, 3), (4, 0.5)),
+    ]
     assert [len(line.get_xdata()) for line in lines(ax, "_legs")] == [3, 4, 3]
     assert [data(line)[0] for line in lines(ax, "_limit")] == [(1, 2), (3, 0)]
     assert [data(line)[0] for line in lines(ax, "_value")] == [(1, -1), (3, 3)]
@@ -234,7 +254,11 @@ def test_one_picture_of_a_curve_and_its_functions(tmp_path):
     assert first.get_title() == "squared: degree 24, 150 control points"
     assert {"8 roots", "2 jumps through zero"} <= set(legend(first))
     assert {"6 roots", "2 jumps through zero"} <= set(legend(second))
-    assert lines(first, "8 roots")[0].get_color() == lines(left, "zeros of squared")[0].get_color() != lines(second, "6 roots")[0].get_color()
+    assert (
+        lines(first, "8 roots")[0].get_color()
+        == lines(left, "zeros of squared")[0].get_color()
+        != lines(second, "6 roots")[0].get_color()
+    )
     plot.save(figure, tmp_path / "six.png")
     assert (tmp_path / "six.png").read_bytes().startswith(b"\x89PNG\r\n")
 
@@ -290,7 +314,9 @@ def test_errors_say_what_would_be_right(tmp_path, monkeypatch):
 
 def test_importing_loads_no_matplotlib_and_drawing_no_pyplot():
     code = (
-        "import sys; from exactspline import plot; from exactspline.curves import example; assert 'matplotlib' not in sys.modules;"
-        "plot.plot_curve(example('circle')); assert 'matplotlib' in sys.modules; assert 'matplotlib.pyplot' not in sys.modules"
+        "import sys; from exactspline.display import plot; from exactspline.splines.examples import example; assert "
+        "'matplotlib' not in sys.modules;"
+        "plot.plot_curve(example('circle')); assert 'matplotlib' in sys.modules; assert 'matplotlib.pyplot' not "
+        "in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -1,4 +1,6 @@
-"""Surfaces, roots and approaches in pictures: what is drawn lies on what was computed, and nothing is joined across a pole."""
+"""Surfaces, roots and approaches in pictures: what is drawn lies on what was computed, and nothing is joined across a
+pole.
+"""
 
 import sys
 
@@ -8,38 +10,38 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline, Rational, Vector, cross, dot
-from exactspline.companions import with_point
-from exactspline.curves import example
+from exactspline.display.plot.canvas import PlotError, new_figure
+from exactspline.display.plot.comparisons import plot_approaches
+from exactspline.display.plot.curves import plot_curve, plot_quotient
+from exactspline.display.plot.frames import homogeneous
+from exactspline.display.plot.functions import plot_roots
+from exactspline.display.plot.html import Scene, turning_page
+from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
+from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.formulas import find
-from exactspline.language import RuledSurface
-from exactspline.plot import (
-    PlotError,
-    new_figure,
-    plot_approaches,
-    plot_bisector,
-    plot_curve,
-    plot_mesh,
-    plot_quotient,
-    plot_roots,
-    plot_ruled_surface,
-    plot_surface,
-    ruled_mesh,
-    tensor_mesh,
-)
-from exactspline.plot.frames import homogeneous
-from exactspline.plot.turning import Scene, turning_page
-from exactspline.surface import TensorSpline, surface_pair
-from exactspline.zeros import zeros
+from exactspline.language.arguments import with_point
+from exactspline.language.ruled import RuledSurface
+from exactspline.papers import find
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example
+from exactspline.splines.tensor import TensorSpline, surface_pair
 
-SADDLE = Vector(*[TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net) for net in ([[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]])])
+SADDLE = Vector(
+    *[
+        TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net)
+        for net in ([[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]])
+    ]
+)
 
 
 def legend(ax):
     return [text.get_text() for text in ax.get_legend().get_texts()]
 
 
-@pytest.mark.parametrize("name", ["tangent_developable_reduced", "binormal_scroll", "normal_scroll_reduced", "rectifying_developable_reduced"])
+@pytest.mark.parametrize(
+    "name",
+    ["tangent_developable_reduced", "binormal_scroll", "normal_scroll_reduced", "rectifying_developable_reduced"],
+)
 def test_the_points_of_a_ruled_surface_lie_on_its_rulings(name):
     surface = find(name)(example("rational_space_cubic_spline"))
     mesh = ruled_mesh(surface, ("-1/3", 1), box=((-(10**9),) * 3, (10**9,) * 3))
@@ -89,7 +91,9 @@ def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():
     assert legend(plot_surface(SADDLE, control_net=False)) == ["surface"]
 
 
-@pytest.mark.parametrize("form", ["point_bisector_polynomial", "point_bisector_direct_z", "point_bisector_direct_naive"])
+@pytest.mark.parametrize(
+    "form", ["point_bisector_polynomial", "point_bisector_direct_z", "point_bisector_direct_naive"]
+)
 def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(form):
     curve, q = example("helix_like"), (mpq(1, 3), mpq(1, 4), mpq(1))
     surface = find(form)(with_point(curve, q))
@@ -97,7 +101,9 @@ def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(form):
     start, end = mesh.patches[0][0][0], mesh.patches[0][0][-1]
     foot = curve(curve.domain[0])
     for p in (start, end):
-        assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum((a - b) ** 2 for a, b in zip(p, q, strict=True))
+        assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum(
+            (a - b) ** 2 for a, b in zip(p, q, strict=True)
+        )
     ax = plot_bisector(curve, q, form=form)
     assert f"bisector: degree {surface.degree}" in legend(ax)
 
@@ -150,9 +156,13 @@ def test_approaches_are_compared_by_what_they_cost():
 
 def test_pages_need_no_network_and_say_what_is_missing(monkeypatch):
     mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
-    page = turning_page([Scene("a", mesh, [("curve", [[(mpq(0),) * 3, (mpq(1),) * 3]])], [("Q", (mpq(0),) * 3)])], "title")
+    page = turning_page(
+        [Scene("a", mesh, [("curve", [[(mpq(0),) * 3, (mpq(1),) * 3]])], [("Q", (mpq(0),) * 3)])], "title"
+    )
     assert "<script src=" not in page
-    assert page == turning_page([Scene("a", mesh, [("curve", [[(mpq(0),) * 3, (mpq(1),) * 3]])], [("Q", (mpq(0),) * 3)])], "title")
+    assert page == turning_page(
+        [Scene("a", mesh, [("curve", [[(mpq(0),) * 3, (mpq(1),) * 3]])], [("Q", (mpq(0),) * 3)])], "title"
+    )
     monkeypatch.setitem(sys.modules, "plotly.graph_objects", None)
     with pytest.raises(PlotError, match=r"exactspline\[html\]"):
         turning_page([Scene("a", mesh)], "title")

@@ -16,7 +16,9 @@ def assert_product(f, g):
     knots, n = oracles.product_knots(f, g), f.degree + g.degree
     assert h.degree == n
     assert tuple(h.knots) == knots
-    expected = oracles.collocated(knots, n, lambda t: oracles.value(*oracles.data(f), t) * oracles.value(*oracles.data(g), t))
+    expected = oracles.collocated(
+        knots, n, lambda t: oracles.value(*oracles.data(f), t) * oracles.value(*oracles.data(g), t)
+    )
     assert h.control_points == expected
     assert oracles.blossomed(knots, f, g) == expected
 

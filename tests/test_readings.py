@@ -8,23 +8,29 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, Rational, Vector
-from exactspline.curves import example
 from exactspline.errors import FormulaError
-from exactspline.formulas import all_formulas
-from exactspline.language import DIMENSIONS, Curve, RuledSurface, det, generalized_cross, norm2
-from exactspline.printers.latex import print_latex
-from exactspline.printers.text import print_text
+from exactspline.language.arguments import DIMENSIONS, Curve
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import det, generalized_cross, norm2
+from exactspline.papers import all_formulas
 from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
+from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.jet import Jet, JetRing, jet_curve
-from exactspline.readings.order import Order, order_of
-from exactspline.readings.series import Series, series_curve, taylor
+from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.printing.text import print_text
+from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import Traced, evaluate, operation_counts, trace
+from exactspline.splines.examples import example
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("curve", "plane", "space", "table")}
 CASES = [(name, dimension) for name, f in FORMULAS.items() for dimension in DIMENSIONS[f.curve]]
 OF_CURVES = [(name, dimension) for name, dimension in CASES if FORMULAS[name].curve != "table"]
-TRACES = {(name, dimension, expand): trace(FORMULAS[name], dimension, expand=expand) for name, dimension in CASES for expand in (False, True)}
+TRACES = {
+    (name, dimension, expand): trace(FORMULAS[name], dimension, expand=expand)
+    for name, dimension in CASES
+    for expand in (False, True)
+}
 
 over_cases = pytest.mark.parametrize(("name", "dimension"), CASES, ids=str)
 over_curves = pytest.mark.parametrize(("name", "dimension"), OF_CURVES, ids=str)
@@ -52,7 +58,10 @@ def spline_table():
 
 def series_table(t, terms):
     s = spline_table()
-    return table(lambda x, i: taylor(getattr(s, f"{x}{i}"), t, terms), lambda x, i: Vector(*[taylor(c, t, terms) for c in getattr(s, f"{x}{i}")]))
+    return table(
+        lambda x, i: taylor(getattr(s, f"{x}{i}"), t, terms),
+        lambda x, i: Vector(*[taylor(c, t, terms) for c in getattr(s, f"{x}{i}")]),
+    )
 
 
 def jet_table():
@@ -82,7 +91,13 @@ READINGS = {
     "series": lambda n: series_curve(CURVES[n], "1/2", 8),
     "order": order_curve,
 }
-TABLES = {"spline": spline_table, "jet": jet_table, "degree": degree_table, "series": lambda: series_table("1/2", 3), "order": order_table}
+TABLES = {
+    "spline": spline_table,
+    "jet": jet_table,
+    "degree": degree_table,
+    "series": lambda: series_table("1/2", 3),
+    "order": order_table,
+}
 
 
 def parts(x):
@@ -105,7 +120,11 @@ def parts(x):
     return ("jet", x)
 
 
-CONFORMANCE = [(reading, name, dimension) for name, dimension in CASES for reading in (TABLES if FORMULAS[name].curve == "table" else READINGS)]
+CONFORMANCE = [
+    (reading, name, dimension)
+    for name, dimension in CASES
+    for reading in (TABLES if FORMULAS[name].curve == "table" else READINGS)
+]
 
 
 @pytest.mark.parametrize(("reading", "name", "dimension"), CONFORMANCE, ids=str)
@@ -195,13 +214,18 @@ def test_the_represented_degree_is_the_counted_one(name, dimension, kind):
             assert result.numerator.degree == counted.numerator.degree.at({"d": curve.degree})
 
 
-#: The formulas that are polynomials in the curve. (Not so quotients: the quotient rule raises degrees, and a jet has none to raise.)
-HOMOGENEOUS = [(name, n) for name, n in OF_CURVES if not isinstance(FORMULAS[name](degree_curve(n)), (Rational, RuledSurface))]
+#: The formulas that are polynomials in the curve. (Not so quotients: the quotient rule raises degrees, and a jet has
+#: none to raise.)
+HOMOGENEOUS = [
+    (name, n) for name, n in OF_CURVES if not isinstance(FORMULAS[name](degree_curve(n)), (Rational, RuledSurface))
+]
 
 
 @pytest.mark.parametrize(("name", "dimension"), HOMOGENEOUS, ids=str)
 def test_the_grading_of_a_jet_gives_its_degree(name, dimension):
-    """Degree k in the curve and weight m mean nominal degree kd − m; only a formula that vanishes on every curve has none."""
+    """Degree k in the curve and weight m mean nominal degree kd − m; only a formula that vanishes on every curve has
+    none.
+    """
     jet, degree = FORMULAS[name](jet_curve(dimension, 6)), FORMULAS[name](degree_curve(dimension))
     pairs = zip(jet, degree, strict=True) if isinstance(jet, Vector) else [(jet, degree)]
     for j, counted in pairs:
@@ -251,9 +275,15 @@ def joined(x):
 
 
 def numbers_of(x, t):
-    """Value and first derivative at t of what a formula returned on splines, by numbers alone: n/w and (n′w − nw′)/w²."""
+    """Value and first derivative at t of what a formula returned on splines, by numbers alone: n/w and (n′w −
+    nw′)/w².
+    """
     x = joined(x)
-    tops = list(x.numerator if isinstance(x, Rational) else x) if getattr(x, "is_vector", False) else [x.numerator if isinstance(x, Rational) else x]
+    tops = (
+        list(x.numerator if isinstance(x, Rational) else x)
+        if getattr(x, "is_vector", False)
+        else [x.numerator if isinstance(x, Rational) else x]
+    )
     if not isinstance(x, Rational):
         return [(n(t), n.d()(t)) for n in tops]
     w, dw = x.denominator(t), x.denominator.d()(t)
@@ -294,7 +324,10 @@ def test_a_tree_keeps_what_is_written():
     assert operation_counts(trace(FORMULAS["D1"])) == {"-": 1, "*": 2, "d": 2}
     assert operation_counts(trace(FORMULAS["T17"])) == {"/": 1, "d": 1}
     assert operation_counts(TRACES["f1", 2, True]) == operation_counts(TRACES["f1", 2, False])
-    assert [print_text(TRACES["f1", 2, expand]) for expand in (False, True)] == ["[D1 D2]", "[(p′ w − p w′) (p″ w − p w″)]"]
+    assert [print_text(TRACES["f1", 2, expand]) for expand in (False, True)] == [
+        "[D1 D2]",
+        "[(p′ w − p w′) (p″ w − p w″)]",
+    ]
     square = Traced(2).w
     assert operation_counts(square * square) == {"*": 1}
 
@@ -390,7 +423,9 @@ def test_printed_examples():
 
 
 def test_printed_text_tells_different_trees_apart():
-    """The determinant of a product and a vector is not printed as one of three vectors; quotients of products are not products of quotients."""
+    """The determinant of a product and a vector is not printed as one of three vectors; quotients of products are not
+    products of quotients.
+    """
     c = Traced(3)
     assert print_text(det(c.p * c.w, c.p.d(1))) != "[p w p′]"
     assert print_text(c.w / (c.w * c.w)) != print_text((c.w / c.w) * c.w)

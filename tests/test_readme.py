@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from exactspline.claims import all_claims
-from exactspline.errata import errata
+from exactspline.verification.claims import all_claims
+from exactspline.verification.errata import errata
 
 README = Path(__file__).resolve().parents[1] / "README.md"
 

@@ -1,22 +1,25 @@
-"""`reduce` finds every reduction of the paper without being told, and those of formulas that the paper does not have."""
+"""`reduce` finds every reduction of the paper without being told, and those of formulas that the paper does not
+have.
+"""
 
 import pytest
 from gmpy2 import mpq
 
 from exactspline import Vector, cross, det, dot, formula, norm2, perp
-from exactspline.curves import example, example_names
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.factors import split
-from exactspline.formulas import all_formulas, find
-from exactspline.language import RuledSurface
-from exactspline.measure import in_lowest_terms
-from exactspline.quotients import Rational
-from exactspline.readings.factored import FactoredJet, factored_argument
+from exactspline.language.parts import split
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.papers import all_formulas, find
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.factored_jet import FactoredJet, factored_argument
 from exactspline.readings.jet import Jet, jet_argument
-from exactspline.readings.order import order_of
-from exactspline.reduce import GENERATOR, ZERO_FREE, reduce, reduction
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.symbolic.reduction import GENERATOR, ZERO_FREE, reduce, reduction
 
-#: Formula, part, what is cancelled, what is left, its k, m, j, and the true degree; by hand from §4, §5 and §6 and the theorem.
+#: Formula, part, what is cancelled, what is left, its k, m, j, and the true degree; by hand from §4, §5 and §6 and the
+#: theorem.
 FOUND = {
     "f0": ("w⁻³", "f2", (3, 3, 0), "3d − 6"),
     "f1": ("w", "f2", (3, 3, 0), "3d − 6"),
@@ -62,7 +65,12 @@ def test_factors_with_roots_are_kept_apart_and_named():
     assert not part.cancelled.names & {"f2", "[X X′ X″ X‴]"}
     assert all(p.meaning == ZERO_FREE[p.name] for p in part.powers if not p.has_roots)
     # of the naive numerator of degree 48d: the powers that are in it and in the denominator
-    assert {p.name: (p.above, p.below) for p in part.powers} == {"w": (29, 24), "‖D1‖²": (2, 6), "f2": (1, 0), "[X X′ X″ X‴]": (1, 0)}
+    assert {p.name: (p.above, p.below) for p in part.powers} == {
+        "w": (29, 24),
+        "‖D1‖²": (2, 6),
+        "f2": (1, 0),
+        "[X X′ X″ X‴]": (1, 0),
+    }
 
 
 def test_poles_are_told():
@@ -71,7 +79,9 @@ def test_poles_are_told():
     assert reduction("torsion", 3).main.poles.is_one
 
 
-SMALL = [f.name for f in all_formulas().values() if f.curve != "table" and order_of(f, 2 if "plane" in f.curve else 3) <= 2]
+SMALL = [
+    f.name for f in all_formulas().values() if f.curve != "table" and order_of(f, 2 if "plane" in f.curve else 3) <= 2
+]
 
 
 @pytest.mark.parametrize("name", [*SMALL, "g0", "torsion"])
@@ -90,11 +100,15 @@ def test_the_identity_holds_in_plain_jets(name):
             assert top * core * below == numerator * bottom
 
 
-@pytest.mark.parametrize("name", ["rational_cubic", "ellipse_skew", "six_segment_cubic", "rational_space_cubic", "twisted_cubic"])
+@pytest.mark.parametrize(
+    "name", ["rational_cubic", "ellipse_skew", "six_segment_cubic", "rational_space_cubic", "twisted_cubic"]
+)
 def test_the_reduced_form_on_a_curve_is_the_naive_one_without_the_factor(name):
     curve = example(name)
     for formula_name in FOUND:
-        if find(formula_name).curve != {2: "plane", 3: "space"}[curve.dimension] or isinstance(find(formula_name)(curve), RuledSurface):
+        if find(formula_name).curve != {2: "plane", 3: "space"}[curve.dimension] or isinstance(
+            find(formula_name)(curve), RuledSurface
+        ):
             continue
         part = reduction(formula_name, curve.dimension, curve.polynomial).main
         numerators, denominator = split(find(formula_name)(curve))
@@ -171,7 +185,9 @@ def test_the_pedal_curve():
 
 def test_the_cusps_of_an_offset():
     part = reduce(offset_cusps, dimension=2).main
-    assert str(part.cancelled) == "-1·(‖D1‖²)⁻³"  # what is left has a positive leading coefficient: it is ‖D1‖⁶ − w⁶ f2²
+    assert (
+        str(part.cancelled) == "-1·(‖D1‖²)⁻³"
+    )  # what is left has a positive leading coefficient: it is ‖D1‖⁶ − w⁶ f2²
     # homogeneous of degree 12 and weight 6, a covariant
     assert (part.true.k, part.true.m, part.true.j) == (12, 6, 0)
     assert str(part.generic) == "12d − 12"
@@ -238,7 +254,7 @@ def test_generators_lose_any_factor():
     """A generator times f2 is the same ruling: the factor is told, and dropped."""
 
     def surface(c):
-        from exactspline.language import ruled
+        from exactspline.language.ruled import ruled
 
         return ruled(c.gamma, c.gamma.d(1) * norm2(c.p))
 
@@ -248,13 +264,17 @@ def test_generators_lose_any_factor():
     assert "may have roots" in next(p.meaning for p in part.powers if p.name.startswith("("))
 
 
-@pytest.mark.parametrize("name", [n for n in example_names() if example(n).dimension == 2 and not find("f2")(example(n)).is_zero])
+@pytest.mark.parametrize(
+    "name", [n for n in example_names() if example(n).dimension == 2 and not find("f2")(example(n)).is_zero]
+)
 def test_lowest_terms_by_jets_and_by_division_agree(name):
     """The value in lowest terms from the jets, on a curve, is the naive one."""
     curve = example(name)
     numerator, denominator = reduction("evolute", 2, curve.polynomial).main.lowest
-    from exactspline.factors import substitute
+    from exactspline.symbolic.substitution import substitute
 
     value = Rational(Vector(*[substitute(jet, curve) for jet in numerator]), substitute(denominator, curve))
     naive = find("evolute")(curve)
-    assert all(p * naive.denominator == q * value.denominator for p, q in zip(value.numerator, naive.numerator, strict=True))
+    assert all(
+        p * naive.denominator == q * value.denominator for p, q in zip(value.numerator, naive.numerator, strict=True)
+    )

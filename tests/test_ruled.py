@@ -5,18 +5,18 @@ from gmpy2 import mpq
 from hypothesis import assume, given, settings
 
 from exactspline import BSpline, Rational, Vector, cross
-from exactspline.claims import all_claims
-from exactspline.constructions import CONSTRUCTIONS
-from exactspline.curves import example, example_names
 from exactspline.errors import DomainError, ReductionError, ShapeError
-from exactspline.formulas import find
-from exactspline.language import RuledSurface
-from exactspline.measure import in_lowest_terms, primitive_part
-from exactspline.on_all_curves import same_surface as prove
-from exactspline.ruled import as_tensor_product, is_developable, point_at, ruled_surface, same_surface
+from exactspline.geometry.constructions import all_constructions
+from exactspline.geometry.ruled_surfaces import as_tensor_product, is_developable, point_at, ruled_surface, same_surface
+from exactspline.language.ruled import RuledSurface
+from exactspline.papers import find
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.lowest_terms import in_lowest_terms, primitive_part
+from exactspline.verification.claims import all_claims
+from exactspline.verification.generic_proof import same_surface as prove
 from tests.strategies import splines_on_one_domain
 
-RULED = [name for name, made in CONSTRUCTIONS.items() if made.ruled]
+RULED = [name for name, made in all_constructions().items() if made.ruled]
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 TWISTED = ["rational_space_cubic", "twisted_cubic", "space_quartic", "flat_point"]
 
@@ -40,9 +40,15 @@ def test_the_stretch_on_a_curve_is_the_one_proved_for_all_curves(name):
     curve = example("rational_space_cubic")
     (claim,) = [c for c in all_claims() if c.kind == "same surface" and (c.left, c.right) == (name, f"{name}_reduced")]
     relation = same_surface(ruled_surface(name, curve, "naive"), ruled_surface(name, curve, "paper"))
-    power = {"ζ = w λ": 1, "ζ = w³ λ": 3, "ζ = w⁵ λ": 5, "ζ = w² λ": 2, "ζ = w⁻¹ λ": -1, "ζ = λ": 0}[prove(claim, 3).factor]
+    power = {"ζ = w λ": 1, "ζ = w³ λ": 3, "ζ = w⁵ λ": 5, "ζ = w² λ": 2, "ζ = w⁻¹ λ": -1, "ζ = λ": 0}[
+        prove(claim, 3).factor
+    ]
     w = curve.w
-    expected = Rational(w**power, w.constant(1)) if power > 0 else Rational(w.constant(1), w.constant(1) if power == 0 else w ** (-power))
+    expected = (
+        Rational(w**power, w.constant(1))
+        if power > 0
+        else Rational(w.constant(1), w.constant(1) if power == 0 else w ** (-power))
+    )
     assert relation.stretch == expected
     assert relation.shift.is_zero
 
@@ -54,7 +60,10 @@ def test_a_ruled_surface_is_a_tensor_product(name, curve, form):
     """The same points, linear in the ruling parameter; the edges of the net are the curves of the bounds."""
     surface = ruled_surface(name, example(curve), form)
     patch = as_tensor_product(surface, "-1/2", 3)
-    splines = [*(patch.numerator if isinstance(patch, Rational) else patch), *([patch.denominator] if isinstance(patch, Rational) else [])]
+    splines = [
+        *(patch.numerator if isinstance(patch, Rational) else patch),
+        *([patch.denominator] if isinstance(patch, Rational) else []),
+    ]
     assert {s.degree.s for s in splines} == {surface.degree}
     assert {s.degree.t for s in splines} == {1}
     assert len({s.knots for s in splines}) == 1
@@ -118,7 +127,9 @@ def test_a_surface_written_in_another_way_is_the_same_surface(operands):
         total = total + x * 0
     directrix, generator = Vector(*[x + total for x in directrix]), Vector(*[x + total for x in generator])
     shift, stretch = shift + total, stretch + total
-    assume(all(any(parts) for parts in zip(*[x.polynomials for x in generator], strict=True)) and all(stretch.polynomials))
+    assume(
+        all(any(parts) for parts in zip(*[x.polynomials for x in generator], strict=True)) and all(stretch.polynomials)
+    )
     a, b = RuledSurface(directrix, generator), RuledSurface(directrix + generator * shift, generator * stretch)
     relation = same_surface(a, b)
     one = shift.constant(1)

@@ -1,20 +1,23 @@
-"""Real curves that others made, where their folder is at hand (EXACTSPLINE_CURVES, or ../shared/curves beside the checkout)."""
+"""Real curves that others made, where their folder is at hand (EXACTSPLINE_CURVES, or ../shared/curves beside the
+checkout).
+"""
 
 import os
 from pathlib import Path
 
 import pytest
 
-from exactspline.audit import audit
-from exactspline.claims import all_claims
-from exactspline.constructions import constructions_for, symbolic_minimum
-from exactspline.curves import read_curve
 from exactspline.errors import ShapeError
-from exactspline.interrogate import derive
-from exactspline.measure import true_degree
-from exactspline.minimality import certificate
-from exactspline.minimality.checker import check
-from exactspline.planar import with_plane_curves
+from exactspline.geometry.constructions import constructions_for
+from exactspline.geometry.derived import derive
+from exactspline.geometry.planarity import with_plane_curves
+from exactspline.splines.curve_files import read_curve
+from exactspline.splines.lowest_terms import true_degree
+from exactspline.verification.claims import all_claims
+from exactspline.verification.generic_degree import symbolic_minimum
+from exactspline.verification.ledger import audit
+from exactspline.verification.minimality import certificate
+from exactspline.verification.minimality.checker import check
 
 FOLDER = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().parents[2] / "shared" / "curves"))
 FILES = sorted(FOLDER.glob("*.json")) if FOLDER.is_dir() else []

@@ -5,9 +5,9 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from exactspline.claims import select
 from exactspline.cli import app
 from exactspline.errors import ClaimError
+from exactspline.verification.claims import select
 
 runner = CliRunner()
 

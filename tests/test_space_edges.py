@@ -1,4 +1,6 @@
-"""Space curves where it is easy to be wrong: straight and planar pieces, γ′ × γ″ = 0, cusps, joints of every kind, seams, degrees 1 and 2."""
+"""Space curves where it is easy to be wrong: straight and planar pieces, γ′ × γ″ = 0, cusps, joints of every kind,
+seams, degrees 1 and 2.
+"""
 
 import json
 
@@ -8,16 +10,23 @@ from gmpy2 import mpq
 from typer.testing import CliRunner
 
 from exactspline import BSpline, Nurbs
-from exactspline.audit import audit
-from exactspline.claims import all_claims
 from exactspline.cli import app
-from exactspline.curves import example
 from exactspline.errors import ShapeError
-from exactspline.inspection import curvature_value, inspect_curve, torsion_value
-from exactspline.interrogate import derive
-from exactspline.joints import singularities
-from exactspline.planar import as_plane_curve, planar_pieces, plane_of
-from exactspline.space_features import flat_points, space_critical_points, space_joint, space_straight_pieces, torsion_zeros
+from exactspline.geometry.derived import derive
+from exactspline.geometry.enclosures import curvature_value, torsion_value
+from exactspline.geometry.inspection import inspect_curve
+from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_of
+from exactspline.geometry.singular_points import singularities
+from exactspline.geometry.space_features import (
+    flat_points,
+    space_critical_points,
+    space_joint,
+    space_straight_pieces,
+    torsion_zeros,
+)
+from exactspline.splines.examples import example
+from exactspline.verification.claims import all_claims
+from exactspline.verification.ledger import audit
 from tests.space_curves import TURNED, chained, moved, power_curve
 
 
@@ -46,7 +55,9 @@ def test_where_the_curvature_vanishes_torsion_itself_decides(coordinates, flat, 
         # the same curve: numerators and denominator times a linear function
         w = BSpline.bezier([1, 3], -1, 1)
         rows = [x * w for x in curve.p] + [w.elevate_degree(curve.degree)]
-        curve = Nurbs.from_homogeneous(curve.degree + 1, rows[0].knots, zip(*[row.control_points for row in rows], strict=True))
+        curve = Nurbs.from_homogeneous(
+            curve.degree + 1, rows[0].knots, zip(*[row.control_points for row in rows], strict=True)
+        )
     assert [(f.kind, f.root == 0) for f in flat_points(curve)] == ([(flat, True)] if flat else [])
     assert [(f.kind, f.root == 0) for f in torsion_zeros(curve)] == ([(torsion, True)] if torsion else [])
     (root,) = [f.root for f in flat_points(curve)[:1]] or [f.root for f in torsion_zeros(curve)]
@@ -57,7 +68,11 @@ def test_where_the_curvature_vanishes_torsion_itself_decides(coordinates, flat, 
 
 
 @pytest.mark.parametrize(
-    ("coordinates", "kind"), [([[0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1]], "cusp"), ([[0, 0, 0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 1]], "stop")]
+    ("coordinates", "kind"),
+    [
+        ([[0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1]], "cusp"),
+        ([[0, 0, 0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 1]], "stop"),
+    ],
 )
 def test_a_singular_point_is_nothing_else(coordinates, kind):
     curve = power_curve(*coordinates)
@@ -73,7 +88,11 @@ FOLLOWERS = {
     "more torsion": ([[0, 1], [0, 0, 1], [0, 0, 0, 5]], "continuous curvature", []),
     "touching zero on one side": ([[0, 1], [0, 0, 1], [0, 0, 0, 0, 1]], "continuous curvature", []),
     "less curvature": ([[0, 1], [0, 0, mpq(1, 2)], [0, 0, 0, 1]], "jump of the curvature", []),
-    "less curvature, mirrored": ([[0, 1], [0, 0, mpq(1, 2)], [0, 0, 0, -1]], "jump of the curvature", [("torsion zero", 0, True)]),
+    "less curvature, mirrored": (
+        [[0, 1], [0, 0, mpq(1, 2)], [0, 0, 0, -1]],
+        "jump of the curvature",
+        [("torsion zero", 0, True)],
+    ),
     "bent the other way": ([[0, 1], [0, 0, -1], [0, 0, 0, -1]], "jump of the curvature", []),
     "another osculating plane": ([[0, 1], [0, 0, 0, 1], [0, 0, 1]], "jump of the osculating plane", []),
     "planar": ([[0, 1], [0, 0, 1], [0, 0, 0, 0]], "continuous curvature", []),
@@ -98,12 +117,16 @@ def raised(curve, degree):
     """The same Bézier curve in a higher degree."""
     components = [x.elevate_degree(degree - x.degree) for x in curve.p]
     a, b = curve.domain
-    return Nurbs(degree, [a] * (degree + 1) + [b] * (degree + 1), list(zip(*[c.control_points for c in components], strict=True)))
+    return Nurbs(
+        degree, [a] * (degree + 1) + [b] * (degree + 1), list(zip(*[c.control_points for c in components], strict=True))
+    )
 
 
 def test_the_curvature_may_have_its_extremum_where_the_osculating_plane_jumps():
     """Two parabolas with a common vertex and tangent in perpendicular planes: κ is continuous there and greatest."""
-    curve = chained(power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0], [0, 0, 1], domain=(0, 1)))
+    curve = chained(
+        power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0], [0, 0, 1], domain=(0, 1))
+    )
     assert kinds(space_critical_points(curve)) == [("maximum", 0, False)]
     assert [str(plane) for _, plane in planar_pieces(curve)] == ["z = 0", "y = 0"]
     assert plane_of(curve) is None
@@ -111,22 +134,33 @@ def test_the_curvature_may_have_its_extremum_where_the_osculating_plane_jumps():
 
 
 def test_the_principal_normal_turned_round_by_a_jump_is_an_inflection():
-    curve = chained(power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0, 0, -2], [0], domain=(0, 1)))
+    curve = chained(
+        power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0, 0, -2], [0], domain=(0, 1))
+    )
     assert kinds(flat_points(curve)) == [("inflection", 0, True)]
     assert flat_points(curve)[0].of_absolute == ""
 
 
 def test_curvature_that_vanishes_on_both_sides_of_a_knot():
     left = power_curve([0, 1], [0, 0, 0, 1], [0], domain=(-1, 0))
-    for right, kind in (([0, 0, 0, 1], [0]), "inflection"), (([0, 0, 0, -1], [0]), "undulation"), (([0], [0, 0, 0, 1]), "flat point"):
+    for right, kind in (
+        (([0, 0, 0, 1], [0]), "inflection"),
+        (([0, 0, 0, -1], [0]), "undulation"),
+        (([0], [0, 0, 0, 1]), "flat point"),
+    ):
         curve = chained(left, power_curve([0, 1], *right, domain=(0, 1)))
         assert kinds(flat_points(curve)) == [(kind, 0, False)]
         assert curvature_value(curve, flat_points(curve)[0].root, 20) == 0
 
 
 def test_a_straight_piece_between_twisted_ones():
-    ends = [power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(-1, 0)), power_curve([0, 1], [0], [0, 0, 0, 0, 0], domain=(0, 1))]
-    third = moved(power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(0, 1)), [[1, 0, 0], [0, 1, 0], [0, 0, 1]], (1, 0, 0))
+    ends = [
+        power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(-1, 0)),
+        power_curve([0, 1], [0], [0, 0, 0, 0, 0], domain=(0, 1)),
+    ]
+    third = moved(
+        power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(0, 1)), [[1, 0, 0], [0, 1, 0], [0, 0, 1]], (1, 0, 0)
+    )
     last = Nurbs(4, [1] * 5 + [2] * 5, third.control_points)
     curve = chained(*[raised(c, 4) for c in (*ends, last)])
     found = inspect_curve(curve)
@@ -151,7 +185,9 @@ def test_planar_stretches_share_a_straight_piece():
     assert space_straight_pieces(curve) == [(0, 1)]
 
 
-@pytest.mark.parametrize("points", [[(0, 0, 0), (1, 2, 3)], [(0, 0, 0), (1, 1, 1), (2, 5, 2), (0, 0, 1)]], ids=["line", "polyline"])
+@pytest.mark.parametrize(
+    "points", [[(0, 0, 0), (1, 2, 3)], [(0, 0, 0), (1, 1, 1), (2, 5, 2), (0, 0, 1)]], ids=["line", "polyline"]
+)
 def test_degree_one(points):
     knots = [0, *range(len(points)), len(points) - 1]
     found = inspect_curve(Nurbs(1, knots, points))
@@ -199,12 +235,20 @@ def test_a_curve_in_a_coordinate_plane_is_a_plane_curve_too(tmp_path, monkeypatc
         assert plane_of(curve).axis == axis
         assert as_plane_curve(curve).control_points == flat.control_points
     file = tmp_path / "flat.json"
-    file.write_text(json.dumps({"degree": 3, "knots": [0] * 4 + [1] * 4, "control_points": [[0, 0, 5], [1, 2, 5], [3, -1, 5], [4, 1, 5]]}))
+    file.write_text(
+        json.dumps(
+            {"degree": 3, "knots": [0] * 4 + [1] * 4, "control_points": [[0, 0, 5], [1, 2, 5], [3, -1, 5], [4, 1, 5]]}
+        )
+    )
     run = CliRunner().invoke
     assert "flat in the plane z = 5" in run(app, ["inspect", str(file)]).output
     data = json.loads(run(app, ["inspect", str(file), "--json"]).output)
     assert data["plane"] == "z = 5"
-    assert [f["kind"] for f in data["as_plane_curve"]["inflections"]] == [f["kind"] for f in data["inflections"]] == ["inflection"]
+    assert (
+        [f["kind"] for f in data["as_plane_curve"]["inflections"]]
+        == [f["kind"] for f in data["inflections"]]
+        == ["inflection"]
+    )
     rows = json.loads(run(app, ["prove", "--curve", str(file), "--json"]).output)
     assert {row["curve"] for row in rows if row["id"].startswith("C4.1")} == {"flat in the plane z = 5"}
     tables = json.loads(run(app, ["degrees", "--curve", str(file), "--json"]).output)

@@ -1,4 +1,6 @@
-"""Features of space curves: exactly known answers, agreement with the plane, invariance under similarities and reversal, values, the command."""
+"""Features of space curves: exactly known answers, agreement with the plane, invariance under similarities and
+reversal, values, the command.
+"""
 
 import json
 
@@ -11,14 +13,21 @@ from typer.testing import CliRunner
 
 from exactspline import Nurbs
 from exactspline.cli import app
-from exactspline.curves import example, example_names
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.features import critical_points, curvature_sign, inflections, joint
-from exactspline.formulas import find
-from exactspline.inspection import SPACE_APPROACHES, compare_approaches, curvature_value, inspect_curve, torsion_value
-from exactspline.joints import CURVATURE_JUMP
-from exactspline.space_features import flat_points, space_constant_pieces, space_critical_points, space_straight_pieces, torsion_zeros
-from exactspline.zeros import checker
+from exactspline.geometry.continuity import CURVATURE_JUMP
+from exactspline.geometry.enclosures import curvature_value, torsion_value
+from exactspline.geometry.inspection import SPACE_APPROACHES, compare_approaches, inspect_curve
+from exactspline.geometry.plane_features import critical_points, curvature_sign, inflections, joint
+from exactspline.geometry.space_features import (
+    flat_points,
+    space_constant_pieces,
+    space_critical_points,
+    space_straight_pieces,
+    torsion_zeros,
+)
+from exactspline.papers import find
+from exactspline.roots import checker
+from exactspline.splines.examples import example, example_names
 from tests.space_curves import MIRRORED, SCALED, TURNED, backwards, moved, power_curve
 from tests.strategies import nurbs
 from tests.test_shared_curves import FILES, read_curve
@@ -78,7 +87,11 @@ def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matri
     curve = example(name)
     in_space = embedded(curve, matrix)
     skipped = [t for t in (*curve.domain, *curve.breakpoints) if joint(curve, t) == CURVATURE_JUMP]
-    expected = [(f.of_absolute or f.kind, f.root) for f in critical_points(curve) if f.root not in skipped and curvature_sign(curve, f.root)]
+    expected = [
+        (f.of_absolute or f.kind, f.root)
+        for f in critical_points(curve)
+        if f.root not in skipped and curvature_sign(curve, f.root)
+    ]
     assert [(f.kind, f.root) for f in space_critical_points(in_space) if f.root not in skipped] == expected
     assert [(f.kind, f.root) for f in flat_points(in_space)] == [(f.kind, f.root) for f in inflections(curve)]
     assert torsion_zeros(in_space) == []
@@ -89,7 +102,10 @@ def check_agreement(curve):
     assert not any(row.missing for row in rows.values())
     found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in SPACE_APPROACHES]
     assert all(one == found[0] for one in found)
-    assert curve.degree < 3 or rows["minimal"].degree <= rows["reduced"].degree <= rows["direct"].degree <= rows["squaring"].degree
+    assert (
+        curve.degree < 3
+        or rows["minimal"].degree <= rows["reduced"].degree <= rows["direct"].degree <= rows["squaring"].degree
+    )
 
 
 @pytest.mark.parametrize("name", SPACE)
@@ -104,7 +120,9 @@ def test_all_approaches_agree_on_real_curves(file):
         check_agreement(curve)
 
 
-@pytest.mark.parametrize("name", ["rational_space_cubic", "rational_space_cubic_spline", "helix_like", "space_quartic", "flat_point"])
+@pytest.mark.parametrize(
+    "name", ["rational_space_cubic", "rational_space_cubic_spline", "helix_like", "space_quartic", "flat_point"]
+)
 def test_curvature_is_extremal_where_it_says_so(name):
     """Exactly: κ² on both sides of an extremum, at rational parameters nearby, is beyond none."""
     curve = example(name)
@@ -125,11 +143,18 @@ def signature(curve):
     """Everything that `inspect` finds, without the values."""
     found = inspect_curve(curve)
     lists = [found.singularities, found.inflections, found.critical, found.torsion]
-    return [[(f.kind, f.root, f.by_jump) for f in features] for features in lists], found.straight, found.constant, [i for i, _ in found.planar]
+    return (
+        [[(f.kind, f.root, f.by_jump) for f in features] for features in lists],
+        found.straight,
+        found.constant,
+        [i for i, _ in found.planar],
+    )
 
 
 @settings(max_examples=40)
-@given(nurbs(dimension=3, low=1, high=4), st.sampled_from([TURNED, MIRRORED, SCALED]), st.tuples(*[st.integers(-5, 5)] * 3))
+@given(
+    nurbs(dimension=3, low=1, high=4), st.sampled_from([TURNED, MIRRORED, SCALED]), st.tuples(*[st.integers(-5, 5)] * 3)
+)
 def test_similarities_change_no_feature(curve, matrix, shift):
     assert signature(curve) == signature(moved(curve, matrix, shift))
 
@@ -169,7 +194,9 @@ def test_the_sign_of_the_weights_does_not_matter(curve):
     minus = Nurbs(curve.degree, curve.knots, curve.control_points, [-w for w in curve.weights])
     assert signature(curve) == signature(minus)
     for approach in SPACE_APPROACHES:
-        assert [(f.kind, f.root) for f in inspect_curve(minus, approach).critical] == [(f.kind, f.root) for f in inspect_curve(curve).critical]
+        assert [(f.kind, f.root) for f in inspect_curve(minus, approach).critical] == [
+            (f.kind, f.root) for f in inspect_curve(curve).critical
+        ]
 
 
 @settings(max_examples=25)
@@ -189,7 +216,11 @@ def test_torsion_has_the_signs_that_its_zeros_tell(curve):
 def test_a_circle_and_a_line_in_space_have_constant_curvature():
     circle = embedded(example("circle"), TURNED)
     assert space_constant_pieces(circle) == [circle.domain]
-    assert space_straight_pieces(example("space_line")) == space_constant_pieces(example("space_line")) == [example("space_line").domain]
+    assert (
+        space_straight_pieces(example("space_line"))
+        == space_constant_pieces(example("space_line"))
+        == [example("space_line").domain]
+    )
 
 
 def test_what_is_not_known_is_refused():

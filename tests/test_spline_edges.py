@@ -20,7 +20,9 @@ def test_a_jump_has_two_values():
         f(1, "above")
 
 
-@pytest.mark.parametrize("f", [BSpline.bezier([4]), JUMP, BSpline.bezier([1, 2, 3]), KINK], ids=["constant", "jump", "parabola", "kink"])
+@pytest.mark.parametrize(
+    "f", [BSpline.bezier([4]), JUMP, BSpline.bezier([1, 2, 3]), KINK], ids=["constant", "jump", "parabola", "kink"]
+)
 def test_zero_forms_of_negative_degree(f):
     a, b = f.domain
     for k in range(1, 5):
@@ -112,6 +114,14 @@ def test_parameters_outside_and_domains_that_differ():
 @pytest.mark.parametrize("stranger", [0.5, "1/2", None, [1], 1j], ids=repr)
 def test_arithmetic_with_strangers_is_refused(stranger):
     f = BSpline(*GOOD)
-    for operation in (lambda x: f + x, lambda x: x + f, lambda x: f - x, lambda x: x - f, lambda x: f * x, lambda x: f / x, lambda x: x / f):
+    for operation in (
+        lambda x: f + x,
+        lambda x: x + f,
+        lambda x: f - x,
+        lambda x: x - f,
+        lambda x: f * x,
+        lambda x: f / x,
+        lambda x: x / f,
+    ):
         with pytest.raises(TypeError):
             operation(stranger)

@@ -1,4 +1,6 @@
-"""B-splines: laws of arithmetic, and agreement with the textbook algorithms on the knots and control points that are printed."""
+"""B-splines: laws of arithmetic, and agreement with the textbook algorithms on the knots and control points that are
+printed.
+"""
 
 from itertools import pairwise
 
@@ -61,7 +63,9 @@ def test_knots_of_computed_splines_are_clamped_and_as_many_as_continuity_asks(f)
         assert len(g.control_points) == len(g.knots) - g.degree - 1
         for t in f.breakpoints[1:-1]:
             lost = f.knots.multiplicity(t) - f.degree
-            assert g.knots.multiplicity(t) == min(g.degree + max(lost, -g.degree) + (0 if g.degree == 2 * f.degree and f.degree else 1), g.degree + 1)
+            assert g.knots.multiplicity(t) == min(
+                g.degree + max(lost, -g.degree) + (0 if g.degree == 2 * f.degree and f.degree else 1), g.degree + 1
+            )
 
 
 @given(st.data(), st.integers(0, 6))
@@ -160,7 +164,11 @@ def test_representation_is_told_apart_from_the_function():
 # ---- other representations
 
 
-@given(splines(low=0, high=5), st.sampled_from(["1/2", "1/3", "2/7", "0.000000000001", "0.999999999999"]), st.integers(1, 6))
+@given(
+    splines(low=0, high=5),
+    st.sampled_from(["1/2", "1/3", "2/7", "0.000000000001", "0.999999999999"]),
+    st.integers(1, 6),
+)
 def test_insert_knot_keeps_the_function_and_remove_knot_undoes_it(f, part, times):
     a, b = f.domain
     t = a + (b - a) * mpq(part)
@@ -263,7 +271,11 @@ def test_a_constant_has_no_knot_to_remove_at_a_breakpoint():
         KINK.constant(3).remove_knot("1/2")
 
 
-@given(splines(high=4), st.sampled_from(["1/2", "1/3", "1/5", "3/7", "0.000000000001"]), st.sampled_from(["3/4", "1", "2/3", "0.99"]))
+@given(
+    splines(high=4),
+    st.sampled_from(["1/2", "1/3", "1/5", "3/7", "0.000000000001"]),
+    st.sampled_from(["3/4", "1", "2/3", "0.99"]),
+)
 def test_parts(f, low, high):
     a, b = f.domain
     low, high = a + (b - a) * mpq(low), a + (b - a) * mpq(high)
@@ -287,7 +299,11 @@ def test_parts(f, low, high):
 def test_reverse_and_reparametrize(f):
     a, b = f.domain
     assert_function(f.reverse(), lambda t, side: f(a + b - t, "left" if side == "right" else "right"))
-    assert f.reverse().reverse().same_representation(f + f.constant(0)) or f.knots[0] != a or f.knots[len(f.knots) - 1] != b
+    assert (
+        f.reverse().reverse().same_representation(f + f.constant(0))
+        or f.knots[0] != a
+        or f.knots[len(f.knots) - 1] != b
+    )
     g = f.reparametrize(-1, HUGE)
     assert g.domain == (-1, HUGE)
     assert_function(g, lambda t, side: f(a + (t + 1) * (b - a) / (HUGE + 1), side))

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline.errors import ReductionError
-from exactspline.surface import TensorSpline
+from exactspline.splines.tensor import TensorSpline
 
 
 @st.composite
@@ -44,7 +44,9 @@ def basis(i, degree, knots, t):
 def test_values_are_those_of_the_recursion(given_spline, s, t):
     f, (knots_s, knots_t, net) = given_spline
     m, n = f.degree
-    expected = sum(x * basis(i, m, knots_s, s) * basis(j, n, knots_t, t) for i, row in enumerate(net) for j, x in enumerate(row))
+    expected = sum(
+        x * basis(i, m, knots_s, s) * basis(j, n, knots_t, t) for i, row in enumerate(net) for j, x in enumerate(row)
+    )
     assert f(s, t) == f.at_t(t)(s) == f.at_s(s)(t) == f.turned()(t, s) == expected
 
 

@@ -5,14 +5,21 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import DomainError, FormulaError, KnotError, NumberError, ReductionError, ShapeError
-from exactspline.surface import TensorSpline, lifted
+from exactspline.splines.tensor import TensorSpline, lifted
 from tests.strategies import HUGE, TINY
 
 
 def test_a_jump_belongs_to_the_right():
     f = TensorSpline((0, 1), [0, 1, 2], [0, 0, 1, 1, 2, 2], [[1, 2, 3, 4], [5, 6, 7, 8]])
     assert f.continuity == ((-1,), (-1,))
-    assert [f(s, t) for s, t in ((0, 0), (0, 1), (1, 0), (1, 1), (2, 2), (mpq(1, 2), mpq(1, 2)))] == [1, 3, 5, 7, 8, mpq(3, 2)]
+    assert [f(s, t) for s, t in ((0, 0), (0, 1), (1, 0), (1, 1), (2, 2), (mpq(1, 2), mpq(1, 2)))] == [
+        1,
+        3,
+        5,
+        7,
+        8,
+        mpq(3, 2),
+    ]
     assert (f * f).knots[0].multiplicity(1) == 1
     assert (f * f).knots[1].multiplicity(1) == 3
     assert f.partial(0, 1).control_points == ((1, 1), (1, 1))
@@ -73,7 +80,11 @@ GOOD = ((1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[0, 1, 2], [3, 4, 5]])
 BAD = {
     "decreasing knots": ((*GOOD[:2], [0, 0, 0, 1, "1/2", 1], GOOD[3]), KnotError, "knots_t[4]"),
     "decreasing knots in s": ((GOOD[0], [0, 0, 1, "1/2"], *GOOD[2:]), KnotError, "knots_s[3]"),
-    "multiplicity above degree + 1": ((GOOD[0], [0, 0, "1/2", "1/2", "1/2", 1, 1], GOOD[2], [[0, 1, 2]] * 5), KnotError, "knots_s[2]"),
+    "multiplicity above degree + 1": (
+        (GOOD[0], [0, 0, "1/2", "1/2", "1/2", 1, 1], GOOD[2], [[0, 1, 2]] * 5),
+        KnotError,
+        "knots_s[2]",
+    ),
     "empty domain": ((GOOD[0], [0, 1, 1, 2], *GOOD[2:]), KnotError, "knots_s"),
     "too few knots": ((GOOD[0], [0, 1, 1], *GOOD[2:]), KnotError, "knots_s"),
     "no knots": ((*GOOD[:2], [], GOOD[3]), KnotError, "knots_t"),

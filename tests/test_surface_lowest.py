@@ -1,4 +1,6 @@
-"""Quotients of splines in two parameters in lowest terms: the same function, and nothing left to cancel, by sympy's gcd."""
+"""Quotients of splines in two parameters in lowest terms: the same function, and nothing left to cancel, by sympy's
+gcd.
+"""
 
 from functools import reduce
 from itertools import product
@@ -12,9 +14,9 @@ from hypothesis import strategies as st
 
 from exactspline import Vector
 from exactspline.errors import ReductionError
-from exactspline.quotients import Rational
-from exactspline.surface import TensorSpline, lifted
-from exactspline.surface_lowest import as_mpoly, as_packed, in_lowest_terms
+from exactspline.language.rational import Rational
+from exactspline.splines.tensor import TensorSpline, lifted
+from exactspline.splines.tensor_lowest_terms import as_mpoly, as_packed, in_lowest_terms
 from tests import oracles
 from tests.strategies import DOMAINS, numbers, positive_numbers, tensor_splines
 
@@ -33,7 +35,9 @@ def powers(f, i, j):
 
 
 def assert_lowest(value):
-    """Numerator and denominator have no factor in common on any patch, and no lower degrees would do for all of them."""
+    """Numerator and denominator have no factor in common on any patch, and no lower degrees would do for all of
+    them.
+    """
     parts = [*(value.numerator if value.is_vector else [value.numerator]), value.denominator]
     assert len({f.degree for f in parts}) == 1
     needed = []

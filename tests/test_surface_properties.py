@@ -1,4 +1,6 @@
-"""Splines in two parameters: laws of arithmetic, and agreement with the textbook algorithms on the knots and nets that are printed."""
+"""Splines in two parameters: laws of arithmetic, and agreement with the textbook algorithms on the knots and nets that
+are printed.
+"""
 
 from itertools import pairwise
 
@@ -9,10 +11,18 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import KnotError, ReductionError
-from exactspline.surface import TensorSpline, lifted
+from exactspline.splines.tensor import TensorSpline, lifted
 from tests import oracles
 from tests.oracles import assert_surface, surface_rebuilt, transposed
-from tests.strategies import DOMAINS, TINY, knot_vectors, numbers, splines, tensor_splines, tensor_splines_on_one_rectangle
+from tests.strategies import (
+    DOMAINS,
+    TINY,
+    knot_vectors,
+    numbers,
+    splines,
+    tensor_splines,
+    tensor_splines_on_one_rectangle,
+)
 
 #: Every example of these looks at every patch at many places.
 FEWER = settings(max_examples=40)
@@ -56,7 +66,9 @@ def test_degrees_and_knots_of_computed_splines(fs):
             a, b = x.meshes[i].domain
             assert x.knots[i].multiplicity(a) == x.knots[i].multiplicity(b) == x.degree[i] + 1
             for t in x.meshes[i].breaks[1:-1]:
-                inherited = [y.knots[i].multiplicity(t) + x.degree[i] - y.degree[i] for y in (f, g) if t in y.knots[i].knots]
+                inherited = [
+                    y.knots[i].multiplicity(t) + x.degree[i] - y.degree[i] for y in (f, g) if t in y.knots[i].knots
+                ]
                 assert x.knots[i].multiplicity(t) == max(inherited, default=0)
 
 
@@ -127,7 +139,16 @@ def test_what_depends_on_one_parameter_is_known_to(fs):
     if f.profile is None:
         return
     own = (1, 0) if f.profile[0] == 0 else (0, 1)
-    results = [f * 2, f.turned(), f.elevate_degree(*own), f.partial(*own), f.partial(0, 0), f * f, f + 3, f.restrict(*f.domain)]
+    results = [
+        f * 2,
+        f.turned(),
+        f.elevate_degree(*own),
+        f.partial(*own),
+        f.partial(0, 0),
+        f * f,
+        f + 3,
+        f.restrict(*f.domain),
+    ]
     if g.profile is not None and g.profile[0] == f.profile[0]:
         results += [f + g, f - g, f * g]
     assert all(x.profile is not None for x in results)
@@ -197,7 +218,12 @@ def test_leibniz_rule(fs):
     for i, j in ((1, 0), (0, 1)):
         assert (f * g).partial(i, j) == f.partial(i, j) * g + f * g.partial(i, j)
         assert (f + g).partial(i, j) == f.partial(i, j) + g.partial(i, j)
-    mixed = f.partial(1, 1) * g + f.partial(1, 0) * g.partial(0, 1) + f.partial(0, 1) * g.partial(1, 0) + f * g.partial(1, 1)
+    mixed = (
+        f.partial(1, 1) * g
+        + f.partial(1, 0) * g.partial(0, 1)
+        + f.partial(0, 1) * g.partial(1, 0)
+        + f * g.partial(1, 1)
+    )
     assert (f * g).partial(1, 1) == mixed
 
 
@@ -206,7 +232,9 @@ def test_leibniz_rule(fs):
 def test_continuity_is_as_it_is_said(f):
     for x in (f, f * f, f + f.partial(1, 0), f.partial(0, 1), f.turned()):
         for s, t in oracles.surface_places(x):
-            for curve, own, breaks, n in zip((x.at_t(t), x.at_s(s)), x.continuity, (m.breaks[1:-1] for m in x.meshes), x.degree, strict=True):
+            for curve, own, breaks, n in zip(
+                (x.at_t(t), x.at_s(s)), x.continuity, (m.breaks[1:-1] for m in x.meshes), x.degree, strict=True
+            ):
                 assert all(curve.continuity_at(b) >= min(c, n) for b, c in zip(breaks, own, strict=True))
 
 
@@ -227,7 +255,9 @@ def test_equality_is_equality_of_functions(fs, c):
 def test_a_bump_on_one_patch_makes_a_difference(f, data):
     knots, (m, n), net = oracles.surface_data(f)
     i, j = data.draw(st.integers(0, len(net) - 1)), data.draw(st.integers(0, len(net[0]) - 1))
-    bump = TensorSpline((m, n), *knots, [[TINY if (h, k) == (i, j) else 0 for k in range(len(net[0]))] for h in range(len(net))])
+    bump = TensorSpline(
+        (m, n), *knots, [[TINY if (h, k) == (i, j) else 0 for k in range(len(net[0]))] for h in range(len(net))]
+    )
     assert f + bump != f
     assert not bump.is_zero
     assert (f + bump) - bump == f
@@ -238,7 +268,9 @@ def test_equal_functions_have_one_hash(f, data):
     others = [f.elevate_degree(1, 0), f.elevate_degree(0, 2), surface_rebuilt(f), (f + f) / 2, f.turned().turned()]
     for direction in range(2):
         a, b = f.domain[direction]
-        others.append(f.insert_knot(direction, a + (b - a) * data.draw(st.sampled_from([mpq(1, 7), mpq(1, 4), mpq(3, 4)]))))
+        others.append(
+            f.insert_knot(direction, a + (b - a) * data.draw(st.sampled_from([mpq(1, 7), mpq(1, 4), mpq(3, 4)])))
+        )
     for g in others:
         assert g == f
         assert hash(g) == hash(f)
@@ -295,7 +327,11 @@ def test_knots_inserted(f, direction, part):
 
 
 @FEWER
-@given(tensor_splines(), st.sampled_from(["0", "1/2", "1/3", "1/5", "0.000000000001"]), st.sampled_from(["3/4", "1", "2/3", "0.99"]))
+@given(
+    tensor_splines(),
+    st.sampled_from(["0", "1/2", "1/3", "1/5", "0.000000000001"]),
+    st.sampled_from(["3/4", "1", "2/3", "0.99"]),
+)
 def test_parts(f, low, high):
     (a, b), (c, d) = f.domain
     side_s, side_t = (a + (b - a) * mpq(low), a + (b - a) * mpq(high)), (c + (d - c) * mpq(1, 3), d)

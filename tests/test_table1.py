@@ -1,4 +1,6 @@
-"""Quotients: the 17 rows of Table 1, what is shared, what is multiplied, what is raised; all against direct evaluation."""
+"""Quotients: the 17 rows of Table 1, what is shared, what is multiplied, what is raised; all against direct
+evaluation.
+"""
 
 from types import SimpleNamespace
 
@@ -9,8 +11,8 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Rational, Vector, cross, dot
 from exactspline.errors import FormulaError
-from exactspline.formulas import table1
-from exactspline.formulas.table1 import T17
+from exactspline.papers.chen_riesenfeld_cohen_2007 import table1
+from exactspline.papers.chen_riesenfeld_cohen_2007.table1 import T17
 from exactspline.readings.degree import Degree
 from tests import oracles
 from tests.strategies import DOMAINS, knot_vectors, numbers, positive_numbers
@@ -62,7 +64,9 @@ VALUES = {
 
 @st.composite
 def table_operands(draw):
-    """Operands of Table 1: p1, w1 and v1 of degree d1, p2, w2 and v2 of degree d2, over knots of their own; w1, w2 and p2 positive."""
+    """Operands of Table 1: p1, w1 and v1 of degree d1, p2, w2 and v2 of degree d2, over knots of their own; w1, w2 and
+    p2 positive.
+    """
     domain = draw(st.sampled_from(DOMAINS))
 
     def spline(n, values):
@@ -113,7 +117,12 @@ def test_table_1(operands):
 
 def test_the_degree_column_of_table_1():
     column = {name: ROWS[name](degree_operands()).degree for name in ROWS}
-    expected = dict.fromkeys(ROWS, "d1 + d2") | {"T1": "max(d2, d1)", "T3": "max(d2, d1)", "T16": "d1 − 1", "T17": "2d1"}
+    expected = dict.fromkeys(ROWS, "d1 + d2") | {
+        "T1": "max(d2, d1)",
+        "T3": "max(d2, d1)",
+        "T16": "d1 − 1",
+        "T17": "2d1",
+    }
     assert {name: repr(degree) for name, degree in column.items()} == expected
 
 
@@ -158,7 +167,12 @@ def test_degrees_share_what_splines_share():
 
 def test_neither_order_nor_grouping_of_factors_matters():
     a, b, c, p = materials()
-    for r in (p / (a * b) + p / (b * a), p / (a * b * c) + p / (a * (c * b)), p / a / b + p / b / a, p / a / (b * c) + (p / (c * a)) / b):
+    for r in (
+        p / (a * b) + p / (b * a),
+        p / (a * b * c) + p / (a * (c * b)),
+        p / a / b + p / b / a,
+        p / a / (b * c) + (p / (c * a)) / b,
+    ):
         assert r.denominator in (a * b, a * b * c)
         assert r.numerator == 2 * p
 
@@ -212,7 +226,14 @@ def test_quotients_and_constants_and_vectors():
         (-r, -here),
     ):
         assert found(x) == expected
-    for found, factor in ((v * r, here), (r * v, here), (v / w, 1 / w(x)), (v / r, 1 / here), ((v / w) * q, q(x) / w(x)), (q * (v / w), q(x) / w(x))):
+    for found, factor in (
+        (v * r, here),
+        (r * v, here),
+        (v / w, 1 / w(x)),
+        (v / r, 1 / here),
+        ((v / w) * q, q(x) / w(x)),
+        (q * (v / w), q(x) / w(x)),
+    ):
         assert found(x) == (p(x) * factor, q(x) * factor)
     assert (v + v / w)(x) == (p(x) * (1 + 1 / w(x)), q(x) * (1 + 1 / w(x)))
     assert (v - v / w)(x) == (p(x) * (1 - 1 / w(x)), q(x) * (1 - 1 / w(x)))

@@ -1,4 +1,6 @@
-"""The true bisector of a point and a plane curve: closed forms, distances by brute force, and the convexity of the cell it bounds."""
+"""The true bisector of a point and a plane curve: closed forms, distances by brute force, and the convexity of the cell
+it bounds.
+"""
 
 from fractions import Fraction
 from random import Random
@@ -8,12 +10,13 @@ from gmpy2 import mpq
 from mpmath import mp
 
 from exactspline import BSpline, Nurbs
-from exactspline.companions import with_point
-from exactspline.curves import example
 from exactspline.errors import ShapeError
-from exactspline.formulas import find
-from exactspline.trimming import trimmed_bisector
-from exactspline.zeros import Root, zeros
+from exactspline.geometry.trimmed_bisector import trimmed_bisector
+from exactspline.language.arguments import with_point
+from exactspline.papers import find
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.examples import example
 
 LINE = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
 CASES = [
@@ -72,7 +75,9 @@ def test_200_random_points_of_the_untrimmed_bisector_against_distances(curve, po
             assert not kept
         else:
             # nothing inside at 301 places: decided by the zeros of the clearance, another way than that of the module
-            crossings = [root for root in zeros(f) if root.sign_change] + [jump for jump in zeros(f).jumps if jump.sign_change]
+            crossings = [root for root in zeros(f) if root.sign_change] + [
+                jump for jump in zeros(f).jumps if jump.sign_change
+            ]
             assert kept == (not crossings)
         if kept:
             arc = next(arc for arc in result.arcs if arc.low <= s <= arc.high)
@@ -89,7 +94,9 @@ def test_points_of_the_straight_pieces(curve, point):
         foot = curve(piece.foot)
         for part in (mpq(1, 5), mpq(1, 2), mpq(6, 7)):
             b = piece(inner(piece.low, piece.high, part))
-            assert sum((x - y) ** 2 for x, y in zip(b, q, strict=True)) == sum((x - y) ** 2 for x, y in zip(b, foot, strict=True))
+            assert sum((x - y) ** 2 for x, y in zip(b, q, strict=True)) == sum(
+                (x - y) ** 2 for x, y in zip(b, foot, strict=True)
+            )
             assert not any(root.sign_change for root in zeros(clearance(curve, point, b)))
         for end, outwards in ((piece.low, -1), (piece.high, 1)):
             if end not in (-1, 1):
@@ -109,7 +116,9 @@ def test_the_pieces_close_up(curve, point):
                 w = piece.value.denominator(t, "left" if end is piece.high else "right")
                 if abs(w) > mpq(1, 10**20):
                     x, y = (c(t, "left" if end is piece.high else "right") / w for c in piece.value.numerator)
-                    ends.append((mp.mpf(int(x.numerator)) / int(x.denominator), mp.mpf(int(y.numerator)) / int(y.denominator)))
+                    ends.append(
+                        (mp.mpf(int(x.numerator)) / int(x.denominator), mp.mpf(int(y.numerator)) / int(y.denominator))
+                    )
         for x, y in ends:
             assert sum(abs(x - u) + abs(y - v) < mp.mpf(10) ** -15 * (1 + abs(x) + abs(y)) for u, v in ends) == 2
 
@@ -155,10 +164,9 @@ def test_a_circle_and_a_point_outside_give_one_branch_of_a_hyperbola():
     assert_on(lambda x, y, w: (2 * x - 3 * w) * (2 * x - 3 * w) * 2 - y * y - 2 * w * w, result.arcs)
     for arc in result.arcs:
         assert arc(inner(arc.low, arc.high, mpq(1, 2)))[0] > mpq(3, 2)
-    assert sorted(root.minimal_polynomial() for arc in result.arcs for root in (arc.low, arc.high) if isinstance(root, Root)) == [
-        [-1, 0, 2],
-        [31, -16, 2],
-    ]
+    assert sorted(
+        root.minimal_polynomial() for arc in result.arcs for root in (arc.low, arc.high) if isinstance(root, Root)
+    ) == [[-1, 0, 2], [31, -16, 2]]
 
 
 def test_a_circle_around_the_point_gives_the_circle_of_half_the_radius():
@@ -179,7 +187,9 @@ def test_weights_of_one_negative_sign_change_nothing():
     c = example("rational_cubic")
     negative = Nurbs(c.degree, c.knots, c.control_points, [-w for w in c.weights])
     one, other = trimmed_bisector(c, (1, 1)), trimmed_bisector(negative, (1, 1))
-    assert [(p.kind, p.low, p.high, p.foot) for p in one.pieces] == [(p.kind, p.low, p.high, p.foot) for p in other.pieces]
+    assert [(p.kind, p.low, p.high, p.foot) for p in one.pieces] == [
+        (p.kind, p.low, p.high, p.foot) for p in other.pieces
+    ]
 
 
 def test_a_point_on_the_curve_is_refused():
@@ -212,7 +222,9 @@ def test_an_irrational_singular_point_is_named():
     x = (f * 2 - 1) * (f * 2 - 1)
     y = x * (f * 2 - 1)
     n = max(x.degree, y.degree)
-    points = list(zip(x.elevate_degree(n - x.degree).control_points, y.elevate_degree(n - y.degree).control_points, strict=True))
+    points = list(
+        zip(x.elevate_degree(n - x.degree).control_points, y.elevate_degree(n - y.degree).control_points, strict=True)
+    )
     curve = Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
     assert any("irrational" in reason for reason in trimmed_bisector(curve, (-3, 0)).missing)
 
@@ -222,7 +234,11 @@ def test_where_the_curve_stands_still_its_point_has_one_line():
     standing = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 1), (1, 1), (3, 0)])
     going = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 1), (3, 0)])
     one, other = trimmed_bisector(standing, (1, 4)), trimmed_bisector(going, (1, 4))
-    assert [piece.kind for piece in one.pieces] == [piece.kind for piece in other.pieces] == ["arc", "arc", "end point", "end point", "corner"]
+    assert (
+        [piece.kind for piece in one.pieces]
+        == [piece.kind for piece in other.pieces]
+        == ["arc", "arc", "end point", "end point", "corner"]
+    )
     assert len(one.missing) == 1
     assert "stands still" in one.missing[0]
     at_start = trimmed_bisector(Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (0, 0), (3, 0)]), (1, 4))

@@ -5,8 +5,8 @@ import stat
 
 import pytest
 
+from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError
-from exactspline.writing import write_atomically
 
 
 def test_a_pipe_is_refused_and_left_alone(tmp_path):

@@ -1,4 +1,6 @@
-"""Hard polynomials: counts against an independent Sturm sequence, values against independent tools, 1000 digits against exact signs."""
+"""Hard polynomials: counts against an independent Sturm sequence, values against independent tools, 1000 digits against
+exact signs.
+"""
 
 import itertools
 from functools import reduce
@@ -11,8 +13,9 @@ from gmpy2 import mpq, mpz
 
 from exactspline import BSpline
 from exactspline.exact import to_fmpq
-from exactspline.zeros import Root, zeros
-from exactspline.zeros.checker import check
+from exactspline.roots.checker import check
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
 
 X = fmpz_poly([0, 1])
 

@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import NumberError
-from exactspline.zeros import zeros
+from exactspline.roots.zero_set import zeros
 
 T = BSpline.identity(0, 2)
 
@@ -72,7 +72,9 @@ def test_polynomial_is_primitive_and_in_the_parameter_of_the_spline():
     at = [sum(c * t**i for i, c in enumerate(root.polynomial)) for t in (low, high)]
     assert at[0] * at[1] < 0
     assert root.polynomial[-1] > 0
-    scale = {sum(c * mpq(t) ** i for i, c in enumerate(root.polynomial)) / f(t) for t in (1, 2, "5/2") for t in (mpq(t),)}
+    scale = {
+        sum(c * mpq(t) ** i for i, c in enumerate(root.polynomial)) / f(t) for t in (1, 2, "5/2") for t in (mpq(t),)
+    }
     assert len(scale) == 1
 
 

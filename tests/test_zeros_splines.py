@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import ExactSplineError
-from exactspline.zeros import zeros
-from exactspline.zeros.checker import check
+from exactspline.roots.checker import check
+from exactspline.roots.zero_set import zeros
 from tests.strategies import DOMAINS, TINY, splines
 
 
@@ -40,7 +40,13 @@ def test_root_at_a_smooth_and_at_a_sharp_knot():
     (root,) = zeros(smooth)
     assert (root.exact, root.multiplicity, root.sign_change, root.at_knot) == (1, 1, True, True)
     (root,) = zeros(sharp)
-    assert (root.exact, root.left_multiplicity, root.right_multiplicity, root.multiplicity, root.sign_change) == (1, 1, 2, 1, False)
+    assert (root.exact, root.left_multiplicity, root.right_multiplicity, root.multiplicity, root.sign_change) == (
+        1,
+        1,
+        2,
+        1,
+        False,
+    )
 
 
 def test_jumps():
@@ -60,7 +66,10 @@ def test_zero_on_both_sides_of_a_jump_in_the_derivative_is_one_root():
 def test_seam():
     f = broken((0, 1, 1), (1, 0, 0))
     ends = zeros(f)
-    assert [(r.exact, r.left_multiplicity, r.right_multiplicity, r.signs) for r in ends] == [(0, None, 1, (None, 1)), (2, 2, None, (1, None))]
+    assert [(r.exact, r.left_multiplicity, r.right_multiplicity, r.signs) for r in ends] == [
+        (0, None, 1, (None, 1)),
+        (2, 2, None, (1, None)),
+    ]
     closed = zeros(f, periodic=True)
     assert [(r.exact, r.left_multiplicity, r.right_multiplicity, r.signs) for r in closed] == [(0, 2, 1, (1, 1))]
     open_ended = broken((-1, -1, 1), (1, 1, 1))
@@ -82,10 +91,25 @@ def test_only_splines():
 
 @st.composite
 def troubled(draw):
-    """A product of linear and quadratic factors with repeated, nearly repeated, tiny-gap and complex zeros, and the expected real ones."""
+    """A product of linear and quadratic factors with repeated, nearly repeated, tiny-gap and complex zeros, and the
+    expected real ones.
+    """
     a, b = draw(st.sampled_from(DOMAINS))
     t, width = BSpline.identity(a, b), b - a
-    places = st.sampled_from([mpq(0), mpq(1), mpq(1, 2), mpq(3, 8), mpq(1, 3), mpq(1, 3) + TINY, mpq(1, 3) + TINY**8, TINY, 1 - TINY, mpq(2, 7)])
+    places = st.sampled_from(
+        [
+            mpq(0),
+            mpq(1),
+            mpq(1, 2),
+            mpq(3, 8),
+            mpq(1, 3),
+            mpq(1, 3) + TINY,
+            mpq(1, 3) + TINY**8,
+            TINY,
+            1 - TINY,
+            mpq(2, 7),
+        ]
+    )
     roots = draw(st.dictionaries(places, st.integers(1, 4), max_size=4))
     f = t.constant(draw(st.sampled_from([1, -7, mpq(10**20, 3)])))
     for place, times in roots.items():

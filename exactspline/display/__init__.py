@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from exactspline.display.mathematics import latex
+from exactspline.display.latex import latex
 from exactspline.display.notebook import html, load_ipython_extension, short
 
 __all__ = ["html", "latex", "load_ipython_extension", "short"]

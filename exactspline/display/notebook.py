@@ -9,22 +9,23 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from exactspline.claims import Claim
-from exactspline.display.mathematics import fraction, mathematics
-from exactspline.display.pictures import curve_picture, graph_picture
+from exactspline.display.console import decimals
+from exactspline.display.latex import fraction, mathematics
+from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
-from exactspline.errata import Erratum
 from exactspline.exact import text
-from exactspline.interrogate import Derived
-from exactspline.language import RuledSurface, Vector
-from exactspline.measure import control_point_count
-from exactspline.nurbs import Nurbs
-from exactspline.quotients import Rational
-from exactspline.report import decimals
-from exactspline.spline import BSpline
-from exactspline.statement import Side, Statement, latex_of, sides
-from exactspline.verdict import Row
-from exactspline.zeros import ZeroSet
+from exactspline.geometry.derived import Derived
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.roots.zero_set import ZeroSet
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.claims import Claim
+from exactspline.verification.errata import Erratum
+from exactspline.verification.statement import Side, Statement, latex_of, sides
+from exactspline.verification.verdict import Row
 
 #: Numbers of a list that are written out, and control points above which a spline is described instead of written out.
 SHOWN, LONG = 8, 24
@@ -40,8 +41,14 @@ def html(x: Any) -> str | None:
 
 def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     """Lines of HTML beside a picture."""
-    rows = "".join(f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left">{value}</td></tr>' for name, value in lines)
-    return f'<div style="display:flex;gap:1em;align-items:center">{picture}<div><b>{escape(title)}</b><table>{rows}</table></div></div>'
+    rows = "".join(
+        f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left">{value}</td></tr>'
+        for name, value in lines
+    )
+    return (
+        f"<div "
+        f'style="display:flex;gap:1em;align-items:center">{picture}<div><b>{escape(title)}</b><table>{rows}</table></div></div>'
+    )
 
 
 def numbers(values: Any) -> str:
@@ -63,7 +70,12 @@ def _counted(n: int, what: str) -> str:
 def _(f: BSpline) -> str:
     points = f"{len(f.control_points)}: {numbers(f.control_points)}"
     inner = f", smallest continuity {min(f.continuity)}" if f.continuity else ""
-    lines = [("domain", _domain(f.domain)), ("control points", points), ("knots", numbers(f.knots.knots)), ("segments", f"{len(f.mesh)}{inner}")]
+    lines = [
+        ("domain", _domain(f.domain)),
+        ("control points", points),
+        ("knots", numbers(f.knots.knots)),
+        ("segments", f"{len(f.mesh)}{inner}"),
+    ]
     return facts(f"B-spline function of degree {f.degree}", lines, graph_picture(f))
 
 
@@ -72,7 +84,10 @@ def _(c: Nurbs) -> str:
     kind = "polynomial" if c.polynomial else "rational"
     points = escape("; ".join("(" + ", ".join(decimals(text(x)) for x in p) + ")" for p in c.control_points[:SHOWN]))
     more = " …" if len(c.control_points) > SHOWN else ""
-    lines = [("domain", f"{_domain(c.domain)}, {_counted(c.segments, 'segment')}"), ("control points", f"{len(c.control_points)}: {points}{more}")]
+    lines = [
+        ("domain", f"{_domain(c.domain)}, {_counted(c.segments, 'segment')}"),
+        ("control points", f"{len(c.control_points)}: {points}{more}"),
+    ]
     lines += [] if c.polynomial else [("weights", numbers(c.weights))]
     lines += [("knots", numbers(c.knots.knots))] + ([("note", escape(c.note))] if c.note else [])
     return facts(f"{c.name or 'curve'}: {kind} curve of degree {c.degree} in R{c.dimension}", lines, curve_picture(c))
@@ -109,7 +124,15 @@ def _(found: ZeroSet) -> str:
     for root in found:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
         interval = f"{decimals(text(root.low))} … {decimals(text(root.high))}" if root.exact is None else ""
-        rows.append((f"${mathematics(root)}$", root.multiplicity, f"{left} to {right}", interval, "knot" if root.at_knot else ""))
+        rows.append(
+            (
+                f"${mathematics(root)}$",
+                root.multiplicity,
+                f"{left} to {right}",
+                interval,
+                "knot" if root.at_knot else "",
+            )
+        )
     extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*found.jumps, *found.stretches))
     return Grid(["root", "multiplicity", "sign", "isolating interval", "where"], rows, repr(found)[1:-1]).html() + extra
 
@@ -127,7 +150,10 @@ def _(r: Row) -> str:
 @html.register
 def _(d: Derived) -> str:
     lines = [(f"on [{text(a)}, {text(b)}]", escape(_piece(p.value))) for p in d.pieces for a, b in [p.interval]]
-    return facts(f"{d.name}, {d.form}", lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason)) for (a, b), reason in d.missing])
+    return facts(
+        f"{d.name}, {d.form}",
+        lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason)) for (a, b), reason in d.missing],
+    )
 
 
 def _piece(value: Any) -> str:
@@ -135,21 +161,35 @@ def _piece(value: Any) -> str:
 
 
 def _side_lines(found: tuple[Side, ...]) -> list[tuple[str, str]]:
-    return [(side.role, f"$\\displaystyle {escape(side.latex)}$<br>{escape(side.source)}, degree {escape(side.degrees)}") for side in found]
+    return [
+        (side.role, f"$\\displaystyle {escape(side.latex)}$<br>{escape(side.source)}, degree {escape(side.degrees)}")
+        for side in found
+    ]
 
 
 @html.register
 def _(c: Claim) -> str:
-    return facts(f"{c.id}, {c.source}", [*_claim_lines(c, latex_of(c)), *_side_lines(sides(c)), ("recorded", c.expected)])
+    return facts(
+        f"{c.id}, {c.source}", [*_claim_lines(c, latex_of(c)), *_side_lines(sides(c)), ("recorded", c.expected)]
+    )
 
 
 def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
-    return [("statement", escape(c.statement)), ("", f"$\\displaystyle {escape(statement_latex)}$"), ("assumes", escape(c.assumes))]
+    return [
+        ("statement", escape(c.statement)),
+        ("", f"$\\displaystyle {escape(statement_latex)}$"),
+        ("assumes", escape(c.assumes)),
+    ]
 
 
 @html.register
 def _(e: Erratum) -> str:
-    lines = [("printed", e.printed), ("found", decimals(e.found)), *[("true", line) for line in e.truth], ("why", e.why)]
+    lines = [
+        ("printed", e.printed),
+        ("found", decimals(e.found)),
+        *[("true", line) for line in e.truth],
+        ("why", e.why),
+    ]
     check = "<br>".join(escape(line) for line in e.check)
     return facts(f"{e.id}, {e.where}", [(a, escape(b)) for a, b in lines if b] + [("check", f"<code>{check}</code>")])
 
@@ -157,8 +197,18 @@ def _(e: Erratum) -> str:
 @html.register
 def _(s: Statement) -> str:
     c, f = s.claim, s.finding
-    found = [("claimed", f.claimed), ("computed", f.computed), ("factor", f.factor), ("witness", f.witness), ("verdict", f.verdict)]
-    lines = [*_claim_lines(c, s.latex), *_side_lines(s.sides), *[(name, escape(value)) for name, value in found if value]]
+    found = [
+        ("claimed", f.claimed),
+        ("computed", f.computed),
+        ("factor", f.factor),
+        ("witness", f.witness),
+        ("verdict", f.verdict),
+    ]
+    lines = [
+        *_claim_lines(c, s.latex),
+        *_side_lines(s.sides),
+        *[(name, escape(value)) for name, value in found if value],
+    ]
     return facts(f"{c.id}, {c.source}", lines)
 
 
@@ -170,22 +220,36 @@ def short(x: Any) -> str:
     """
     if isinstance(x, BSpline):
         a, b = x.domain
-        described = f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], {_counted(len(x.mesh), 'segment')}"
+        described = (
+            f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], "
+            f"{_counted(len(x.mesh), 'segment')}"
+        )
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)
     if isinstance(x, (Vector, Rational, RuledSurface)):
         described = _described(x)
-        return f"<{described}>" if described and (isinstance(x, RuledSurface) or control_point_count(x) > LONG // 4) else repr(x)
+        return (
+            f"<{described}>"
+            if described and (isinstance(x, RuledSurface) or control_point_count(x) > LONG // 4)
+            else repr(x)
+        )
     return repr(x)
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, and figures and axes as pictures."""
+    """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, and figures and axes as
+    pictures.
+    """
     formatters = shell.display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):
         formatters["image/png"].for_type_by_name(module, name, _png)
     formatter = formatters["text/latex"]
     formatter.for_type(type(mpq()), lambda x: f"${fraction(x)}$")
-    formatter.for_type(tuple, lambda t: "$(" + r",\ ".join(fraction(x) for x in t) + ")$" if t and all(type(x) is type(mpq()) for x in t) else None)
+    formatter.for_type(
+        tuple,
+        lambda t: (
+            "$(" + r",\ ".join(fraction(x) for x in t) + ")$" if t and all(type(x) is type(mpq()) for x in t) else None
+        ),
+    )
 
 
 def _png(figure_or_axes: Any) -> bytes:

@@ -1,4 +1,6 @@
-"""Tables for notebooks and terminals: degrees, verdicts, the numbers the paper prints beside those that were computed."""
+"""Tables for notebooks and terminals: degrees, verdicts, the numbers the paper prints beside those that were
+computed.
+"""
 
 from __future__ import annotations
 
@@ -6,17 +8,17 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
 
-from exactspline import report
-from exactspline.audit import audit, proved
-from exactspline.claims import Claim, select
-from exactspline.displayed import Displayed
-from exactspline.formulas import find
-from exactspline.inspection import compare_approaches
-from exactspline.measure import measurable, measure
-from exactspline.reduce import reduce
-from exactspline.statement import Statement, statement
-from exactspline.tables import construction_table, generic_table
-from exactspline.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+from exactspline.display import console as report
+from exactspline.geometry.inspection import compare_approaches
+from exactspline.language.services import Displayed
+from exactspline.papers import find
+from exactspline.symbolic.reduction import reduce
+from exactspline.verification.claims import Claim, select
+from exactspline.verification.degree_tables import construction_table, generic_table
+from exactspline.verification.ledger import audit, proved
+from exactspline.verification.measure import measurable, measure
+from exactspline.verification.statement import Statement, statement
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
@@ -56,7 +58,10 @@ class Grid(Displayed):
         """The table as HTML."""
         style = "text-align:left;padding:2px 10px 2px 0;vertical-align:top;overflow-wrap:break-word"
         head = "".join(f'<th style="{style}">{escape(c)}</th>' for c in self.columns)
-        body = "".join("<tr>" + "".join(f'<td style="{style}{_coloured(cell)}">{escape(cell)}</td>' for cell in row) + "</tr>" for row in self.rows)
+        body = "".join(
+            "<tr>" + "".join(f'<td style="{style}{_coloured(cell)}">{escape(cell)}</td>' for cell in row) + "</tr>"
+            for row in self.rows
+        )
         title = f'<caption style="{style};caption-side:top"><b>{escape(self.title)}</b></caption>' if self.title else ""
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
@@ -72,10 +77,15 @@ class Verdicts(Grid):
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
-            (r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, remark(r), r.source) for r in self.rows_of_ledger
+            (r.verdict, r.id, r.curve, r.statement, r.claimed, r.computed, remark(r), r.source)
+            for r in self.rows_of_ledger
         ]
         if not any(r.curve for r in self.rows_of_ledger):
-            columns, cells, title = [*columns[:2], *columns[3:]], [(*c[:2], *c[3:]) for c in cells], title or "for all curves"
+            columns, cells, title = (
+                [*columns[:2], *columns[3:]],
+                [(*c[:2], *c[3:]) for c in cells],
+                title or "for all curves",
+            )
         super().__init__(columns, cells, title)
 
     @property
@@ -87,8 +97,8 @@ class Verdicts(Grid):
 def remark(row: Row) -> str:
     """Factor or witness of a row, cut where it is too long to read.
 
-    >>> from exactspline.on_all_curves import prove
-    >>> from exactspline.verdict import row
+    >>> from exactspline.verification.generic_proof import prove
+    >>> from exactspline.verification.verdict import row
     >>> claim = select(["C4.1a"])[0]
     >>> remark(row(claim, "jet", "", prove(claim)[1], 0))
     'w'
@@ -113,7 +123,7 @@ def verdicts(*ids: str, curves: Iterable[Any] = (), without: Sequence[str] = ())
 def degree_table(curve: Any) -> Grid:
     """The constructions of a curve in every form: degrees, control points, time.
 
-    >>> from exactspline.curves import example
+    >>> from exactspline.splines.examples import example
     >>> degree_table(example("ellipse"))["control points"][:3]
     ['52', '16', '16']
     """
@@ -131,26 +141,45 @@ def degree_table(curve: Any) -> Grid:
         )
         for r in rows
     ]
-    columns = ["construction", "form", "degree in d", "degree here", "true degree", "control points", "true degree in d", "ms"]
-    return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {curve.segments} segment{'s' if curve.segments != 1 else ''}")
+    columns = [
+        "construction",
+        "form",
+        "degree in d",
+        "degree here",
+        "true degree",
+        "control points",
+        "true degree in d",
+        "ms",
+    ]
+    return Grid(
+        columns,
+        cells,
+        f"{curve.name}: degree {curve.degree}, {curve.segments} segment{'s' if curve.segments != 1 else ''}",
+    )
 
 
 def measured(curve: Any, *names: str) -> Grid:
     """Formulas on a curve (without names: all that speak of it): nominal, represented and true degree, control points.
 
-    >>> from exactspline.curves import example
+    >>> from exactspline.splines.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
     ['3d − 3']
     """
-    found = [measure(find(name), curve) for name in names] if names else [measure(f, curve) for f in measurable(curve.dimension)]
+    found = (
+        [measure(find(name), curve) for name in names]
+        if names
+        else [measure(f, curve) for f in measurable(curve.dimension)]
+    )
     rows = [(m.formula, m.nominal, m.represented, "–" if m.true is None else m.true, m.control_points) for m in found]
     return Grid(["formula", "degree in d", "degree here", "true degree", "control points"], rows, curve.name)
 
 
 def symbolic_table(*, polynomial: bool = False) -> Grid:
-    """Constructions, generators of ruled surfaces and bisectors on the generic curve of degree d: naive, in the paper, minimal.
+    """Constructions, generators of ruled surfaces and bisectors on the generic curve of degree d: naive, in the paper,
+    minimal.
 
-    The minimal degree is proved by the degree theorem, and attained by certified witnesses at the degrees d in the last column.
+    The minimal degree is proved by the degree theorem, and attained by certified witnesses at the degrees d in the last
+    column.
 
     >>> table = symbolic_table()
     >>> [table[column][0] for column in ("object", "naive", "paper", "minimal")]
@@ -163,7 +192,8 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
 
 
 def reduction_table(*names: str) -> Grid:
-    """What is found when formulas are factored over the indeterminate curve: what cancels, what is left, and the degrees.
+    """What is found when formulas are factored over the indeterminate curve: what cancels, what is left, and the
+    degrees.
 
     >>> reduction_table("g0")["cancelled"]
     ['1/2·w⁻⁸']
@@ -197,7 +227,9 @@ def printed_numbers(*ids: str) -> Numbers:
 
 def numerical_claims(*ids: str) -> list[Claim]:
     """The claims with a degree or a count: those with these ids, or all of the paper (not those that go beyond it)."""
-    return [claim for claim in select(ids) if claim.kind in ("degree", "count") and (ids or not claim.id.startswith(BEYOND))]
+    return [
+        claim for claim in select(ids) if claim.kind in ("degree", "count") and (ids or not claim.id.startswith(BEYOND))
+    ]
 
 
 def _printed(s: Statement) -> tuple[str, ...]:
@@ -209,7 +241,7 @@ def _printed(s: Statement) -> tuple[str, ...]:
 def approaches_table(curve: Any) -> Grid:
     """The approaches to critical curvature side by side on one curve.
 
-    >>> from exactspline.curves import example
+    >>> from exactspline.splines.examples import example
     >>> approaches_table(example("six_segment_cubic"))["invented"]
     ['2', '0', '0', '0', '0']
     """

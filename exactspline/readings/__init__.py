@@ -1,1 +1,3 @@
-"""Readings: what the operands of a formula can be. The spline reading is `exactspline.spline` and `exactspline.nurbs` themselves."""
+"""Readings: what the operands of a formula can be. The spline reading is `exactspline.splines.bspline` and
+`exactspline.splines.nurbs` themselves.
+"""

@@ -1,6 +1,7 @@
 """The degree reading: max-plus expressions in named degrees, ``9d − 6`` or ``max(2d − 1, d1 + d2)``.
 
-The degree of a product is the sum, of a sum the maximum, of a derivative one less. Constants have degree 0. This is the counting of Table 1.
+The degree of a product is the sum, of a sum the maximum, of a derivative one less. Constants have degree 0. This is the
+counting of Table 1.
 """
 
 from __future__ import annotations
@@ -12,10 +13,11 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from exactspline import structure
 from exactspline.errors import FormulaError
-from exactspline.language import BARRED, CONSTANTS, COORDINATES, Curve, Operand, assemble
-from exactspline.quotients import Rational
+from exactspline.language import provenance as structure
+from exactspline.language.arguments import BARRED, COORDINATES, Curve, assemble
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.rational import Rational
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
 Term = tuple[tuple[tuple[str, int], ...], int]
@@ -84,7 +86,9 @@ class Degree(Operand):
             return self.scaled(other)
         if not isinstance(other, Degree):
             return NotImplemented
-        return Degree((_plus(a, b) for a in self.terms for b in other.terms), (structure.PRODUCT, self.recipe, other.recipe))
+        return Degree(
+            (_plus(a, b) for a in self.terms for b in other.terms), (structure.PRODUCT, self.recipe, other.recipe)
+        )
 
     def scaled(self, constant: Any) -> Degree:
         """A constant factor leaves the degree."""
@@ -112,7 +116,9 @@ class Degree(Operand):
         >>> parse("9d - 6").at({"d": 3})
         21
         """
-        return max(sum(k * values[name] for name, k in coefficients) + constant for coefficients, constant in self.terms)
+        return max(
+            sum(k * values[name] for name, k in coefficients) + constant for coefficients, constant in self.terms
+        )
 
     @property
     def names(self) -> frozenset[str]:
@@ -143,7 +149,8 @@ def _term_text(term: Term) -> str:
 
 
 def equal_from(a: Degree, b: Degree, limit: int = 1000) -> int | None:
-    """The least d₀ ≥ 1 such that both are equal whenever all named degrees are ≥ d₀; None when there is none up to `limit`.
+    """The least d₀ ≥ 1 such that both are equal whenever all named degrees are ≥ d₀; None when there is none up to
+    `limit`.
 
     >>> d = Degree.named("d")
     >>> equal_from(d.max(Degree.number(4)), d)
@@ -169,7 +176,9 @@ def _below(a: Degree, b: Degree, start: int) -> bool:
 
 
 def _in_hull(term: Term, b: Degree, start: int) -> bool:
-    """Whether a convex combination of the terms of b dominates the term (exact linear programming; LP duality makes this the whole truth)."""
+    """Whether a convex combination of the terms of b dominates the term (exact linear programming; LP duality makes
+    this the whole truth).
+    """
     if len(b.terms) == 1:
         return False
     from sympy.solvers.simplex import InfeasibleLPError, linprog
@@ -179,7 +188,13 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
     wanted = [-dict(term[0]).get(name, 0) for name in names]
     corner = [-sum(k for _, k in t[0]) * start - t[1] for t in terms]
     try:
-        linprog([0] * len(terms), [*slopes, corner], [*wanted, -sum(k for _, k in term[0]) * start - term[1]], [[1] * len(terms)], [1])
+        linprog(
+            [0] * len(terms),
+            [*slopes, corner],
+            [*wanted, -sum(k for _, k in term[0]) * start - term[1]],
+            [[1] * len(terms)],
+            [1],
+        )
     except InfeasibleLPError:
         return False
     return True
@@ -255,7 +270,11 @@ class Still(Degree):
 
 def _still(result: Any, other: Any) -> Any:
     """A sum or a product of what is still and constants is still."""
-    return Still(result.terms, result.recipe) if isinstance(result, Degree) and isinstance(other, (Still, *CONSTANTS)) else result
+    return (
+        Still(result.terms, result.recipe)
+        if isinstance(result, Degree) and isinstance(other, (Still, *CONSTANTS))
+        else result
+    )
 
 
 class DifferentiatedPartByPart(Rational):
@@ -271,8 +290,11 @@ class DifferentiatedPartByPart(Rational):
         return DifferentiatedPartByPart(self.numerator.d(order), self.denominator.d(order))
 
 
-def degree_argument(kind: str, dimension: int, *, polynomial: bool = False, name: str = "d", parameter: str = "s", counting: str = "") -> Any:
-    """What formulas of a kind are handed: degrees in one parameter, ``s`` that of the first curve or ``s̄`` that of the second one.
+def degree_argument(
+    kind: str, dimension: int, *, polynomial: bool = False, name: str = "d", parameter: str = "s", counting: str = ""
+) -> Any:
+    """What formulas of a kind are handed: degrees in one parameter, ``s`` that of the first curve or ``s̄`` that of the
+    second one.
 
     With the `counting` ``part by part`` a rational curve is differentiated as (24) does it.
 
@@ -281,7 +303,13 @@ def degree_argument(kind: str, dimension: int, *, polynomial: bool = False, name
     d − 1
     """
     counted = BARRED + "W" if parameter == "s̄" else COORDINATES + "w"
-    argument = assemble(kind, dimension, lambda x: Degree.named(name) if x in counted else Still([((), 0)]), Degree.number(0), polynomial=polynomial)
+    argument = assemble(
+        kind,
+        dimension,
+        lambda x: Degree.named(name) if x in counted else Still([((), 0)]),
+        Degree.number(0),
+        polynomial=polynomial,
+    )
     if polynomial and kind == "pair":
         uncounted = argument.first if parameter == "s̄" else argument.second
         uncounted.w = Still([((), 0)])

@@ -1,7 +1,8 @@
 """The jet reading: the curve is indeterminate, its derivatives are the variables x, x′, x″, …, w, w′, ….
 
-What a formula returns is a differential polynomial over the rationals. Two that agree agree for every curve of every degree, so an equality here is a
-proof for all curves. A polynomial homogeneous of degree k and of weight m (number of primes) has nominal B-spline degree ``kd − m``.
+What a formula returns is a differential polynomial over the rationals. Two that agree agree for every curve of every
+degree, so an equality here is a proof for all curves. A polynomial homogeneous of degree k and of weight m (number of
+primes) has nominal B-spline degree ``kd − m``.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from typing import Any
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from gmpy2 import mpq
 
-from exactspline import structure
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import BARRED, COORDINATES, POINT, Curve, Operand, assemble
+from exactspline.language import provenance as structure
+from exactspline.language.arguments import BARRED, COORDINATES, POINT, Curve, assemble
+from exactspline.language.operand import Operand
 
 PRIMES = ("", "′", "″", "‴")
 
@@ -33,7 +35,8 @@ class JetRing:
         self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
-        #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see `exactspline.readings.factored`).
+        #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see
+        #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
 
     @property
@@ -99,7 +102,9 @@ class Jet(Operand):
 
     def scaled(self, constant: Any) -> Jet:
         """The polynomial times an exact constant."""
-        return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (structure.MULTIPLE, self.recipe, mpq(constant)))
+        return Jet(
+            self.ring, self.polynomial * to_fmpq(rational(constant)), (structure.MULTIPLE, self.recipe, mpq(constant))
+        )
 
     def raised_to(self, other: Any) -> Jet:
         """Itself: degree elevation does not change a function."""
@@ -116,7 +121,9 @@ class Jet(Operand):
                     if name in ring.constants:
                         continue
                     if k == ring.order:
-                        raise FormulaError(f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}")
+                        raise FormulaError(
+                            f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}"
+                        )
                     total += result.derivative(i) * ring.gens[i + 1]
             result, recipe = total, (structure.DERIVATIVE, recipe)
         return Jet(ring, result, recipe)
@@ -128,13 +135,18 @@ class Jet(Operand):
 
     @property
     def grading(self) -> tuple[int, int]:
-        """Degree k in the functions and weight m (number of primes); `FormulaError` when it is not homogeneous in both."""
+        """Degree k in the functions and weight m (number of primes); `FormulaError` when it is not homogeneous in
+        both.
+        """
         orders = [k for _, k in self.ring.variables]
         functions = len(self.ring.variables) - len(self.ring.constants)
         monomials = ([int(x) for x in m] for m in self.polynomial.monoms())
         gradings = {(sum(e[:functions]), sum(x * k for x, k in zip(e, orders, strict=True))) for e in monomials}
         if len(gradings) != 1:
-            raise FormulaError(f"a polynomial with the gradings {sorted(gradings)}", remedy="degree and weight exist for homogeneous ones only")
+            raise FormulaError(
+                f"a polynomial with the gradings {sorted(gradings)}",
+                remedy="degree and weight exist for homogeneous ones only",
+            )
         return gradings.pop()
 
     @property
@@ -159,11 +171,15 @@ def polynomial_text(jet: Jet, limit: int = 12) -> str:
         return "0"
     parts = [_term_text(jet.ring, exponents, mpq(int(c.p), int(c.q))) for exponents, c in terms[:limit]]
     text = " ".join(parts).removeprefix("+ ")
-    return (text if not text.startswith("− ") else "−" + text[2:]) + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
+    return (text if not text.startswith("− ") else "−" + text[2:]) + (
+        f" + … ({len(terms)} terms)" if len(terms) > limit else ""
+    )
 
 
 def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
-    factors = [ring.primes(i) + (str(int(e)).translate(SUPERSCRIPTS) if e > 1 else "") for i, e in enumerate(exponents) if e]
+    factors = [
+        ring.primes(i) + (str(int(e)).translate(SUPERSCRIPTS) if e > 1 else "") for i, e in enumerate(exponents) if e
+    ]
     if abs(c) != 1 or not factors:
         factors.insert(0, str(abs(c)))
     return ("− " if c < 0 else "+ ") + "·".join(factors)

@@ -1,4 +1,6 @@
-"""The tree reading: the formula itself, never simplified, for printing, for counting operations and for evaluation in any other reading."""
+"""The tree reading: the formula itself, never simplified, for printing, for counting operations and for evaluation in
+any other reading.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +9,10 @@ from collections.abc import Iterator
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-from exactspline import language
 from exactspline.errors import FormulaError
-from exactspline.language import CONSTANTS, Formula, Operand
+from exactspline.language import arguments as language
+from exactspline.language.formula import Formula
+from exactspline.language.operand import CONSTANTS, Operand
 
 #: Products of vectors whose value is again a vector.
 VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross", "join"}
@@ -18,8 +21,8 @@ VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross", "join"}
 class Node(Operand):
     """A node of an expression tree: an operation and its arguments.
 
-    ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``, ``**``, ``[]``, ``dot``,
-    ``cross``, ``det``, ``perp``, ``generalized_cross``, ``join``.
+    ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``,
+    ``**``, ``[]``, ``dot``, ``cross``, ``det``, ``perp``, ``generalized_cross``, ``join``.
     """
 
     __slots__ = ("args", "is_vector", "op", "value")
@@ -83,7 +86,11 @@ class Node(Operand):
 
     def joining(self, parts: tuple[Any, ...]) -> Node:
         """The node of a vector put together."""
-        return Node("join", tuple(Node("number", value=part) if isinstance(part, CONSTANTS) else part for part in parts), vector=True)
+        return Node(
+            "join",
+            tuple(Node("number", value=part) if isinstance(part, CONSTANTS) else part for part in parts),
+            vector=True,
+        )
 
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""
@@ -100,20 +107,23 @@ class Node(Operand):
         return self.args[0]
 
     def __repr__(self) -> str:
-        from exactspline.printers.text import print_text
+        from exactspline.readings.printing.text import print_text
 
         return print_text(self)
 
 
 class NamedCall(NamedTuple):
-    """The symbol of a formula that another one calls, and whether it is called on the second of two curves (then it gets a bar)."""
+    """The symbol of a formula that another one calls, and whether it is called on the second of two curves (then it
+    gets a bar).
+    """
 
     symbol: str
     barred: bool
 
 
 class Traced:
-    """The argument of the tree reading, curve or pair: its operands are leaves, and formulas called on it keep their names.
+    """The argument of the tree reading, curve or pair: its operands are leaves, and formulas called on it keep their
+    names.
 
     A leaf of one curve of a pair has that curve in its name: ``second.p``.
     """
@@ -131,17 +141,24 @@ class Traced:
         return Node("leaf", value=self._path + name, vector=name in self.vectors)
 
     def calls(self, formula: Formula) -> Any:
-        """A formula called by another one: a node with its symbol (only its body where it has none, or when expanding)."""
+        """A formula called by another one: a node with its symbol (only its body where it has none, or when
+        expanding).
+        """
         body = formula.function(self)
         if self._expand or not formula.symbol:
             return body
-        return Node("named", (body,), NamedCall(formula.symbol, self._path == "second."), vector=getattr(body, "is_vector", False))
+        return Node(
+            "named",
+            (body,),
+            NamedCall(formula.symbol, self._path == "second."),
+            vector=getattr(body, "is_vector", False),
+        )
 
 
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
     """The tree of a formula.
 
-    >>> from exactspline.formulas.derivatives import D1
+    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1
     >>> trace(D1)
     p′ w − p w′
     """

@@ -1,0 +1,5 @@
+"""``python -m exactspline``: the command line."""
+
+from exactspline.cli import main
+
+main()

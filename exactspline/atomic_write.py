@@ -1,0 +1,43 @@
+"""Files written atomically: there whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO
+
+from exactspline.errors import CurveFileError, ExactSplineError
+
+
+def write_atomically(
+    path: str | os.PathLike[str], write: Callable[[BinaryIO], object], error: type[ExactSplineError] = CurveFileError
+) -> None:
+    """Let `write` fill a temporary file beside the path, then move it there; a link is followed, and what it points to
+    replaced.
+
+    Raises `error` where nothing can be written, and where something that is no regular file (a folder, a device, a
+    pipe) has that name: it is left alone.
+    """
+    place = Path(path)
+    try:
+        place = place.resolve()
+        if place.exists() and not place.is_file():
+            raise error(
+                "is no regular file", where=str(path), remedy="name a file; leave the name out for standard output"
+            )
+        handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name}.")
+        try:
+            with os.fdopen(handle, "wb") as stream:
+                write(stream)
+            os.chmod(temporary, 0o644)
+            os.replace(temporary, place)
+        except BaseException:
+            os.unlink(temporary)
+            raise
+    except (OSError, RuntimeError) as reason:
+        problem = getattr(reason, "strerror", None) or "its links go round in a circle"
+        raise error(
+            f"cannot be written ({problem})", where=str(path), remedy="name a file in a folder that can be written"
+        ) from None

@@ -1,0 +1,142 @@
+"""``inspect``: the features of a curve."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Annotated, Any
+
+import typer
+
+from exactspline.cli.common import AsJson, also_in_their_planes, described, print_json
+
+
+def inspect(
+    curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
+    digits: Annotated[
+        int, typer.Option("--digits", min=1, max=100_000, help="Digits of parameters and curvatures.")
+    ] = 20,
+    approach: Annotated[
+        str, typer.Option("--approach", help="squaring, direct, reduced, lifted, minimal, or all side by side.")
+    ] = "minimal",
+    plot: Annotated[
+        str, typer.Option("--plot", help="Draw the curve and the function that was solved into an SVG or PNG file.")
+    ] = "",
+    certificate: Annotated[
+        str,
+        typer.Option(
+            "--certificate", help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker)."
+        ),
+    ] = "",
+    as_json: AsJson = False,
+) -> None:
+    """Cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified, to any
+    number of digits.
+    """
+    from exactspline.splines.curve_files import write_json
+    from exactspline.splines.examples import load
+
+    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes([load(curve)])]
+    if certificate:
+        write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
+    if plot:
+        _draw(*inspected[0][:2], plot)
+    if as_json:
+        print_json(inspected[0][2] | ({"as_plane_curve": inspected[1][2]} if len(inspected) > 1 else {}))
+        return
+    for c, _, data in inspected:
+        _print(c, data)
+
+
+def _inspected(c: Any, approach: str, digits: int) -> tuple[Any, Any, dict[str, Any]]:
+    """A curve, its inspection, and all of it as data."""
+    from exactspline.display.serialize import groups_of, inspection_data
+    from exactspline.geometry.inspection import compare_approaches, inspect_curve
+
+    found = inspect_curve(c, "minimal" if approach == "all" else approach)
+    with _ticking(sum(len(getattr(found, name)) for name in groups_of(c))) as tick:
+        data = inspection_data(c, found, digits, tick)
+    if approach == "all":
+        data["approaches"] = [asdict(row) for row in compare_approaches(c)]
+    return c, found, data
+
+
+def _ticking(count: int) -> Any:
+    """A progress bar on a terminal, advanced by calling what it gives."""
+    import sys
+    from contextlib import contextmanager
+
+    from rich.console import Console
+    from rich.progress import Progress
+
+    @contextmanager
+    def bar() -> Any:
+        with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as progress:
+            task = progress.add_task("refining", total=count)
+            yield lambda: progress.advance(task)
+
+    return bar()
+
+
+def _print(c: Any, data: dict[str, Any]) -> None:
+    from exactspline.display import console as report
+    from exactspline.display.serialize import groups_of
+
+    out = report.console()
+    closed = ", closed" if c.closed else ""
+    in_space = c.dimension == 3
+    columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
+    made = report.table(*columns, title=f"{c.name}: {described(c)}{closed}")
+    for group in groups_of(c):
+        for f in data[group]:
+            remark = " at a knot, by a jump" if f["by_jump"] else " at a knot" if f["at_knot"] else ""
+            kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
+            absolute = f"{f['of_absolute']} of |κ|" if f.get("of_absolute") and not in_space else ""
+            values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
+            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, (absolute + remark).strip())
+    empty = ("",) * (len(columns) - 4)
+    for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0")):
+        for a, b in data[name]:
+            made.add_row(what, f"[{a}, {b}]", f"[{a}, {b}]", *empty, "")
+    for piece in data.get("planar", []):
+        interval = f"[{', '.join(piece['interval'])}]"
+        made.add_row("planar, τ ≡ 0", interval, interval, *empty, f"in the plane {piece['plane']}")
+    nothing = "no singular points, no inflections, no extrema of the curvature inside" + (
+        ", no zeros of the torsion" if in_space else ""
+    )
+    out.print(made if made.row_count else f"{c.name}: {nothing}", markup=False)
+    if data.get("plane"):
+        out.print(
+            (
+                f"{c.name} lies in the plane {data['plane']}: it has no torsion, no focal curve and no osculating "
+                "spheres\n"
+            ),
+            markup=False,
+        )
+    if "approaches" in data:
+        out.print(_approaches(report, data["approaches"]))
+
+
+def _approaches(report: Any, rows: list[dict[str, Any]]) -> Any:
+    numbers = ("degree", "control points", "roots", "invented", "missing", "seconds")
+    made = report.table("approach", *numbers, title="\nApproaches to critical curvature", right=numbers)
+    for row in rows:
+        made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
+    return made
+
+
+def _proofs(c: Any, found: Any) -> list[dict[str, Any]]:
+    """The certificates of all that was solved."""
+    from exactspline.geometry.inspection import solved
+
+    return [
+        {"curve": c.name, "function": name, "certificate": zero_set.certificate()}
+        for name, _, _, zero_set in solved(c, found.approach)
+    ]
+
+
+def _draw(c: Any, found: Any, path: str) -> None:
+    from exactspline.display.plot.canvas import save
+    from exactspline.display.plot.comparisons import inspect_figure
+    from exactspline.geometry.inspection import solved
+
+    save(inspect_figure(c, [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]), path)

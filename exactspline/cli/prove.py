@@ -1,0 +1,85 @@
+"""``prove`` and ``errata``: the ledger."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import typer
+
+from exactspline.cli.common import (
+    AsJson,
+    CurveFiles,
+    Digits,
+    also_in_their_planes,
+    described,
+    loaded,
+    print_json,
+    tracked,
+)
+
+
+def prove(
+    claim: Annotated[
+        list[str] | None,
+        typer.Option("--claim", help="The id of a claim, or what it begins (C3: all of section 3); may be repeated."),
+    ] = None,
+    curve: CurveFiles = None,
+    as_json: AsJson = False,
+    digits: Digits = 0,
+) -> None:
+    """Decide every claim: for all curves at once, and exactly on the given curves (without --curve: on the example
+    curves).
+    """
+    from exactspline.verification.claims import select
+    from exactspline.verification.ledger import tasks
+
+    claims = select(claim or [])
+    given, good = loaded(curve or [])
+    curves = also_in_their_planes(given) if curve else None
+    rows = tracked(tasks(claims, curves), "proving")
+    if as_json:
+        print_json([row.data() for row in rows])
+    else:
+        _print_ledger(rows, claims, curves, digits)
+    if not good:
+        raise typer.Exit(2)
+    if not all(row.as_recorded for row in rows):
+        raise typer.Exit(1)
+
+
+def _print_ledger(rows: list[Any], claims: Sequence[Any], curves: list[Any] | None, digits: int) -> None:
+    from exactspline.display import console as report
+
+    out = report.console()
+    if curves is None:
+        out.print(report.ledger([row for row in rows if not row.curve], "For all curves", digits))
+        concrete = [row for row in rows if row.curve]
+        if concrete:
+            out.print("\n[bold]On the example curves[/bold], exactly (each in full with --curve NAME)")
+            out.print(report.summary(concrete))
+        differing = [row for row in concrete if not row.as_recorded]
+        if differing:
+            out.print(report.ledger(differing, "Not as recorded", digits))
+    for c in curves or []:
+        own = [row for row in rows if row.curve == c.name]
+        out.print(report.ledger(own, f"{c.name}: {described(c)}", digits))
+        if silent := [claim for claim in claims if not claim.speaks_of(c.dimension, c.polynomial)]:
+            out.print(f"{len(silent)} claims say nothing of this curve: {report.reasons(silent, c)}", markup=False)
+    if rows:
+        out.print("\n" + report.closing(rows), markup=False)
+
+
+def errata(as_json: AsJson = False) -> None:
+    """List the errors of the paper: where, what is printed, what is true, how to check it in three lines."""
+    from exactspline.display import console as report
+    from exactspline.verification.errata import errata as found
+
+    entries = list(found())
+    if as_json:
+        print_json([vars(entry) for entry in entries])
+        return
+    out = report.console()
+    for entry in entries:
+        out.print(report.erratum(entry))
+    out.print(f"{len(entries)} errors", markup=False)

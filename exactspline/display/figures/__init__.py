@@ -1,0 +1,68 @@
+"""The figures of the paper, in its layout; every number in a caption is counted on the objects that are drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from pathlib import Path
+
+from exactspline.display.figures import bisectors, plane
+from exactspline.display.figures.plane import Drawn
+from exactspline.display.plot.canvas import PlotError, save
+from exactspline.display.plot.html import save_page, turning_page
+
+#: The figures by number.
+FIGURES: dict[int, Callable[[], Drawn]] = {
+    1: plane.figure_1,
+    2: plane.figure_2,
+    3: plane.figure_3,
+    4: bisectors.figure_4,
+    5: bisectors.figure_5,
+    6: bisectors.figure_6,
+}
+
+
+@dataclass
+class Made:
+    """A figure that was written: its caption and the files."""
+
+    number: int
+    caption: str
+    files: list[str] = field(default_factory=list)
+
+
+def folder(path: str | Path) -> Path:
+    """The folder with this path, made if need be; `PlotError` where that cannot be done."""
+    place = Path(path)
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as reason:
+        raise PlotError(
+            f"cannot be made ({reason.strerror})", where=str(path), remedy="name a folder that can be written"
+        ) from None
+    return place
+
+
+def make(number: int, folder: str | Path) -> Made:
+    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as a page that turns (left out
+    without plotly).
+
+    Raises `PlotError` for a number that is no figure of the paper, without matplotlib, and where nothing can be
+    written.
+    """
+    if number not in FIGURES:
+        raise PlotError(
+            f"the paper has no Figure {number}", where="figure", remedy=f"figures are {', '.join(map(str, FIGURES))}"
+        )
+    figure, caption, scenes = FIGURES[number]()
+    made = Made(number, caption)
+    for suffix in ("svg", "png"):
+        place = Path(folder) / f"figure{number}.{suffix}"
+        save(figure, place)
+        made.files.append(str(place))
+    if scenes and find_spec("plotly"):
+        place = Path(folder) / f"figure{number}.html"
+        save_page(turning_page(scenes, caption), place)
+        made.files.append(str(place))
+    return made

@@ -1,0 +1,168 @@
+"""Figures 1 to 3: critical curvature by squaring and directly, and the evolute of an ellipse."""
+
+from __future__ import annotations
+
+from textwrap import wrap
+from typing import Any, NamedTuple
+
+from gmpy2 import mpq
+
+from exactspline.display.plot.canvas import GREEN, ORANGE, PURPLE, SILVER, VERMILLION, legend_below, new_figure
+from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
+from exactspline.display.plot.functions import draw_roots, plot_function
+from exactspline.display.plot.html import Scene
+from exactspline.geometry.constructions import construction
+from exactspline.geometry.plane_features import curvature_extrema
+from exactspline.geometry.zero_forms import zero_form
+from exactspline.papers import find
+from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.tree import trace
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.examples import example
+from exactspline.splines.lowest_terms import control_point_count
+
+#: Characters of a caption that go into an inch.
+DENSITY = 16
+#: A trimmed graph is shown up to so many times the median of its absolute values.
+TRIMMED = 8
+#: What squaring and the direct approach solve, as forms of the construction ``critical_curvature``.
+SQUARING = "squaring"
+
+
+class Drawn(NamedTuple):
+    """A figure, its caption, and what turns on a page (nothing for a picture in the plane)."""
+
+    figure: Any
+    caption: str
+    scenes: tuple[Scene, ...] = ()
+
+
+def captioned(figure: Any, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
+    """The figure with its caption underneath."""
+    text = f"Fig. {number}. {caption}"
+    figure.supxlabel("\n".join(wrap(text, int(DENSITY * figure.get_figwidth()))), fontsize="small", x=0.02, ha="left")
+    return Drawn(figure, text, scenes)
+
+
+def cost(value: Any) -> str:
+    """What a representation costs, counted on it.
+
+    >>> cost(find("g2")(example("ellipse")))
+    'degree 12, 52 control points'
+    """
+    return f"degree {value.degree}, {control_point_count(value)} control points"
+
+
+def figure_1() -> Drawn:
+    """Critical points of the curvature of a polynomial curve, by squaring and directly."""
+    curve = example("six_segment_cubic")
+    figure = new_figure(9, 13)
+    top, middle, bottom = (figure.add_subplot(axes) for axes in figure.add_gridspec(3, 1, height_ratios=[2.2, 1, 1]))
+    extrema = curvature_extrema(curve)
+    inner, jumps = [f.root for f in extrema if not f.by_jump], [f.root for f in extrema if f.by_jump]
+    plot_evolute(curve, plot_curve(curve, top, knots=False))
+    plot_features(curve, inner, top, label="κ′ = 0", color=GREEN)
+    plot_features(curve, jumps, top, marker="s", label="κ′ changes its sign by a jump", color=PURPLE, size=6)
+    top.set_title("(a) curvature critical points")
+    squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
+    direct, direct_zeros = zero_form(curve, "critical_curvature", "direct")
+    powers = [
+        _graph(squared, squared_zeros, middle, "(b) squaring approach"),
+        _graph(direct, direct_zeros, bottom, "(c) direct approach"),
+    ]
+    extra = [root for root in squared_zeros if root not in list(direct_zeros)]
+    draw_roots(middle, extra, squared.domain, "X", VERMILLION, "extra root")
+    legend_below(middle, columns=5)
+    parts = (
+        (
+            f"(a) a cubic B-spline curve of {curve.segments} segments, its evolute and the {len(inner)} critical "
+            "points where κ′ = 0;"
+        ),
+        (
+            f"of the {len(extrema)} extrema of the curvature {len(jumps)} are at knots where κ′ changes its sign by "
+            "a jump."
+        ),
+        (
+            f"(b) the numerator of (κ²)′, {cost(squared)}; {len(squared_zeros)} roots, {len(extra)} of them extra "
+            "ones where κ = 0."
+        ),
+        f"(c) g0, {cost(direct)}; {len(direct_zeros)} roots. Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
+    )
+    return captioned(figure, 1, " ".join(parts))
+
+
+def _graph(f: BSpline, zeros: Any, ax: Any, title: str, polygon: str = SILVER, mark: str = GREEN) -> str:
+    """A graph scaled by a power of ten and trimmed, with its polygon and its roots; the power as text."""
+    a, b = f.domain
+    values = sorted(abs(f(a + (b - a) * mpq(k, 200))) for k in range(201))
+    usual = values[len(values) // 2]
+    power = len(str(int(usual))) - 1
+    plot_function(f / 10**power, ax, scale="clip", polygon_color=polygon)
+    draw_roots(ax, zeros, f.domain, "D", mark)
+    legend_below(ax, columns=5)
+    height = min(TRIMMED * usual, values[-1] * mpq(11, 10)) / 10**power
+    ax.set_ylim(float(-height), float(height))
+    ax.set_ylabel(f"value · $10^{{{-power}}}$")
+    ax.set_title(f"{title}: {cost(f)}")
+    return f"10{superscript(-power)}"
+
+
+def figure_2() -> Drawn:
+    """Critical points of the curvature of a rational curve, by squaring and by eq. (11)."""
+    curve = example("ellipse")
+    figure = new_figure(13, 6)
+    left, right = (figure.add_subplot(axes) for axes in figure.add_gridspec(1, 2))
+    squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
+    reduced, reduced_zeros = zero_form(curve, "critical_curvature", "paper")
+    powers = [
+        _graph(squared, squared_zeros, left, "(a) squaring approach", GREEN, VERMILLION),
+        _graph(reduced, reduced_zeros, right, "(b) direct approach", GREEN, VERMILLION),
+    ]
+    inset = right.inset_axes((0.02, 0.66, 0.27, 0.32))
+    plot_curve(curve, inset, knots=False, polygon_color=GREEN)
+    plot_features(curve, reduced_zeros, inset, color=VERMILLION, size=5)
+    inset.get_legend().remove()
+    inset.set_axis_off()
+    smooth = {min(f.continuity_at(t) for t in f.breakpoints[1:-1]) for f in (squared, reduced)}
+    stored = {min(f.continuity) for f in (squared, reduced)}
+    parts = (
+        (
+            f"(a) the graph, top and bottom trimmed, of the numerator of (κ²)′ of an ellipse γ, {cost(squared)}, "
+            f"scaled by {powers[0]}."
+        ),
+        (
+            f"(b) the ellipse and the graph of g2, eq. (11), {cost(reduced)}, scaled by {powers[1]}. Control "
+            "polygons in green."
+        ),
+        f"{len(squared_zeros)} and {len(reduced_zeros)} roots, the rightmost being the leftmost.",
+        (
+            f"Both graphs are C{'/'.join(map(superscript, smooth))} in a C{'/'.join(map(superscript, stored))} "
+            "representation."
+        ),
+    )
+    return captioned(figure, 2, " ".join(parts))
+
+
+def superscript(number: int) -> str:
+    """A number as an exponent.
+
+    >>> superscript(-12)
+    '⁻¹²'
+    """
+    return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def figure_3() -> Drawn:
+    """The evolute of an ellipse, naive and reduced."""
+    curve = example("ellipse")
+    figure = new_figure(13, 7)
+    made, costs = construction("evolute"), []
+    for i, form in enumerate(made.unlifted):
+        value = made.on(curve, form)
+        ax = plot_curve(curve, figure.add_subplot(1, 2, i + 1), control_polygon=False, knots=False)
+        plot_quotient(value, ax, label="evolute", color=ORANGE, polygon_color=GREEN)
+        costs.append(cost(value))
+        ax.set_title(f"({'ab'[i]}) $E = {print_latex(trace(find(made.variants[form]), 2))}$\n{costs[-1]}")
+    return captioned(
+        figure, 3, f"Evolute of an ellipse: (a) naive, {costs[0]}; (b) reduced, {costs[1]}. Control polygons in green."
+    )

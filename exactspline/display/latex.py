@@ -1,0 +1,160 @@
+"""Objects as LaTeX."""
+
+from __future__ import annotations
+
+import re
+from functools import singledispatch
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.exact import text
+from exactspline.language.arguments import DIMENSIONS
+from exactspline.language.formula import Formula
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.readings.degree import Degree
+from exactspline.readings.jet import Jet, polynomial_text
+from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.tree import Node
+from exactspline.roots.root import Root
+from exactspline.splines.bspline import BSpline
+from exactspline.symbolic.factorization import Factor
+from exactspline.verification.statement import Statement, telling_tree
+
+#: A spline with more control points than this, or longer ones, is not written out.
+MOST_POINTS, MOST_CHARACTERS = 12, 120
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+
+@singledispatch
+def mathematics(x: Any) -> str | None:
+    """LaTeX without dollars, None for what has none."""
+    return None
+
+
+def latex(x: Any) -> str | None:
+    r"""LaTeX for a notebook, None for what has none.
+
+    >>> from exactspline.papers import find
+    >>> latex(find("D1"))
+    "$\\displaystyle D_1 = p'\\,w - p\\,w'$"
+    """
+    inner = mathematics(x)
+    return None if inner is None else rf"$\displaystyle {inner}$"
+
+
+def fraction(x: mpq) -> str:
+    r"""An exact number.
+
+    >>> fraction(mpq(-1, 2))
+    '-\\tfrac{1}{2}'
+    """
+    top, slash, bottom = text(abs(x)).partition("/")
+    return ("-" if x < 0 else "") + (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else top)
+
+
+def _row(numbers: Any) -> str:
+    return r",\ ".join(fraction(x) for x in numbers)
+
+
+@mathematics.register
+def _(f: BSpline) -> str | None:
+    if f.degree < 0:
+        return "0"
+    if len(f.control_points) > MOST_POINTS or sum(len(text(b)) for b in f.control_points) > MOST_CHARACTERS:
+        return None
+    return rf"\left[{_row(f.control_points)}\right]_{{\,n={f.degree},\ t=({_row(f.knots.knots)})}}"
+
+
+@mathematics.register
+def _(v: Vector) -> str | None:
+    parts = [fraction(x) if isinstance(x, type(mpq())) else mathematics(x) for x in v]
+    return None if None in parts or not parts else r"\begin{pmatrix}" + r"\\".join(map(str, parts)) + r"\end{pmatrix}"
+
+
+@mathematics.register
+def _(r: Rational) -> str | None:
+    top, bottom = mathematics(r.numerator), mathematics(r.denominator)
+    return None if top is None or bottom is None else rf"\frac{{{top}}}{{{bottom}}}"
+
+
+@mathematics.register
+def _(s: RuledSurface) -> str | None:
+    a, b = mathematics(s.directrix), mathematics(s.generator)
+    return None if a is None or b is None else rf"{a} + \zeta\,{b}"
+
+
+@mathematics.register
+def _(n: Node) -> str:
+    return print_latex(n)
+
+
+@mathematics.register
+def _(f: Formula) -> str:
+    body = print_latex(telling_tree(f, DIMENSIONS[f.curve][0] if f.curve != "curve" else 3))
+    return body if body == f.symbol else f"{symbol_of(f)} = {body}"
+
+
+def symbol_of(f: Formula) -> str:
+    """The LaTeX name of a formula, also of one that is not in the library."""
+    return f.symbol or rf"\mathrm{{{f.name.replace('_', chr(92) + '_')}}}"
+
+
+@mathematics.register
+def _(d: Degree) -> str:
+    return re.sub(r"d(\d)", r"d_\1", str(d).replace("−", "-").replace("max", r"\max"))
+
+
+@mathematics.register
+def _(jet: Jet) -> str:
+    return unicode_latex(polynomial_text(jet))
+
+
+@mathematics.register
+def _(jet: JetFraction) -> str:
+    top, bottom = mathematics(Jet(jet.ring, jet.top)), mathematics(Jet(jet.ring, jet.bottom))
+    return str(top) if bottom == "1" else rf"\frac{{{top}}}{{{bottom}}}"
+
+
+@mathematics.register
+def _(factor: Factor) -> str:
+    return unicode_latex(str(factor))
+
+
+@mathematics.register
+def _(s: Statement) -> str:
+    return s.latex
+
+
+@mathematics.register
+def _(root: Root) -> str:
+    if root.exact is not None:
+        return rf"s = {fraction(root.exact)}"
+    shown = repr(root).removeprefix("<Root ").split(":")[0].removesuffix("…")
+    return rf"s = {shown}\ldots"
+
+
+def unicode_latex(line: str) -> str:
+    r"""What the text printer writes, as LaTeX.
+
+    >>> unicode_latex("w¹⁶·(‖D1‖²)⁻⁴ − x′")
+    "w^{16}\\,(\\|D_1\\|^{2})^{-4} - x'"
+    """
+    line = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^{{{m[0].translate(_SUPERSCRIPTS)}}}", line)
+    for sign, code in {
+        "′": "'",
+        "″": "''",
+        "‴": "'''",
+        "·": r"\,",
+        "−": "-",
+        "‖": r"\|",
+        "κ": r"\kappa ",
+        "τ": r"\tau ",
+        "γ": r"\gamma ",
+    }.items():
+        line = line.replace(sign, code)
+    line = line.replace("×", r"\times").replace("⊥", r"^\perp").replace("…", r"\ldots")
+    return re.sub(r"([A-Za-z])(\d+)", r"\1_\2", line)

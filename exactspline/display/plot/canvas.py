@@ -1,0 +1,168 @@
+"""The ground of every picture: figures, axes, colours, the one place where exact numbers become floats, and files.
+
+There is no state, neither pyplot nor a display. Colours after Okabe and Ito (2008), told apart by colour-blind readers
+too.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
+from itertools import groupby, pairwise
+from pathlib import Path
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.atomic_write import write_atomically
+from exactspline.errors import ExactSplineError
+from exactspline.exact import rational
+from exactspline.splines.nurbs import Nurbs
+
+BLACK, GREY, SILVER = "#000000", "#7A7A7A", "#C4C4C4"
+BLUE, SKY, GREEN, ORANGE, VERMILLION, PURPLE = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7"
+#: Marker and colour of the roots of one panel after the other.
+MARKS = (("D", GREEN), ("s", PURPLE), ("^", ORANGE), ("v", SKY))
+
+#: Samples a segment, and about how many a picture gets in all when there are many segments.
+SAMPLES, ALL_SAMPLES = 128, 8192
+#: Beyond this, and below its reciprocal, matplotlib loses its way.
+LARGEST = mpq(10) ** 100
+
+SUFFIXES = (".svg", ".png")
+Point = tuple[mpq, ...]
+Run = list[Point]
+
+
+class PlotError(ExactSplineError):
+    """A picture that cannot be drawn or written.
+
+    >>> print(PlotError("cannot be written", where="a.gif", remedy="name it .svg or .png"))
+    a.gif: cannot be written; name it .svg or .png
+    """
+
+
+def new_figure(width: float = 7, height: float = 5) -> Any:
+    """An empty ``matplotlib.figure.Figure`` of so many inches, belonging to no window; `PlotError` without
+    matplotlib.
+    """
+    return library("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
+
+
+def library(module: str) -> Any:
+    """A module of matplotlib; `PlotError` where it is not installed."""
+    try:
+        return import_module(module)
+    except ImportError:
+        raise PlotError(
+            "drawing needs matplotlib, which is not installed", remedy="pip install 'exactspline[plot]'"
+        ) from None
+
+
+def axes_for(ax: Any, dimension: int = 2) -> Any:
+    """The axes given, or those of a new figure; `PlotError` when they do not fit the dimension."""
+    if dimension not in (2, 3):
+        raise PlotError(f"a curve in R{dimension}", remedy="curves in the plane and in space can be drawn")
+    if ax is None:
+        return new_figure().add_subplot(projection="3d" if dimension == 3 else None)
+    if (ax.name == "3d") != (dimension == 3):
+        raise PlotError(
+            f"axes that do not fit R{dimension}",
+            where="ax",
+            remedy="projection='3d' is for curves in space, and only for them",
+        )
+    return ax
+
+
+def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) -> None:
+    """Exact points as a line or as dots: the one place where they become floats."""
+    columns = list(zip(*points, strict=True))
+    if any(abs(x) > LARGEST for column in columns for x in column):
+        raise PlotError("a number beyond 1e100", remedy="scale the data")
+    ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **how)
+
+
+def legend_below(ax: Any, columns: int = 3) -> None:
+    """A legend under the axes, where it hides nothing."""
+    handles, labels = ax.get_legend_handles_labels()
+    below = library("matplotlib.transforms").offset_copy(
+        ax.transAxes, fig=ax.figure, y=-36 if ax.get_xlabel() else -20, units="points"
+    )
+    place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": below}
+    ax.legend(handles, labels, ncols=columns, fontsize="small", frameon=False, **place)
+
+
+def sampled(f: Any, breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, Any]]]:
+    """Parameters and exact values segment by segment, both ends included, their limits taken from within."""
+    count = max(8, min(SAMPLES, ALL_SAMPLES // (len(breaks) - 1)))
+    for a, b in pairwise(breaks):
+        inner = [a + (b - a) * mpq(k, count) for k in range(count)]
+        yield [*[(t, f(t)) for t in inner], (b, f(b, "left"))]
+
+
+def parameter(t: Any, domain: tuple[mpq, mpq]) -> mpq:
+    """An exact parameter: the number itself, or the middle of a root's interval, narrow beside the domain."""
+    t = getattr(t, "parameter", t)
+    if hasattr(t, "refine"):
+        low, high = t.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
+        return (low + high) / 2
+    return rational(t)
+
+
+def joined(points: Iterable[Point | None]) -> list[Run]:
+    """The runs of points between the gaps (None)."""
+    return [[p for p in run if p is not None] for there, run in groupby(points, lambda p: p is not None) if there]
+
+
+def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) -> list[Run]:
+    """Control points in runs that are drawn joined: not across a jump, nor where there is no point (None)."""
+    spread: list[Point | None] = []
+    for i, point in enumerate(points):
+        jump = i > 0 and knots[i] == knots[i + degree] and point != points[i - 1]
+        spread += [None, point] if jump else [point]
+    return joined(spread)
+
+
+def draw_polygons(ax: Any, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
+    """Legs (by default light grey), straight in the data (so bent by a scale that is not linear), and the control
+    points but the hidden ones.
+    """
+    for run in runs:
+        legs = [
+            [x + mpq(k, bends) * (y - x) for x, y in zip(p, q, strict=True)]
+            for p, q in pairwise(run)
+            for k in range(bends)
+        ]
+        draw(ax, [*legs, run[-1]], color=color, linewidth=1, label="_legs", zorder=2)
+        draw(ax, run, "o", color=BLUE, markersize=5 if count < 100 else 3.5, label="_control points", zorder=2.2)
+    nothing: list[list[float]] = [[]] * (3 if ax.name == "3d" else 2)
+    label = f"control polygon ({count} points{f', {hidden} far away or at infinity' if hidden else ''})"
+    ax.plot(*nothing, "o-", color=color, markerfacecolor=BLUE, markeredgecolor=BLUE, markersize=5, label=label)
+
+
+def shown_name(curve: Nurbs) -> str:
+    """The name as matplotlib shows it as it stands: neither dollars read as mathematics nor an underscore that hides
+    it.
+    """
+    return curve.name.replace("$", r"\$").lstrip("_") or "curve"
+
+
+def save(figure_or_ax: Any, path: str | os.PathLike[str]) -> None:
+    """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is there whole
+    or not at all.
+
+    The same picture gives the same bytes. Raises `PlotError` for another suffix and where nothing can be written.
+    """
+    place = Path(path)
+    suffix = place.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise PlotError(
+            "is neither SVG nor PNG", where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}"
+        )
+    figure = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
+    metadata = {"Date": None} if suffix == ".svg" else {}
+    with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
+        write_atomically(
+            place, lambda stream: figure.savefig(stream, format=suffix[1:], dpi=150, metadata=metadata), PlotError
+        )

@@ -1,0 +1,120 @@
+"""Whole pictures that hold things side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+from gmpy2 import iroot, mpq
+
+from exactspline.display.plot.canvas import (
+    BLACK,
+    BLUE,
+    GREEN,
+    MARKS,
+    PURPLE,
+    VERMILLION,
+    axes_for,
+    draw,
+    legend_below,
+    new_figure,
+    shown_name,
+)
+from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
+from exactspline.display.plot.functions import draw_roots, marked, plot_function
+from exactspline.geometry.constructions import construction
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.nurbs import Nurbs
+
+#: Colour and line of one form after the other.
+LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, (0, (5, 1, 1, 1, 1, 1))))
+#: Samples of every graph that is compared.
+SAMPLES = 400
+
+
+def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, Any]], *, evolute: bool = False) -> Any:
+    """One picture: on the left the curve with the parameters of every panel marked, on the right each function with its
+    control polygon.
+
+    A panel is ``(title, function, roots)``, roots as for `plot_function`. With `evolute` a plane curve is drawn with
+    its own. Degrees and numbers of control points in the titles are those of the objects. Returns the
+    ``matplotlib.figure.Figure``; raises what the functions above raise.
+
+    >>> from exactspline.geometry.constructions import construction
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.roots.zero_set import zeros
+    >>> f = construction("zero_curvature").on(example("cubic_s"), "paper")
+    >>> [ax.get_title() for ax in inspect_figure(example("cubic_s"), [("zero curvature", f, zeros(f))]).axes]
+    ['cubic_s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
+    """
+    figure = new_figure(13, max(5.5, 3.4 * len(panels)))
+    grid = figure.add_gridspec(max(1, len(panels)), 2 if panels else 1)
+    ax = plot_curve(curve, figure.add_subplot(grid[:, 0], projection="3d" if curve.dimension == 3 else None))
+    if evolute:
+        plot_evolute(curve, ax)
+    ax.set_title(f"{shown_name(curve)}: degree {curve.degree}, {len(curve.control_points)} control points")
+    for i, (title, f, roots) in enumerate(panels):
+        marker, color = MARKS[i % len(MARKS)]
+        panel = plot_function(f, figure.add_subplot(grid[i, 1]))
+        draw_roots(panel, roots, f.domain, marker, color)
+        legend_below(panel)
+        panel.set_title(f"{title}: degree {f.degree}, {len(f.control_points)} control points")
+        single, jumps = marked(roots)
+        size = 7 + 3 * (len(panels) - 1 - i)
+        plot_features(curve, [*single, *jumps], ax, marker=marker, color=color, label=f"zeros of {title}", size=size)
+    return figure
+
+
+def plot_approaches(
+    curve: Nurbs, ax: Any = None, *, name: str = "critical_curvature", forms: Sequence[str] = ()
+) -> Any:
+    """The forms in which a zero set can be computed, in one picture: each divided by its largest value and shown by its
+    signed cube root.
+
+    So their zeros and signs can be compared although their sizes differ by many powers of ten; the legend tells what
+    each costs.
+
+    >>> from exactspline.splines.examples import example
+    >>> ax = plot_approaches(example("ellipse"))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()][1]
+    'squaring: degree 96, 388 control points'
+
+    Raises `FormulaError` for an unknown construction or form, `ShapeError` for a curve of the wrong dimension,
+    otherwise as `plot_function`.
+    """
+    made = construction(name)
+    ax = axes_for(ax)
+    ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
+    for i, form in enumerate(forms or made.all_variants):
+        f = made.on(curve, form)
+        color, dashes = LINES[i % len(LINES)]
+        label = f"{form}: degree {f.degree}, {control_point_count(f)} control points"
+        for j, run in enumerate(_normalized(f)):
+            draw(ax, run, color=color, linestyle=dashes, linewidth=1.6, label="_form" if j else label, zorder=3 + i)
+    roots = zeros(f, periodic=curve.closed)
+    draw_roots(ax, roots, f.domain, *MARKS[0])
+    ax.set_xlabel("parameter")
+    ax.set_ylabel("∛(value / largest)")
+    legend_below(ax, columns=1)
+    return ax
+
+
+def _normalized(f: BSpline) -> list[list[tuple[mpq, mpq]]]:
+    """The graph segment by segment, values divided by the largest, and their cube roots (to twelve digits: a
+    picture).
+    """
+    runs = []
+    for a, b in pairwise(f.breakpoints):
+        count = max(8, SAMPLES // len(f.mesh))
+        ts = [a + (b - a) * mpq(k, count) for k in range(count + 1)]
+        runs.append([(t, f(t, "left" if t == b else "right")) for t in ts])
+    largest = max((abs(y) for run in runs for _, y in run), default=mpq(0)) or mpq(1)
+    return [[(t, _cube_root(y / largest)) for t, y in run] for run in runs]
+
+
+def _cube_root(y: mpq) -> mpq:
+    root = mpq(iroot(int(abs(y) * 10**36), 3)[0], 10**12)
+    return -root if y < 0 else root

@@ -1,0 +1,207 @@
+"""Curves with their control polygons, marked points, and evolutes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.display.plot.canvas import (
+    BLACK,
+    GREEN,
+    GREY,
+    LARGEST,
+    SILVER,
+    VERMILLION,
+    Point,
+    Run,
+    axes_for,
+    draw,
+    draw_polygons,
+    joined,
+    legend_below,
+    parameter,
+    polygons,
+    sampled,
+    shown_name,
+)
+from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
+from exactspline.geometry.derived import derive
+from exactspline.language.rational import Rational
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.nurbs import Nurbs
+
+#: How far an evolute is shown outside the box around its curve, in lengths of the box's longer side.
+REACH = mpq(1, 2)
+
+
+def plot_curve(
+    curve: Nurbs,
+    ax: Any = None,
+    *,
+    control_polygon: bool = True,
+    knots: bool = True,
+    label: str | None = None,
+    polygon_color: str = SILVER,
+) -> Any:
+    """A curve in the plane or in space: its segments in alternating shades, its control polygon, and its knots as dots
+    on the curve.
+
+    The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0
+    (a direction, no point).
+
+    >>> from exactspline.splines.examples import example
+    >>> ax = plot_curve(example("circle"))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['control polygon (9 points)', 'circle', 'knots']
+
+    Raises `PlotError` without matplotlib, for a curve neither in the plane nor in space, for axes that do not fit, and
+    for numbers beyond 1e100.
+    """
+    ax = axes_for(ax, curve.dimension)
+    if control_polygon:
+        points = [point if weight else None for point, weight in zip(curve.control_points, curve.weights, strict=True)]
+        draw_polygons(ax, polygons(curve.knots.knots, curve.degree, points), len(points), color=polygon_color)
+    for i, samples in enumerate(sampled(curve, curve.breakpoints)):
+        shown_as = "_segment" if i else shown_name(curve) if label is None else label
+        draw(ax, [p for _, p in samples], color=GREY if i % 2 else BLACK, linewidth=2.2, label=shown_as, zorder=3)
+    if knots:
+        ends = dict.fromkeys(curve(t, side) for t in curve.breakpoints for side in ("left", "right"))
+        draw(ax, ends, "o", color=BLACK, markerfacecolor="white", markersize=3.5, label="knots", zorder=4)
+    ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")
+    legend_below(ax)
+    return ax
+
+
+def plot_features(
+    curve: Nurbs,
+    points: Iterable[Any],
+    ax: Any,
+    *,
+    marker: str = "D",
+    label: str = "",
+    color: str = GREEN,
+    size: float = 7,
+) -> Any:
+    """Mark parameters on a curve: exact numbers, certified roots, or anything that carries one of them as its
+    `parameter`.
+
+    >>> from exactspline.splines.examples import example
+    >>> ax = plot_features(example("circle"), ["1/2", 3], plot_curve(example("circle")), label="marked")
+    >>> [float(x) for x in ax.lines[-1].get_xdata()]
+    [0.6, 0.0]
+
+    Raises `DomainError` for a parameter outside the domain, otherwise as `plot_curve`.
+    """
+    ax = axes_for(ax, curve.dimension)
+    places = [curve(parameter(t, curve.domain)) for t in points]
+    if places:
+        draw(
+            ax,
+            places,
+            marker,
+            color=color,
+            markeredgecolor="white",
+            markersize=size,
+            label=label or "_features",
+            zorder=6,
+        )
+        legend_below(ax)
+    return ax
+
+
+def plot_evolute(curve: Nurbs, ax: Any = None, *, label: str = "evolute", color: str = VERMILLION) -> Any:
+    """The evolute of a plane curve, in the pieces in which it exists, none joined across a pole; the axes show what is
+    near the curve.
+
+    >>> from exactspline.splines.examples import example
+    >>> ax = plot_evolute(example("ellipse"))
+    >>> float(max(x for line in ax.lines for x in line.get_xdata()))
+    1.5
+
+    Raises `ShapeError` for a curve in space and for a straight one, otherwise as `plot_curve`.
+    """
+    pieces = derive("evolute", curve).pieces
+    ax = axes_for(ax)
+    box = box_around(point for samples in sampled(curve, curve.breakpoints) for _, point in samples)
+    near = grown(box, REACH)
+    runs = [run for piece in pieces for run in runs_between_poles(piece.value, grown(near, mpq(1)))]
+    limits = ax.dataLim.frozen()
+    for i, run in enumerate(runs):
+        style = "-" if 1000 * longer_side(box_around(run)) > longer_side(near) else "."
+        draw(ax, run, style, color=color, linewidth=1.5, label="_evolute" if i else label, zorder=2.5)
+    ax.dataLim.set(limits)
+    ax.update_datalim(
+        [
+            [float(x) for x in corner]
+            for corner in box_around([*box, *[p for run in runs for p in run if inside(p, near)]])
+        ]
+    )
+    ax.set_aspect("equal", adjustable="datalim")
+    legend_below(ax)
+    return ax
+
+
+def runs_between_poles(value: Any, box: Box) -> list[Run]:
+    """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and where the box is
+    left.
+    """
+    denominator = value.denominator
+    poles = {parameter(t, denominator.domain) for t in zeros(denominator)}
+
+    def near(t: mpq, side: str = "right") -> Point | None:
+        point = value(t, side) if t not in poles and denominator(t, side) else None
+        return point if point and inside(point, box) else None
+
+    parts = sampled(near, sorted({*denominator.breakpoints, *poles}))
+    return joined(point for part in parts for point in [*[p for _, p in part], None])
+
+
+def plot_quotient(
+    value: Any,
+    ax: Any = None,
+    *,
+    control_polygon: bool = True,
+    label: str = "curve",
+    color: str = VERMILLION,
+    polygon_color: str = SILVER,
+    box: Box | None = None,
+) -> Any:
+    """A derived curve as it was computed, a vector of splines or a vector `Rational`, with the control polygon of this
+    very representation.
+
+    The curve ends at its poles; points and control points outside `box` (by default: far from most) are left out.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> ax = plot_quotient(find("evolute_reduced")(example("ellipse")))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['control polygon (40 points)', 'curve']
+
+    Raises as `plot_curve`.
+    """
+    quotient = value if isinstance(value, Rational) else value / value[0].constant(1)
+    ax = axes_for(ax, len(quotient))
+    everywhere = (tuple([-LARGEST] * len(quotient)), tuple([LARGEST] * len(quotient)))
+    if box is None:
+        box = usual_box(
+            [p for run in runs_between_poles(quotient, everywhere) for p in run], bool(len(zeros(quotient.denominator)))
+        )
+    if control_polygon:
+        rows, knots, degree = homogeneous(quotient)
+        points = [kept(tuple(x / w for x in xs), box) if w else None for *xs, w in rows]
+        draw_polygons(ax, polygons(knots, degree, points), len(points), color=polygon_color, hidden=points.count(None))
+    for i, run in enumerate(runs_between_poles(quotient, box)):
+        draw(
+            ax,
+            run,
+            "-" if longer_side(box_around(run)) else ".",
+            color=color,
+            linewidth=2,
+            label="_curve" if i else label,
+            zorder=3,
+        )
+    ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")
+    legend_below(ax)
+    return ax

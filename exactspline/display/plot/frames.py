@@ -1,0 +1,76 @@
+"""What part of a figure is shown: boxes around points, and the control points of whatever was computed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.display.plot.canvas import PlotError, Point
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
+
+#: What is shown: where all but a tenth of the points lie on either side, and as much again (in lengths of its longest
+#: side) around it.
+OUTLIERS, AROUND = 10, mpq(1)
+
+Box = tuple[Point, Point]
+
+
+def box_around(points: Iterable[Point]) -> Box:
+    """Lower left and upper right corner of the smallest box around the points."""
+    columns = list(zip(*points, strict=True))
+    return tuple(map(min, columns)), tuple(map(max, columns))
+
+
+def longer_side(box: Box) -> mpq:
+    """The length of the longest side of a box."""
+    return max(high - low for low, high in zip(*box, strict=True))
+
+
+def grown(box: Box, by: mpq) -> Box:
+    """The box with a margin, a multiple of its longer side, all round."""
+    margin = by * longer_side(box)
+    return tuple(x - margin for x in box[0]), tuple(x + margin for x in box[1])
+
+
+def inside(point: Point, box: Box) -> bool:
+    """Whether a box holds a point."""
+    return all(low <= x <= high for low, x, high in zip(box[0], point, box[1], strict=True))
+
+
+def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
+    """A box around the points with room to spare; with poles around most of them, so that those that are far away do
+    not matter.
+
+    Raises `PlotError` where there are no points.
+    """
+    if not points:
+        raise PlotError(
+            "there is nothing to draw",
+            remedy="this does not exist on the curve (its denominator vanishes), or is all at infinity",
+        )
+    columns = [sorted(column) for column in zip(*points, strict=True)]
+    cut = len(points) // OUTLIERS if poles else 0
+    low, high = [c[cut] for c in columns], [c[-1 - cut] for c in columns]
+    margin = AROUND * max(b - a for a, b in zip(low, high, strict=True))
+    return tuple(x - margin for x in low), tuple(x + margin for x in high)
+
+
+def kept(point: Point | None, box: Box) -> Point | None:
+    """A point if the box holds it."""
+    return point if point is not None and inside(point, box) else None
+
+
+def homogeneous(value: Any) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
+    """Homogeneous control points ``(w x, …, w)`` of a vector or quotient over the knots that carry all components, the
+    knots, and the degree.
+    """
+    numerator, w = value.raised() if isinstance(value, Rational) else (value, value[0].constant(1))
+    scalars = [*numerator, w]
+    common = scalars[0] * 0
+    for c in scalars[1:]:
+        common = common + c * 0
+    raised = Vector(*[c + common for c in scalars])
+    return list(zip(*[c.control_points for c in raised], strict=True)), raised[0].knots.knots, raised[0].degree

@@ -1,0 +1,226 @@
+"""Graphs of scalar splines with their control polygons and their roots."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from math import floor, log10
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.display.plot.canvas import (
+    BLACK,
+    GREEN,
+    LARGEST,
+    MARKS,
+    SILVER,
+    PlotError,
+    Point,
+    axes_for,
+    draw,
+    draw_polygons,
+    joined,
+    legend_below,
+    library,
+    parameter,
+    polygons,
+    sampled,
+)
+from exactspline.errors import ShapeError, shown
+from exactspline.splines.bspline import BSpline
+
+#: A control polygon so many times higher than its graph, or a graph so many times higher than its median, gets no
+#: linear scale.
+POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
+#: Into how many pieces a leg of a control polygon is cut where the scale bends it.
+BENDS = 64
+SCALES = ("linear", "symlog", "clip")
+
+
+def greville_abscissae(f: BSpline) -> list[mpq]:
+    """The parameters over which the control points of a function are drawn: means of n consecutive knots (of a
+    constant: the middles of segments).
+
+    >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))
+    [mpq(0,1), mpq(1,2), mpq(3,2), mpq(2,1)]
+    """
+    n, t = f.degree, f.knots.knots
+    if n == 0:
+        return [(a + b) / 2 for a, b in pairwise(t)]
+    return [sum(t[i + 1 : i + n + 1], mpq(0)) / n for i in range(len(f.control_points))]
+
+
+def plot_function(
+    f: BSpline,
+    ax: Any = None,
+    *,
+    control_polygon: bool = True,
+    roots: Any = None,
+    scale: str | None = None,
+    label: str | None = None,
+    polygon_color: str = SILVER,
+) -> Any:
+    """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
+
+    `roots` are parameters (as in `plot_features`) or a whole `ZeroSet`, whose jumps and stretches are marked too. Where
+    the function jumps, graph and polygon have a gap. `scale` is ``linear``, ``symlog`` (linear around zero, logarithmic
+    outside) or ``clip`` (the graph fills the axes, the polygon may leave them); by default ``symlog`` where control
+    points or graph are of very different sizes, else ``linear``. Where all is beyond 1e100 or below 1e-100, values are
+    divided by a power of ten that the axis names.
+
+    >>> ax = plot_function(BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1]), roots=["1/2", "3/2"])
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['control polygon (3 points)', 'graph', '2 roots']
+
+    Raises `PlotError` without matplotlib and for an unknown scale, `ShapeError` for anything but a `BSpline`.
+    """
+    if type(f) is not BSpline:
+        raise ShapeError(
+            f"the graph of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
+        )
+    if scale is not None and scale not in SCALES:
+        raise PlotError(f"{shown(scale)} is no scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
+    ax = axes_for(ax)
+    spread: list[Point | None] = []
+    for samples in sampled(f, f.breakpoints):
+        spread += samples if not spread or spread[-1] == samples[0] else [None, *samples]
+    graph = joined(spread)
+    points = list(zip(greville_abscissae(f), f.control_points, strict=True)) if control_polygon else []
+    power = _power([y for _, y in [*points, *[p for run in graph for p in run]]])
+    graph, points = (
+        [[(t, y / mpq(10) ** power) for t, y in run] for run in graph],
+        [(t, y / mpq(10) ** power) for t, y in points],
+    )
+    _scale(ax, [y for run in graph for _, y in run], [y for _, y in points], scale)
+    ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
+    if points:
+        draw_polygons(
+            ax,
+            polygons(f.knots.knots, f.degree, points),
+            len(points),
+            1 if ax.get_yscale() == "linear" else BENDS,
+            polygon_color,
+        )
+    for i, run in enumerate(graph):
+        draw(ax, run, color=BLACK, linewidth=1.8, label="_graph" if i else label or "graph", zorder=3)
+    for left, right in pairwise(graph):
+        draw(ax, left[-1:], "o", color=BLACK, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
+        draw(ax, right[:1], "o", color=BLACK, markersize=5, label="_value", zorder=4)
+    if roots is not None:
+        draw_roots(ax, roots, f.domain, *MARKS[0])
+    ax.set_xlabel("parameter")
+    ax.set_ylabel(f"value / $10^{{{power}}}$" if power else "value")
+    legend_below(ax)
+    return ax
+
+
+def _power(values: Iterable[mpq]) -> int:
+    """The power of ten to divide by: 0 unless the numbers are too large or too small for a picture."""
+    largest = max(map(abs, values))
+    if not largest or 1 / LARGEST <= largest <= LARGEST:
+        return 0
+    return ((int(largest.numerator).bit_length() - int(largest.denominator).bit_length()) * 30103 + 50000) // 100000
+
+
+def _scale(ax: Any, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | None) -> None:
+    """Set the scale of the value axis, chosen by the sizes of graph and control points where none is asked for."""
+    sizes = sorted(abs(y) for y in graph if y) or [mpq(1)]
+    top, highest = sizes[-1], max([sizes[-1], *map(abs, polygon)])
+    uneven = top > GRAPH_ABOVE_MEDIAN * sizes[len(sizes) // 2]
+    if scale == "clip":
+        low, high = min([*graph, mpq(0)]), max([*graph, mpq(0)])
+        margin = (high - low or 1) / mpq(10)
+        ax.set_ylim(float(low - margin), float(high + margin))
+    elif scale != "linear" and (uneven or scale == "symlog" or highest > POLYGON_ABOVE_GRAPH * top):
+        linear = float(max(sizes[len(sizes) // 10] if uneven else top, highest / LARGEST))
+        last = floor(log10(highest))
+        first = round(log10(linear))
+        name, how = (
+            ("asinh", {"linear_width": linear})
+            if uneven
+            else ("symlog", {"linthresh": linear, "linscale": 1 + max(0, last - first)})
+        )
+        ax.set_yscale(name, **how)
+        lowest = min(last, first + uneven * (1 + (last - first) // 8))
+        ticks = [sign * 10.0**k for k in range(last, lowest - 1, -((last - lowest + 3) // 3)) for sign in (-1, 1)]
+        ax.yaxis.set_major_locator(library("matplotlib.ticker").FixedLocator([0, *ticks]))
+
+
+def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root") -> None:
+    """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its stretches, thick."""
+    single, jumps = marked(roots)
+    for points, what, face, edge in (
+        (single, name + "{}", color, "white"),
+        (jumps, "jump{} through zero", "white", color),
+    ):
+        if points:
+            counted = f"{len(points)} {what.format('s' * (len(points) > 1))}"
+            at = [(parameter(t, domain), mpq(0)) for t in points]
+            draw(
+                ax,
+                at,
+                marker,
+                color=color,
+                markerfacecolor=face,
+                markeredgecolor=edge,
+                markersize=7,
+                label=counted,
+                zorder=5,
+            )
+    for i, stretch in enumerate(getattr(roots, "stretches", [])):
+        ends = [(stretch.low, mpq(0)), (min(stretch.high, domain[1]), mpq(0))]
+        draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
+
+
+def marked(roots: Any) -> tuple[list[Any], list[Any]]:
+    """What is marked as a root, and what as a jump through zero."""
+    return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
+
+
+def plot_roots(roots: Any, ax: Any = None, *, color: str = GREEN) -> Any:
+    """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
+    no other, the root a dot.
+
+    What is drawn is the interval at hand: `Root.refine` makes it narrower. Stretches on which the function vanishes are
+    thick bars at the bottom.
+
+    >>> from exactspline.roots.zero_set import zeros
+    >>> ax = plot_roots(zeros(BSpline.bezier([1, "-1/2", "-2/3", 1], 0, 3)))
+    >>> [text.get_text() for text in ax.get_yticklabels()]
+    ['0.937', '2.13']
+
+    Raises `PlotError` without matplotlib.
+    """
+    ax = axes_for(ax)
+    bars = [(root.low, root.high) for root in roots]
+    at = [
+        (low + high) / 2 if low == high else root.refine(20)[0] for root, (low, high) in zip(roots, bars, strict=True)
+    ]
+    for i, (low, high) in enumerate(bars):
+        draw(
+            ax,
+            [(low, mpq(i)), (high, mpq(i))],
+            "|-",
+            color=BLACK,
+            linewidth=2,
+            markersize=12,
+            label="_interval" if i else "isolating interval",
+        )
+        kind = f"{color}" if roots[i].sign_change else "white"
+        draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
+    empty: list[float] = []
+    ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
+    for i, stretch in enumerate(getattr(roots, "stretches", [])):
+        draw(
+            ax,
+            [(stretch.low, mpq(-1)), (stretch.high, mpq(-1))],
+            color=color,
+            linewidth=6,
+            label="_stretch" if i else "zero throughout",
+        )
+    ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])
+    ax.set_ylabel("root")
+    ax.set_xlabel("parameter")
+    legend_below(ax)
+    return ax

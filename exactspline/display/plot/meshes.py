@@ -1,0 +1,197 @@
+"""Surfaces as exact points: the grid that is shaded and the control net around it, whatever draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
+from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
+from exactspline.errors import ShapeError
+from exactspline.exact import rational
+from exactspline.language.parts import split
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.tensor import TensorSpline
+
+#: Samples along the curve, in all and at least so many a segment; samples along a ruling.
+SAMPLES, LEAST, ALONG = 192, 12, 21
+#: Samples of a surface in two parameters in each direction, in all and at least so many a segment.
+GRID, LEAST_OF_GRID = 48, 8
+#: A pole is approached up to so much of the distance between samples.
+BESIDE = mpq(1, 8)
+
+
+@dataclass(frozen=True)
+class SurfaceMesh:
+    """Rows of points in patches (None where there is no point, or one far away), and a control net.
+
+    ``net`` are the polygons of the control points in runs drawn joined, ``points`` how many control points there are,
+    ``hidden`` how many of them are directions (weight 0) or far away.
+    """
+
+    patches: list[list[list[Point | None]]]
+    net: list[Run]
+    points: int
+    hidden: int
+
+    @property
+    def faces(self) -> list[Run]:
+        """The quadrilaterals all of whose corners are there."""
+        found = []
+        for rows in self.patches:
+            for a, b in pairwise(rows):
+                for (p, q), (r, s) in zip(pairwise(a), pairwise(b), strict=True):
+                    corners = [x for x in (p, q, s, r) if x is not None]
+                    if len(corners) == 4:
+                        found.append(corners)
+        return found
+
+
+def ruled_mesh(surface: RuledSurface, rulings: tuple[Any, Any] = (-1, 1), box: Box | None = None) -> SurfaceMesh:
+    """The part of a ruled surface (in the spline reading) between two ruling parameters, cut at its poles; its net
+    joins the polygons at both.
+
+    `box` is what is kept; by default what lies around most of the points.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
+    >>> mesh.points, mesh.hidden
+    (8, 0)
+
+    Raises `ShapeError` for anything but a ruled surface of splines in space, and for an interval of rulings that is
+    none.
+    """
+    low, high = map(rational, rulings)
+    if low >= high:
+        raise ShapeError(f"rulings from {low} to {high}", where="rulings", remedy="the first must be the smaller one")
+    if not isinstance(surface, RuledSurface) or len(surface.directrix) != 3 or not _of_splines(surface.directrix):
+        raise ShapeError(
+            "no ruled surface of splines in space", remedy="evaluate a formula of a ruled surface on a curve"
+        )
+    components, denominator = split(surface)
+    if denominator is not None and not all(denominator.polynomials):
+        raise ShapeError("the denominator vanishes on a whole segment", remedy="derive the surface piece by piece")
+
+    def row(s: mpq, side: str) -> list[Point]:
+        w = mpq(1) if denominator is None else denominator(s, side)
+        values = [c(s, side) / w for c in components]
+        steps = [low + (high - low) * mpq(k, ALONG - 1) for k in range(ALONG)]
+        return [tuple(d + z * g for d, g in zip(values[:3], values[3:], strict=True)) for z in steps]
+
+    poles = [] if denominator is None else [parameter(t, denominator.domain) for t in zeros(denominator)]
+    patches = _sampled_rows(row, components[0].breakpoints, poles)
+    box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1])], bool(poles)) if box is None else box
+    net, points, hidden = _net(surface.joined, (low, high), box)
+    return SurfaceMesh([[[kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
+
+
+def _of_splines(value: Any) -> bool:
+    vector = value.numerator if isinstance(value, Rational) else value
+    return isinstance(vector, Vector) and all(isinstance(x, BSpline) for x in vector)
+
+
+def _sampled_rows(
+    row: Callable[[mpq, str], list[Point]], breaks: Sequence[mpq], poles: Iterable[mpq]
+) -> list[list[list[Point]]]:
+    """The rows patch by patch, patches ending beside poles and where the surface jumps."""
+    poles = set(poles)
+    cuts = sorted({*breaks, *poles})
+    count = max(LEAST, SAMPLES // (len(breaks) - 1))
+    patches: list[list[list[Point]]] = []
+    for a, b in pairwise(cuts):
+        step = (b - a) / count
+        inner = [a + step * k for k in range(count + 1)]
+        first = row(a, "right") if a not in poles else row(a + step * BESIDE, "right")
+        last = row(b, "left") if b not in poles else row(b - step * BESIDE, "right")
+        rows = [first, *[row(t, "right") for t in inner[1:-1]], last]
+        if patches and a not in poles and patches[-1][-1] == first:
+            patches[-1] += rows[1:]
+        else:
+            patches.append(rows)
+    return patches
+
+
+def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int, int]:
+    """The control polygons at the two rulings and the legs between them."""
+    rows, knots, degree = homogeneous(value)
+    edges: list[list[Point | None]] = [[], []]
+    for *x, w in rows:
+        for edge, z in zip(edges, rulings, strict=True):
+            edge.append(kept(tuple((a + z * b) / w for a, b in zip(x[:3], x[3:], strict=True)), box) if w else None)
+    runs = [run for edge in edges for run in polygons(knots, degree, edge)]
+    legs = [[p, q] for p, q in zip(*edges, strict=True) if p is not None and q is not None]
+    return runs + legs, 2 * len(rows), sum(p is None for edge in edges for p in edge)
+
+
+def tensor_mesh(surface: Any, box: Box | None = None) -> SurfaceMesh:
+    """A surface in two parameters, a `Vector` of three `TensorSpline` or a quotient of such, with its control net.
+
+    Where its denominator vanishes it goes to infinity: what is far from most of it is left out (or what lies outside
+    `box`).
+
+    >>> from exactspline.splines.tensor import TensorSpline
+    >>> nets = [[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]]
+    >>> s, t, st = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net) for net in nets)
+    >>> mesh = tensor_mesh(Vector(s, t, st))
+    >>> mesh.points, len(mesh.net)
+    (4, 4)
+
+    Raises `ShapeError` for anything else.
+    """
+    numerator, w = (surface.numerator, surface.denominator) if isinstance(surface, Rational) else (surface, None)
+    if not isinstance(numerator, Vector) or len(numerator) != 3 or not isinstance(numerator[0], TensorSpline):
+        raise ShapeError(
+            "no surface of splines in two parameters",
+            remedy="give a vector of three TensorSplines, or a quotient of such",
+        )
+    meshes = numerator[0].meshes
+    # one patch for either sign of the denominator, so that no face reaches across a pole
+    patches: dict[int, list[list[Point | None]]] = {1: [], -1: []}
+    for s in _grid(meshes[0].breaks):
+        lines = [c.at_s(s) for c in (*numerator, *([] if w is None else [w]))]
+        values = [[line(t) for line in lines] for t in _grid(meshes[1].breaks)]
+        for sign, rows in patches.items():
+            rows.append([_over(v, w is not None) if (w is None or v[-1] * sign > 0) else None for v in values])
+    there = [p for rows in patches.values() for row in rows for p in row if p is not None]
+    box = usual_box(there, w is not None) if box is None else box
+    points = _control_net(numerator, w, box)
+    net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in joined(line)]
+    flat = [p for row in points for p in row]
+    shown = list(patches.values())[: 1 if w is None else 2]
+    return SurfaceMesh(
+        [[[kept(p, box) for p in row] for row in rows] for rows in shown], net, len(flat), flat.count(None)
+    )
+
+
+def _grid(breaks: Sequence[mpq]) -> list[mpq]:
+    count = max(LEAST_OF_GRID, GRID // (len(breaks) - 1))
+    return [*[a + (b - a) * mpq(k, count) for a, b in pairwise(breaks) for k in range(count)], breaks[-1]]
+
+
+def _over(values: list[mpq], quotient: bool) -> Point | None:
+    if not quotient:
+        return tuple(values)
+    *xs, w = values
+    return tuple(x / w for x in xs) if w else None
+
+
+def _control_net(numerator: Vector, w: Any, box: Box) -> list[list[Point | None]]:
+    """The control points of the common degrees and knots, row by row."""
+    scalars = [*numerator, *([] if w is None else [w])]
+    common = scalars[0] * 0
+    for c in scalars[1:]:
+        common = common + c * 0
+    nets = [(c + common).control_points for c in scalars]
+    return [
+        [kept(_over(list(values), w is not None), box) for values in zip(*lines, strict=True)]
+        for lines in zip(*nets, strict=True)
+    ]

@@ -1,0 +1,218 @@
+"""Surfaces in space: shaded, with their control nets; bisectors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import hypot
+from typing import Any
+
+from exactspline.display.plot.canvas import (
+    BLACK,
+    BLUE,
+    GREY,
+    LARGEST,
+    SKY,
+    PlotError,
+    Point,
+    axes_for,
+    draw,
+    legend_below,
+    library,
+)
+from exactspline.display.plot.curves import plot_quotient
+from exactspline.display.plot.frames import Box
+from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.exact import rational
+from exactspline.language.arguments import Curve, with_point
+from exactspline.language.ruled import RuledSurface
+from exactspline.papers import find
+from exactspline.splines.tensor import surface_pair
+
+#: Where the light comes from (a unit vector), and how dark a face is that looks away from it.
+LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
+
+
+def plot_mesh(
+    mesh: SurfaceMesh,
+    ax: Any = None,
+    *,
+    label: str = "surface",
+    color: str = SKY,
+    control_net: bool = True,
+    net_color: str = GREY,
+) -> Any:
+    """A surface given by its points: shaded faces, and its control net with the number of points in the legend.
+
+    Raises `PlotError` without matplotlib, for axes in the plane, where nothing is left to draw, and for numbers beyond
+    1e100.
+    """
+    ax = axes_for(ax, 3)
+    faces = mesh.faces
+    if not faces:
+        raise PlotError(
+            "the surface has no face in what is shown", where="box", remedy="choose other rulings or a larger box"
+        )
+    if any(abs(x) > LARGEST for face in faces for p in face for x in p):
+        raise PlotError("a number beyond 1e100", remedy="scale the data")
+    corners = [[tuple(float(x) for x in p) for p in face] for face in faces]
+    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
+    # thousands of faces are a picture inside an SVG, not as many paths
+    shades = [_shaded(corner, library("matplotlib.colors").to_rgb(color)) for corner in corners]
+    made = collection(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, rasterized=True, zorder=1)
+    made.set_label(label)
+    ax.add_collection3d(made)
+    # curves, nets and points stay visible through the surface
+    ax.computed_zorder = False
+    if control_net and mesh.net:
+        for run in mesh.net:
+            draw(ax, run, color=net_color, linewidth=0.6, label="_net", zorder=2)
+        draw(
+            ax,
+            dict.fromkeys(p for run in mesh.net for p in run),
+            "o",
+            color=BLUE,
+            markersize=2.5,
+            label=_counted(mesh),
+            zorder=2.1,
+        )
+    _framed(ax, [p for face in faces for p in face])
+    legend_below(ax)
+    return ax
+
+
+def _shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
+    """The colour of a face by its slope to the light, the same for both of its sides."""
+    (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
+    ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
+    normal = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    length = hypot(*normal)
+    slope = abs(sum(n * light for n, light in zip(normal, LIGHT, strict=True))) / length if length else 1.0
+    return tuple(c * (SHADOW + (1 - SHADOW) * slope) for c in color)
+
+
+def _counted(mesh: SurfaceMesh) -> str:
+    hidden = f", {mesh.hidden} far away or at infinity" if mesh.hidden else ""
+    return f"control net ({mesh.points} points{hidden})"
+
+
+def _framed(ax: Any, points: Iterable[Point]) -> None:
+    """Equal scales on the three axes, and all points in sight."""
+    columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
+    ax.auto_scale_xyz(*columns)
+    ax.set_aspect("equal")
+
+
+def plot_ruled_surface(
+    surface: RuledSurface,
+    rulings: tuple[Any, Any] = (-1, 1),
+    ax: Any = None,
+    *,
+    label: str = "ruled surface",
+    color: str = SKY,
+    control_net: bool = True,
+    net_color: str = GREY,
+    box: Box | None = None,
+) -> Any:
+    """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
+
+    Where its denominator has a zero the surface goes to infinity: it is cut there, and what is far from most of it is
+    not shown (nor outside `box`, two opposite corners, when that is given).
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> ax = plot_ruled_surface(find("tangent_developable_reduced")(example("rational_space_cubic")), (0, 1))
+    >>> ax.name, ax.get_legend().get_texts()[-1].get_text()
+    ('3d', 'control net (12 points)')
+
+    Raises `ShapeError` for anything but a ruled surface of splines in space, otherwise as `plot_mesh`.
+    """
+    return plot_mesh(
+        ruled_mesh(surface, rulings, box), ax, label=label, color=color, control_net=control_net, net_color=net_color
+    )
+
+
+def plot_surface(
+    surface: Any, ax: Any = None, *, label: str = "surface", control_net: bool = True, box: Box | None = None
+) -> Any:
+    """A tensor-product surface: shaded, with its control net; cut where it goes to infinity.
+
+    >>> from exactspline import Vector
+    >>> from exactspline.splines.tensor import TensorSpline
+    >>> nets = [[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]]
+    >>> s, t, st = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], net) for net in nets)
+    >>> plot_surface(Vector(s, t, st)).get_legend().get_texts()[-1].get_text()
+    'control net (4 points)'
+
+    Raises `ShapeError` for anything but a vector of three `TensorSpline` or a quotient of such, otherwise as
+    `plot_mesh`.
+    """
+    return plot_mesh(tensor_mesh(surface, box), ax, label=label, control_net=control_net)
+
+
+def plot_bisector(
+    curve: Curve,
+    other: Any,
+    ax: Any = None,
+    *,
+    form: str = "",
+    rulings: tuple[Any, Any] = (-1, 1),
+    control_net: bool = True,
+    box: Box | None = None,
+) -> Any:
+    """The bisector of a curve and a point (coordinates) or another curve, in the sense of §6: equal critical distances,
+    untrimmed.
+
+    Of a plane curve and a point it is a curve, of a space curve and a point a ruled surface, of two space curves a
+    surface in two parameters. `form` is the name of a formula of §6 for such arguments; by default the polynomial one.
+
+    >>> from exactspline.splines.examples import example
+    >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
+    >>> ax.get_legend().get_texts()[-1].get_text()
+    'bisector: degree 7'
+
+    Raises `ShapeError` where dimensions do not fit, `FormulaError` for an unknown form, otherwise as `plot_mesh` and
+    `plot_quotient`.
+    """
+    kind, default, handed = _argument(curve, other)
+    formula = find(form or default)
+    if formula.curve != kind:
+        raise FormulaError(
+            f"{formula.name} is no bisector of these",
+            where="form",
+            remedy=f"its argument is of the kind {formula.curve!r}, not {kind!r}",
+        )
+    value = formula(handed)
+    if kind == "plane point":
+        return plot_quotient(value, ax, label=f"bisector: degree {value.degree}", control_polygon=control_net, box=box)
+    if kind == "point":
+        return plot_ruled_surface(
+            value, rulings, ax, label=f"bisector: degree {value.degree}", control_net=control_net, box=box
+        )
+    degree = value.degree
+    return plot_surface(value, ax, label=f"bisector: degree {degree.s} × {degree.t}", control_net=control_net, box=box)
+
+
+def _argument(curve: Curve, other: Any) -> tuple[str, str, Any]:
+    """The kind of formula, the formula by default, and what it is handed."""
+    if isinstance(other, Curve):
+        if curve.dimension != 3 or other.dimension != 3:
+            raise ShapeError("a bisector of curves that are not in space", remedy="give two curves in space")
+        return "pair", "bisector_symmetric", surface_pair(curve, other)
+    point = tuple(map(rational, other))
+    if len(point) != curve.dimension or len(point) not in (2, 3):
+        raise ShapeError(
+            f"a point of {len(point)} coordinates beside a curve in R{curve.dimension}",
+            remedy="both in the plane or both in space",
+        )
+    kind, default = (
+        ("plane point", "plane_bisector_polynomial") if len(point) == 2 else ("point", "point_bisector_direct_z")
+    )
+    return kind, default, with_point(curve, point)
+
+
+def mark_points(ax: Any, points: Iterable[Point], label: str, color: str = GREY) -> Any:
+    """Single points, such as the one that a bisector belongs to."""
+    draw(ax, points, "o", color=color, markersize=7, markeredgecolor=BLACK, label=label, zorder=7)
+    legend_below(ax)
+    return ax

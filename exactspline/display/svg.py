@@ -1,0 +1,104 @@
+"""Small pictures as SVG, made without a plotting library: a curve with its control polygon, the graph of a function
+with its own.
+
+Exact numbers become decimals only when they are written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby, pairwise
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
+from exactspline.display.plot.functions import greville_abscissae
+
+#: Size in pixels, margin, samples in all and at least so many a segment.
+WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
+#: A graph so many times lower than its control polygon is shown without the polygon.
+POLYGON_ABOVE_GRAPH = 20
+#: How a point of space is seen: coordinates of the picture by x, y, z.
+VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
+
+
+def curve_picture(curve: Any) -> str:
+    """A curve in the plane or (in a fixed view) in space, with its control polygon; empty for other dimensions.
+
+    >>> from exactspline.splines.examples import example
+    >>> curve_picture(example("circle")).count("<polyline")
+    5
+    """
+    if curve.dimension not in (2, 3):
+        return ""
+    runs = [[_seen(curve(t, side)) for t, side in part] for part in _parameters(curve.breakpoints)]
+    control = [_seen(p) if w else None for p, w in zip(curve.control_points, curve.weights, strict=True)]
+    return _svg(runs, polygons(curve.knots.knots, curve.degree, control), equal=True)
+
+
+def graph_picture(f: Any) -> str:
+    """The graph of a scalar spline with its control polygon, if the polygon is not out of all proportion; empty for a
+    degree below 0.
+    """
+    if f.degree < 0:
+        return ""
+    runs: list[list[Point]] = [[(t, f(t, side)) for t, side in part] for part in _parameters(f.breakpoints)]
+    points: list[Point | None] = list(zip(greville_abscissae(f), f.control_points, strict=True))
+    top = max(abs(y) for run in runs for _, y in run)
+    legs = (
+        polygons(f.knots.knots, f.degree, points)
+        if max(abs(y) for _, y in _there(points)) <= POLYGON_ABOVE_GRAPH * top
+        else []
+    )
+    a, b = f.domain
+    return _svg(runs, legs, equal=False, axis=[(a, mpq(0)), (b, mpq(0))])
+
+
+def _there(points: Iterable[Point | None]) -> Iterator[Point]:
+    return (p for p in points if p is not None)
+
+
+def _parameters(breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, str]]]:
+    count = max(LEAST, SAMPLES // (len(breaks) - 1))
+    for a, b in pairwise(breaks):
+        yield [*[(a + (b - a) * mpq(k, count), "right") for k in range(count)], (b, "left")]
+
+
+def _seen(point: Sequence[mpq]) -> Point:
+    if len(point) == 2:
+        return tuple(point)
+    return tuple(sum((c * x for c, x in zip(row, point, strict=True)), mpq(0)) for row in VIEW)
+
+
+def _svg(runs: list[list[Point]], legs: list[list[Point]], *, equal: bool, axis: Sequence[Point] = ()) -> str:
+    columns = list(zip(*[p for run in (*runs, *legs, axis) for p in run], strict=True))
+    low, high = [min(c) for c in columns], [max(c) for c in columns]
+    sizes = [b - a or mpq(1) for a, b in zip(low, high, strict=True)]
+    scales = [mpq(WIDTH - 2 * MARGIN) / sizes[0], mpq(HEIGHT - 2 * MARGIN) / sizes[1]]
+    if equal:
+        scales = [min(scales)] * 2
+
+    def at(p: Point) -> tuple[str, str]:
+        x, y = (MARGIN + s * (v - a) for s, v, a in zip(scales, p, low, strict=True))
+        return _decimal(x), _decimal(HEIGHT - y)
+
+    parts = [_line([at(p) for p in axis], GREY, "0.5")] if axis else []
+    for run in legs:
+        parts.append(_line([at(p) for p in run], SILVER, "1"))
+    for i, run in enumerate(runs):
+        parts.append(_line([at(p) for p, _ in groupby(run)], GREY if i % 2 else BLACK, "1.8"))
+    for x, y in (at(p) for run in legs for p in run):
+        parts.append(f'<circle cx="{x}" cy="{y}" r="2" fill="{BLUE}"/>')
+    size = f'width="{WIDTH}" height="{HEIGHT}" viewBox="0 0 {WIDTH} {HEIGHT}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} style="background:white">{"".join(parts)}</svg>'
+
+
+def _line(points: Sequence[tuple[str, str]], color: str, width: str) -> str:
+    path = " ".join(f"{x},{y}" for x, y in points)
+    return f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="{width}"/>'
+
+
+def _decimal(x: mpq) -> str:
+    tenths = int(x * 10 + mpq(1, 2))
+    return f"{tenths // 10}.{tenths % 10}"

@@ -1,0 +1,1 @@
+"""What the curve at hand has: constructions, features, ruled surfaces, bisectors."""

@@ -1,0 +1,101 @@
+"""The curvature of a plane curve as a function of the parameter, in closed form where it has one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpz_poly
+from gmpy2 import isqrt, mpq, mpz
+
+from exactspline.exact import ratio
+from exactspline.geometry.domain import Interval, part, plane
+from exactspline.language.arguments import Curve
+from exactspline.language.rational import Rational
+from exactspline.papers import find
+from exactspline.splines.bernstein import ONE, is_square_class, primitive, zero_on_segment
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import in_lowest_terms
+
+
+@dataclass(frozen=True)
+class CurvaturePiece:
+    """Curvature on one segment: ``√radicand · value``; `value` is None where the curvature is no such thing."""
+
+    interval: Interval
+    radicand: int
+    value: Rational | BSpline | None
+    reason: str = ""
+
+
+def curvature(curve: Any) -> list[CurvaturePiece]:
+    """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant
+    square root.
+
+    It is exactly where ‖γ′‖² is a positive constant times a square: the curve is a Pythagorean hodograph there (claim
+    C4.1d; Farouki and Sakkalis 1990).
+
+    >>> from exactspline.splines.examples import example
+    >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature(example("circle"))][:2]
+    [(1, mpq(1,1)), (1, mpq(1,1))]
+
+    Raises `ShapeError` for a curve that is not in the plane.
+    """
+    pieces = []
+    for a, b in zip(curve.breakpoints, curve.breakpoints[1:], strict=False):
+        pieces.append(_curvature_on(part(plane(curve), a, b), (a, b)))
+    return pieces
+
+
+def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:
+    turning = find("f2")(c)
+    if turning.is_zero:
+        return CurvaturePiece(interval, 1, turning.constant(0))
+    squared = in_lowest_terms(find("curvature_squared")(c))
+    roots = [_square_root(part) for part in (squared.numerator, squared.denominator)]
+    if None in roots:
+        return CurvaturePiece(
+            interval, 0, None, "‖γ′‖² is no constant times a square: the curve is no Pythagorean hodograph here"
+        )
+    (n, up), (m, down) = roots  # type: ignore[misc]
+    if _vanishes(m):
+        return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
+    t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
+    root, radicand = _square_part(up / down)
+    sign = 1 if n(t) * m(t) * turning(t) > 0 else -1
+    return CurvaturePiece(interval, radicand, (n.scaled(sign * root)) / m)
+
+
+def _inner(interval: Interval, j: int) -> mpq:
+    a, b = interval
+    return a + (b - a) / (j + 1)
+
+
+def _square_root(f: BSpline) -> tuple[BSpline, mpq] | None:
+    """A spline r and a constant c with ``f = c r²``, of a spline of one segment."""
+    c, m = primitive(f.forms[0])
+    if f.degree % 2 or not is_square_class(c, f.degree):
+        return None
+    unit, factors = c.factor_squarefree()
+    root = fmpz_poly([1])
+    for p, e in factors:
+        root = root * p ** (e // 2)
+    return BSpline.from_forms(f.degree // 2, f.mesh, (), [(root, ONE)]), ratio(unit, m)
+
+
+def _square_part(q: mpq) -> tuple[mpq, int]:
+    """``(r, n)`` with ``q = r² n`` and n a positive integer, square-free as far as trial division by small primes and a
+    last root tell.
+    """
+    n = mpz(q.numerator * q.denominator)
+    root = mpq(1, q.denominator)
+    for prime in range(2, 1000):
+        while n % (prime * prime) == 0:
+            n, root = n // (prime * prime), root * prime
+    if isqrt(n) ** 2 == n:
+        n, root = mpz(1), root * isqrt(n)
+    return root, int(n)
+
+
+def _vanishes(f: BSpline) -> bool:
+    return any(zero_on_segment(c, f.degree) is not None for c in f.polynomials)

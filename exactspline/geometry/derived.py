@@ -1,0 +1,176 @@
+"""What a user calls: the derived objects of a curve, in whatever form, with the places where they do not exist named.
+
+Parameters and coordinates are unitless exact numbers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.exact import rational, text
+from exactspline.geometry.constructions import MINIMAL, all_constructions, construction
+from exactspline.geometry.domain import Interval, intervals_where, part
+from exactspline.language.parts import joined, numerator
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.services import Displayed
+from exactspline.language.vector import Vector
+from exactspline.papers import find
+from exactspline.splines.lowest_terms import in_lowest_terms
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A derived object over an interval of the curve's parameter: a spline, a vector of them, or a `Rational`."""
+
+    interval: Interval
+    value: Any
+
+
+@dataclass(frozen=True)
+class Derived(Displayed):
+    """A derived object in pieces, and the intervals on which it does not exist, each with the reason."""
+
+    name: str
+    form: str
+    pieces: tuple[Piece, ...]
+    missing: tuple[tuple[Interval, str], ...]
+    #: Whether it is a ruled surface: then the values are directrix and generator side by side.
+    ruled: bool = False
+
+    def __call__(self, t: Any) -> Any:
+        """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
+        t = rational(t)
+        for piece in self.pieces:
+            if piece.interval[0] <= t <= piece.interval[1]:
+                return piece.value(t) if not isinstance(piece.value, Vector) else tuple(c(t) for c in piece.value)
+        raise ShapeError(
+            f"{self.name} does not exist at the parameter {text(t)}",
+            remedy="; ".join(reason for _, reason in self.missing),
+        )
+
+
+def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
+    """A construction or a formula on a curve.
+
+    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `form` is
+    ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the evolute of a straight
+    piece) the other pieces are returned and the missing ones named.
+
+    >>> from exactspline.splines.examples import example
+    >>> derive("evolute", example("circle"))("1/2")
+    (mpq(0,1), mpq(0,1))
+
+    Raises `FormulaError` for an unknown name or form, `ShapeError` for a curve of the wrong dimension or where nothing
+    is left.
+    """
+    if name in all_constructions():
+        made = construction(name)
+        needed, compute = made.curve, lambda c: made.on(c, form)
+        formula = made.formula(form)
+    else:
+        formula = find(name)
+        if form not in (MINIMAL, "naive"):
+            raise FormulaError(
+                f"{name} has no form {form!r}", remedy=f"a formula has the forms {MINIMAL} and naive (as it stands)"
+            )
+        needed = formula.curve
+        compute = (lambda c: joined(in_lowest_terms(formula(c)))) if form == MINIMAL else (lambda c: joined(formula(c)))
+    if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
+        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
+    found = formula(curve)
+    ruled = isinstance(found, RuledSurface)
+    exists, breaks = _exists(found), curve.breakpoints
+    missing = tuple(
+        (interval, _why_missing(name)) for interval in intervals_where(breaks, [not here for here in exists])
+    )
+    pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
+    if not pieces:
+        raise ShapeError(
+            f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain",
+            remedy="choose another curve",
+        )
+    return Derived(name, form, pieces, missing, ruled)
+
+
+def evolute(curve: Any, form: str = MINIMAL) -> Derived:
+    """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
+
+    >>> from exactspline.splines.examples import example
+    >>> evolute(example("ellipse_skew")).pieces[0].value.degree
+    6
+
+    Raises `ShapeError` for a curve that is not in the plane or is straight.
+    """
+    return derive("evolute", curve, form)
+
+
+def focal_curve(curve: Any, form: str = MINIMAL) -> Derived:
+    """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` tells
+    the degree for all curves).
+
+    >>> from exactspline.splines.examples import example
+    >>> focal_curve(example("twisted_cubic")).pieces[0].value.degree
+    5
+
+    Raises `ShapeError` for a curve that is not in space or is planar.
+    """
+    return derive("focal_curve", curve, form)
+
+
+def torsion(curve: Any, form: str = MINIMAL) -> Derived:
+    """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
+
+    >>> from exactspline.splines.examples import example
+    >>> torsion(example("twisted_cubic")).pieces[0].value.degree
+    4
+
+    Raises `ShapeError` for a curve that is not in space or is straight.
+    """
+    return derive("torsion", curve, form)
+
+
+def circle_centres(curve: Any, form: str = MINIMAL) -> Derived:
+    """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` tells
+    the degree for all curves).
+
+    >>> from exactspline.splines.examples import example
+    >>> circle_centres(example("twisted_cubic")).pieces[0].value.degree
+    8
+
+    Raises `ShapeError` for a curve that is not in space or is straight.
+    """
+    return derive("circle_centres", curve, form)
+
+
+def _exists(value: Any) -> list[bool]:
+    """Segment by segment whether a denominator, and the generator of a ruled surface, are not identically zero."""
+    if isinstance(value, RuledSurface):
+        ends = [_exists(part) for part in (value.directrix, value.generator)]
+        generator = zip(*[c.polynomials for c in numerator(value.generator)], strict=True)
+        return [all(here) and any(parts) for *here, parts in zip(*ends, generator, strict=True)]
+    if isinstance(value, Rational):
+        return [bool(c) for c in value.denominator.polynomials]
+    return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
+
+
+#: Why an object does not exist where its denominator vanishes identically, by the beginning of its name.
+_MISSING = {
+    "evolute": "the curve is straight (its curvature vanishes identically)",
+    "focal_curve": "the curve is planar (its torsion vanishes identically)",
+    "torsion": "the curve is straight (its curvature vanishes identically)",
+    "circle_centres": "the curve is straight (its curvature vanishes identically)",
+    "rectifying_developable": "the curve is straight (its curvature vanishes identically)",
+    "focal_surface": "the curve is straight (its curvature vanishes identically)",
+    "binormal_scroll": "the curve is straight (its curvature vanishes identically)",
+    "normal_scroll": "the curve is straight (its curvature vanishes identically)",
+    "tangent_developable": "the curve stands still (its velocity vanishes identically)",
+}
+
+
+def _why_missing(name: str) -> str:
+    return next(
+        (why for start, why in _MISSING.items() if name.startswith(start)), "the denominator vanishes identically"
+    )

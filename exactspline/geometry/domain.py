@@ -1,0 +1,52 @@
+"""Parts of a curve's domain, and curves of the dimension that a construction needs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import ShapeError
+from exactspline.language.arguments import Curve
+from exactspline.language.vector import Vector
+
+Interval = tuple[mpq, mpq]
+
+
+def part(curve: Any, a: mpq, b: mpq) -> Curve:
+    """The curve over [a, b], as operands for formulas."""
+    whole = curve.domain == (a, b)
+    restricted = Curve(
+        curve.p if whole else Vector(*[x.restrict(a, b) for x in curve.p]),
+        curve.w if whole else curve.w.restrict(a, b),
+        polynomial=curve.polynomial,
+    )
+    restricted.domain = (a, b)  # type: ignore[attr-defined]
+    return restricted
+
+
+def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interval]:
+    """The maximal intervals made of segments on which something holds."""
+    found: list[Interval] = []
+    for a, b, here in zip(breaks, breaks[1:], holds, strict=False):
+        if here:
+            if found and found[-1][1] == a:
+                found[-1] = (found[-1][0], b)
+            else:
+                found.append((a, b))
+    return found
+
+
+def plane(curve: Any) -> Any:
+    """The curve itself, if it is one in the plane; `ShapeError` otherwise."""
+    if curve.dimension != 2:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
+    return curve
+
+
+def space(curve: Any) -> Any:
+    """The curve itself, if it is one in space; `ShapeError` otherwise."""
+    if curve.dimension != 3:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in space")
+    return curve

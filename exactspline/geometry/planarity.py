@@ -1,0 +1,178 @@
+"""Space curves, or stretches of them, that lie in a plane: the plane exactly, and in a coordinate plane the curve as a
+plane curve.
+
+A curve p/w lies in the plane n·x = c exactly where n·p − c·w is identically zero: a linear relation between the Bézier
+points of (p, w), found by elimination over the rationals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import gcd, lcm
+from typing import Any
+
+from flint import fmpq_mat
+from gmpy2 import mpq
+
+from exactspline.exact import text, to_fmpq
+from exactspline.geometry.domain import space
+from exactspline.splines.nurbs import Nurbs
+
+AXES = "xyz"
+
+
+@dataclass(frozen=True)
+class Plane:
+    """The plane ``normal·x = offset``: integers without a common divisor, the first of the normal that is not 0
+    positive.
+
+    >>> str(Plane((1, 0, -2), 3))
+    'x − 2z = 3'
+    """
+
+    normal: tuple[int, int, int]
+    offset: int
+
+    def __str__(self) -> str:
+        axis = self.axis
+        if axis is not None:
+            return f"{AXES[axis]} = {text(mpq(self.offset, self.normal[axis]))}".replace("= -", "= −")
+        terms = [(k, name) for k, name in zip(self.normal, AXES, strict=True) if k]
+        parts = [("− " if k < 0 else "+ ") + (str(abs(k)) if abs(k) != 1 else "") + name for k, name in terms]
+        left = " ".join(parts).removeprefix("+ ")
+        return f"{left} = {self.offset}".replace("= -", "= −")
+
+    @property
+    def axis(self) -> int | None:
+        """The number of the coordinate that is constant on a coordinate plane (or one parallel to it), else None."""
+        nonzero = [i for i, k in enumerate(self.normal) if k]
+        return nonzero[0] if len(nonzero) == 1 else None
+
+
+def plane_of(curve: Any) -> Plane | None:
+    """The plane that a space curve lies in, None when there is none; of a straight curve a coordinate plane where there
+    is one, otherwise none.
+
+    >>> from exactspline.splines.examples import example
+    >>> print(plane_of(example("planar_in_space"))), plane_of(example("twisted_cubic"))
+    x − z = −1
+    (None, None)
+
+    Raises `ShapeError` for a curve that is not in space.
+    """
+    points = _span([row for segment in _rows(space(curve)) for row in segment])
+    relations = _relations(points)
+    if len(relations) == 1:
+        return _plane(relations[0])
+    for i in (2, 1, 0):
+        if relations and len(_relations([(row[i], row[3]) for row in points])) == 1:
+            (a, k) = _relations([(row[i], row[3]) for row in points])[0]
+            return _plane([a if j == i else mpq(0) for j in range(3)] + [k])
+    return None
+
+
+def planar_pieces(curve: Any) -> list[tuple[tuple[mpq, mpq], Plane]]:
+    """The longest intervals on each of which a space curve lies in one plane (τ ≡ 0) without being straight, with their
+    planes.
+
+    Two of them can share a straight piece.
+
+    >>> from exactspline.splines.examples import example
+    >>> [(str(a), str(b)) for (a, b), _ in planar_pieces(example("planar_in_space"))]
+    [('0', '1')]
+    """
+    rows, breaks = _rows(space(curve)), curve.breakpoints
+    pieces, first = [], 0
+    while first < len(rows):
+        span, last = _longest(rows[first:])
+        last += first
+        if len(span) == 3:
+            pieces.append(((breaks[first], breaks[last]), _plane(_relations(span)[0])))
+        if last == len(rows):
+            break
+        # the next one begins as far back as the next segment's plane reaches
+        first = last + 1 - _longest(rows[first : last + 1][::-1])[1]
+    return pieces
+
+
+Rows = list[tuple[mpq, ...]]
+
+
+def _longest(rows: list[Rows]) -> tuple[Rows, int]:
+    """How many of the first segments lie in one plane together, and the span of their points."""
+    span: Rows = []
+    for count, segment in enumerate(rows):
+        wider = _span([*span, *segment])
+        if len(wider) == 4:
+            return span, count
+        span = wider
+    return span, len(rows)
+
+
+def _rows(curve: Any) -> list[Rows]:
+    """The homogeneous Bézier points (p, w) segment by segment."""
+    columns = [s.raised_to(curve.p[0]).segments for s in (*curve.p, curve.w)]
+    return [list(zip(*parts, strict=True)) for parts in zip(*columns, strict=True)]
+
+
+def _span(rows: Rows) -> Rows:
+    """A basis of what the rows span, in reduced echelon form."""
+    reduced, rank = fmpq_mat([[to_fmpq(x) for x in row] for row in rows]).rref()
+    return [tuple(mpq(int(x.p), int(x.q)) for x in row) for row in reduced.tolist()[:rank]]
+
+
+def _relations(rows: Rows) -> list[list[mpq]]:
+    """A basis of the linear relations between the coordinates of the rows."""
+    reduced, width = _span(rows), len(rows[0])
+    pivots = [next(j for j in range(width) if row[j]) for row in reduced]
+    basis = []
+    for free in (j for j in range(width) if j not in pivots):
+        relation = [mpq(j == free) for j in range(width)]
+        for row, j in zip(reduced, pivots, strict=True):
+            relation[j] = -row[free]
+        basis.append(relation)
+    return basis
+
+
+def _plane(relation: list[mpq]) -> Plane:
+    """The plane of a relation n·p + k w = 0."""
+    scale = lcm(*[int(x.denominator) for x in relation])
+    whole = [int(x * scale) for x in relation]
+    divisor = gcd(*whole) * (1 if next(k for k in whole if k) > 0 else -1)
+    a, b, c, k = [x // divisor for x in whole]
+    return Plane((a, b, c), -k)
+
+
+def as_plane_curve(curve: Any) -> Nurbs | None:
+    """A space curve with a constant coordinate as a plane curve, None when there is no such coordinate.
+
+    The plane is seen from the tip of the axis: the coordinates are (x, y), (z, x) or (y, z), so that [γ′ γ″] is the
+    component of γ′ × γ″ along it.
+
+    >>> from exactspline import Nurbs
+    >>> as_plane_curve(Nurbs(1, [0, 0, 1, 1], [(1, 7, 2), (3, 7, 5)])).control_points
+    ((mpq(2,1), mpq(1,1)), (mpq(5,1), mpq(3,1)))
+    """
+    plane = plane_of(curve)
+    if plane is None or plane.axis is None:
+        return None
+    i, j = (plane.axis + 1) % 3, (plane.axis + 2) % 3
+    name = f"{curve.name or 'the curve'} in the plane {plane}"
+    weighted = [w if w else mpq(1) for w in curve.weights]
+    points = [(p[i] * k, p[j] * k, w) for p, k, w in zip(curve.control_points, weighted, curve.weights, strict=True)]
+    return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)
+
+
+def with_plane_curves(curves: Iterable[Any]) -> list[Any]:
+    """The curves, each that has a constant coordinate followed by itself as a plane curve.
+
+    >>> from exactspline.splines.examples import example
+    >>> len(with_plane_curves([example("planar_in_space"), example("circle")]))
+    2
+    """
+    result = []
+    for curve in curves:
+        flat = as_plane_curve(curve) if curve.dimension == 3 else None
+        result += [curve] if flat is None else [curve, flat]
+    return result

@@ -1,0 +1,171 @@
+"""What a user asks of ruled surfaces on a curve: points, degrees, developability, and whether two of them are one
+surface.
+
+A `RuledSurface` is ``δ(s) + ζ G(s)``: directrix δ, generator G, ruling parameter ζ. Here both are splines (vectors of
+them, or vector quotients).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import DomainError, ShapeError
+from exactspline.exact import rational, text
+from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.domain import space
+from exactspline.language.parts import numerator
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.papers.chen_riesenfeld_cohen_2007.space import development
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
+from exactspline.splines.tensor import lifted
+
+
+@dataclass(frozen=True)
+class RulingRelation:
+    """How the ruling parameters ζ and λ of one surface written twice belong together: ``ζ = shift(s) + stretch(s) λ``,
+    both in lowest terms.
+    """
+
+    shift: Rational
+    stretch: Rational
+
+    def __call__(self, s: Any, ruling: Any, side: str = "right") -> mpq:
+        """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
+        return self.shift(s, side) + self.stretch(s, side) * rational(ruling)
+
+
+def ruled_surface(name: str, curve: Any, form: str = MINIMAL) -> RuledSurface:
+    """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
+    `exactspline.splines.lowest_terms.in_lowest_terms`).
+
+    >>> from exactspline.splines.examples import example
+    >>> curve = example("rational_space_cubic")
+    >>> [ruled_surface("tangent_developable", curve, form).degree for form in ("naive", "paper", "minimal")]
+    [9, 5, 4]
+
+    Raises `ShapeError` for a curve that is not in space, and where the construction is no ruled surface;
+    `ReductionError` where it does not exist on a whole segment.
+    """
+    value = construction(name).formula(form)(space(curve))
+    if not isinstance(value, RuledSurface):
+        raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
+    found: RuledSurface = in_lowest_terms(value) if form == MINIMAL else value
+    return found
+
+
+def point_at(surface: RuledSurface, s: Any, ruling: Any, side: str = "right") -> tuple[mpq, ...]:
+    """The point of the parameters s and ζ, exactly; `ZeroDivisionError` at a pole.
+
+    >>> from exactspline.splines.examples import example
+    >>> point_at(ruled_surface("tangent_developable", example("twisted_cubic")), 1, 2)
+    (mpq(3,1), mpq(5,1), mpq(7,1))
+    """
+    ends = [_value(part, s, side) for part in (surface.directrix, surface.generator)]
+    return tuple(x + rational(ruling) * y for x, y in zip(*ends, strict=True))
+
+
+def _value(part: Any, s: Any, side: str) -> tuple[mpq, ...]:
+    return tuple(c(s, side) for c in part) if isinstance(part, Vector) else part(s, side)
+
+
+def as_tensor_product(surface: RuledSurface, a: Any, b: Any) -> Any:
+    """The surface between the ruling parameters a and b as a tensor-product B-spline: a `Vector` of `TensorSpline`, or
+    a `Rational` of them.
+
+    Degree 1 in the ruling parameter, and in s that of the surface; all components are over the same knots, so that
+    their control points, with those of the denominator as weights, are the net of a NURBS surface in homogeneous
+    coordinates.
+
+    >>> from exactspline.splines.examples import example
+    >>> tangents = ruled_surface("tangent_developable", example("rational_space_cubic"), "paper")
+    >>> patch = as_tensor_product(tangents, -1, 2)
+    >>> patch.denominator.degree, patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
+    (Degrees(s=5, t=1), True)
+
+    Raises `DomainError` unless a < b.
+    """
+    low, high = rational(a), rational(b)
+    if not low < high:
+        raise DomainError(f"[{text(low)}, {text(high)}] is no interval of ruling parameters", remedy="give a < b")
+    meshes = numerator(surface.directrix)[0].mesh, Mesh([low, high])
+    ruling = lifted(BSpline.identity(low, high), meshes, 1)
+    found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
+    components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
+    nothing = components[0] * 0
+    for c in components[1:]:
+        nothing = nothing + c * 0
+    components = [c + nothing for c in components]
+    return Rational(Vector(*components[:3]), components[3]) if isinstance(found, Rational) else Vector(*components)
+
+
+def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
+    """A vector, or a vector quotient, of splines in s as one of splines in both parameters."""
+    top = Vector(*[lifted(c, meshes, 0) for c in numerator(part)])
+    return Rational(top, lifted(part.denominator, meshes, 0)) if isinstance(part, Rational) else top
+
+
+def is_developable(surface: RuledSurface) -> bool:
+    """Whether the tangent plane is one along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
+
+    >>> from exactspline.splines.examples import example
+    >>> curve = example("rational_space_cubic")
+    >>> [is_developable(ruled_surface(name, curve)) for name in ("rectifying_developable", "binormal_scroll")]
+    [True, False]
+
+    Raises `ShapeError` where the generator vanishes on a whole segment: there is no surface.
+    """
+    _check_generator(surface)
+    return bool(development(in_lowest_terms(surface)).is_zero)
+
+
+def _check_generator(surface: RuledSurface) -> None:
+    for i, parts in enumerate(zip(*[c.polynomials for c in numerator(surface.generator)], strict=True)):
+        if not any(parts):
+            a, b = numerator(surface.generator)[0].breakpoints[i : i + 2]
+            raise ShapeError(
+                f"the generator vanishes on all of [{text(a)}, {text(b)}]: there is no ruled surface",
+                remedy="leave this segment out",
+            )
+
+
+def differences(a: RuledSurface, b: RuledSurface) -> tuple[Any, Any]:
+    """What vanishes exactly where two ruled surfaces (in any reading) are one: ``G × Ḡ`` and ``(δ̄ − δ) × G``."""
+    return cross(a.generator, b.generator), cross(b.directrix - a.directrix, a.generator)
+
+
+def same_surface(a: RuledSurface, b: RuledSurface) -> RulingRelation | None:
+    """The relation between the ruling parameters ζ of `a` and λ of `b` when both are one surface with the same rulings
+    for the same s, else None.
+
+    Where ``ζ = shift + stretch λ``, the points are the same: ``a(s, ζ) = b(s, λ)``.
+
+    >>> from exactspline.splines.examples import example
+    >>> curve = example("rational_space_cubic")
+    >>> naive, paper = (ruled_surface("binormal_scroll", curve, form) for form in ("naive", "paper"))
+    >>> relation = same_surface(naive, paper)
+    >>> relation.stretch == Rational(curve.w**3, curve.w.constant(1)), relation.shift.is_zero
+    (True, True)
+
+    Raises `ShapeError` where a generator vanishes on a whole segment.
+    """
+    for surface in (a, b):
+        _check_generator(surface)
+    if not all(part.is_zero for part in differences(a, b)):
+        return None
+    along = norm2(a.generator)
+    return RulingRelation(
+        _ratio(dot(b.directrix - a.directrix, a.generator), along), _ratio(dot(b.generator, a.generator), along)
+    )
+
+
+def _ratio(top: Any, bottom: Any) -> Rational:
+    """A quotient of scalars that may be quotients themselves, in lowest terms."""
+    found = top / bottom
+    return where_it_exists(found if isinstance(found, Rational) else Rational(found, BSpline.constant(found, 1)))

@@ -1,0 +1,1 @@
+"""What formulas are written in: operands, vectors, quotients, arguments, formulas, ruled surfaces."""

@@ -1,0 +1,237 @@
+"""Naive semantics: quotients on which every operation is carried out as Table 1 says, nothing cancelled.
+
+Two rationals whose denominators are structurally the same product (see `exactspline.language.provenance`) share it when
+added; any two others are cross- multiplied.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import FormulaError
+from exactspline.language import provenance as structure
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.vector import Vector
+
+
+class Product:
+    """A denominator: a product of operands, multiplied out when first asked for; `factors` are what it was once made
+    of.
+    """
+
+    __slots__ = ("_value", "factors", "parts")
+
+    def __init__(self, *parts: Any, factors: tuple[Any, ...] | None = None) -> None:
+        self.parts: tuple[Any, ...] = parts
+        self.factors: tuple[Any, ...] = parts if factors is None else factors
+        self._value: Any = None
+
+    def __mul__(self, other: Product) -> Product:
+        return Product(*self._factors(), *other._factors(), factors=self.factors + other.factors)
+
+    def missing(self, other: Product) -> list[Any]:
+        """The factors of another product that this one lacks, as often as it lacks them."""
+        rest = list(self.factors)
+        lacking = []
+        for factor in other.factors:
+            found = next((i for i, own in enumerate(rest) if _agree(own, factor)), None)
+            if found is None:
+                lacking.append(factor)
+            else:
+                rest.pop(found)
+        return lacking
+
+    def _factors(self) -> tuple[Any, ...]:
+        return self.parts if self._value is None else (self._value,)
+
+    def same(self, other: Product) -> bool:
+        """Whether both are structurally the same product."""
+        return self is other or _agree(self.value, other.value)
+
+    @property
+    def value(self) -> Any:
+        """The product multiplied out."""
+        if self._value is None:
+            value = self.parts[0]
+            for part in self.parts[1:]:
+                value = value * part
+            self._value = value
+        return self._value
+
+
+def _agree(a: Any, b: Any) -> bool:
+    """Equal structure, and (cheaply seen beforehand and made sure of afterwards) equal degree and value."""
+    return a is b or bool(a.degree == b.degree and structure.number(a.recipe) == structure.number(b.recipe) and a == b)
+
+
+class Rational(Operand):
+    """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
+
+    Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
+    numerator to the degree of its denominator. Nothing is ever cancelled.
+
+    >>> from exactspline import BSpline
+    >>> t = BSpline.identity(0, 1)
+    >>> r = (t + 1) / (t + 2)
+    >>> r.d().degree, r.d()(0)
+    (2, mpq(1,4))
+    """
+
+    __slots__ = ("numerator", "product")
+    takes_over = True
+
+    def __init__(self, numerator: Any, *denominator: Any) -> None:
+        self.numerator = numerator
+        self.product = denominator[0] if isinstance(denominator[0], Product) else Product(*denominator)
+
+    @property
+    def denominator(self) -> Any:
+        """The denominator, multiplied out."""
+        return self.product.value
+
+    @property
+    def is_vector(self) -> bool:  # type: ignore[override]
+        """Whether the numerator is a vector."""
+        return isinstance(self.numerator, Vector)
+
+    @property
+    def degree(self) -> Any:
+        """The larger of the degrees of numerator and denominator."""
+        n, w = self.numerator.degree, self.denominator.degree
+        return n.max(w) if hasattr(n, "max") else max(n, w)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the numerator is identically zero."""
+        return bool(self.numerator.is_zero)
+
+    def __len__(self) -> int:
+        return len(self.numerator)
+
+    def __getitem__(self, index: int) -> Rational:
+        return Rational(self.numerator[index], self.product)
+
+    def __repr__(self) -> str:
+        return f"Rational({self.numerator!r}, {self.denominator!r})"
+
+    def __call__(self, *place: Any, **side: str) -> Any:
+        """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector;
+        `ZeroDivisionError` at a pole.
+        """
+        w = self.denominator(*place, **side)
+        if isinstance(self.numerator, Vector):
+            return tuple(a(*place, **side) / w for a in self.numerator)
+        return self.numerator(*place, **side) / w
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function: cross-multiplied, so that common factors do not matter."""
+        if not isinstance(other, Rational) or self.is_vector != other.is_vector:
+            return NotImplemented
+        return bool(self.numerator * other.denominator == other.numerator * self.denominator)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __add__(self, other: Any) -> Any:
+        """Rows T4 and T5."""
+        if not isinstance(other, Rational):
+            return Rational(self.numerator + self.denominator * other, self.product) if _fits(other) else NotImplemented
+        if self.product.same(other.product):
+            return Rational(self.numerator + other.numerator, self.product)
+        return Rational(
+            self.numerator * other.denominator + other.numerator * self.denominator, self.product * other.product
+        )
+
+    def scaled(self, constant: Any) -> Rational:
+        """The rational times an exact constant."""
+        return Rational(self.numerator.scaled(constant), self.product)
+
+    def constant(self, value: Any) -> Any:
+        """An exact constant in the reading of the operands."""
+        return self.denominator.constant(value)
+
+    def __mul__(self, other: Any) -> Any:
+        """Rows T6 and T7."""
+        if isinstance(other, CONSTANTS):
+            return self.scaled(other)
+        if isinstance(other, Rational):
+            return Rational(_times(self.numerator, other.numerator), self.product * other.product)
+        return Rational(_times(self.numerator, other), self.product) if _fits(other) else NotImplemented
+
+    def __truediv__(self, other: Any) -> Any:
+        """Rows T8 and T9."""
+        if isinstance(other, CONSTANTS):
+            return self.scaled(1 / mpq(other))
+        if isinstance(other, Rational):
+            return Rational(self.numerator * other.denominator, self.product * Product(_scalar(other)))
+        return Rational(self.numerator, self.product * Product(other)) if isinstance(other, Operand) else NotImplemented
+
+    def dividing(self, numerator: Any) -> Rational:
+        """`numerator`, an operand or a vector that is no quotient, divided by this."""
+        return Rational(numerator * self.denominator, _scalar(self))
+
+    def __rtruediv__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            other = self.constant(other)
+        return self.dividing(other) if _fits(other) else NotImplemented
+
+    def d(self, order: int = 1) -> Rational:
+        """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
+        result = self
+        for _ in range(order):
+            p, w = result.numerator, result.denominator
+            product = Product(w, w, factors=result.product.factors * 2)
+            result = Rational((p.d(1) * w - p * w.d(1)).raised_to(product.value), product)
+        return result
+
+    def levelled(self, other: Any) -> tuple[Rational, Any]:
+        """This quotient and another (or what is none) over one denominator, their numerators multiplied by the factors
+        they lack.
+        """
+        if not isinstance(other, Rational):
+            return self, Rational(other * self.denominator, self.product)
+        mine, its = self.product.missing(other.product), other.product.missing(self.product)
+        shared = (
+            Product(*self.product._factors(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
+        )
+        return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
+
+    def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Rational:
+        """A product of vectors that is linear in each: of the numerators, over the product of the denominators."""
+        numerators = [v.numerator if isinstance(v, Rational) else v for v in vectors]
+        first, *rest = [v.product for v in vectors if isinstance(v, Rational)]
+        for product in rest:
+            first = first * product
+        return Rational(function(*numerators), first)
+
+    def raised(self) -> tuple[Any, Any]:
+        """Numerator and denominator raised to one degree: control points and weights of a NURBS."""
+        w = highest = self.denominator
+        for x in self.numerator if self.is_vector else [self.numerator]:
+            highest = highest.raised_to(x)
+        return self.numerator.raised_to(highest), w.raised_to(highest)
+
+    def raised_to(self, other: Any) -> Rational:
+        """The same rational, its numerator at least of the degree of `other`."""
+        return Rational(self.numerator.raised_to(other), self.product)
+
+
+def _scalar(r: Rational) -> Any:
+    if r.is_vector:
+        raise FormulaError("division by a vector", remedy="divide by a scalar")
+    return r.numerator
+
+
+def _fits(other: Any) -> bool:
+    return isinstance(other, (Operand, Vector, *CONSTANTS))
+
+
+def _all_times(a: Any, factors: list[Any]) -> Any:
+    if not factors:
+        return a
+    return a * Product(*factors).value
+
+
+def _times(a: Any, b: Any) -> Any:
+    return b * a if isinstance(b, Vector) else a * b

@@ -1,0 +1,126 @@
+"""The monomial reading: one term of the curve in the scaled Bernstein basis, of symbolic degree d.
+
+Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. What a
+formula that is linear in p and in w returns are a few monomials beside that of the product, with polynomials in d, a
+and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees at once.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from gmpy2 import mpq
+
+from exactspline.errors import FormulaError
+from exactspline.exact import rational, to_fmpq
+from exactspline.language.arguments import Curve
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.vector import Vector
+
+
+class Monomials(Operand):
+    """``Σ c_ij u^(U − i) v^(V − j)``: the exponents U and V and the c_ij are polynomials in d, a and b."""
+
+    __slots__ = ("exponents", "terms")
+    degree = recipe = 0
+
+    def __init__(self, exponents: tuple[fmpq_mpoly, fmpq_mpoly], terms: dict[tuple[int, int], fmpq_mpoly]) -> None:
+        self.exponents, self.terms = exponents, {shift: c for shift, c in terms.items() if c}
+
+    def constant(self, value: Any) -> Monomials:
+        """An exact constant."""
+        zero = self.exponents[0] * 0
+        return Monomials((zero, zero), {(0, 0): zero + to_fmpq(rational(value))})
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            other = self.constant(other)
+        if not isinstance(other, Monomials):
+            return NotImplemented
+        if self.exponents != other.exponents:
+            raise FormulaError(
+                "a sum of terms of different degree in p or in w",
+                remedy="this reading is for formulas homogeneous in both",
+            )
+        shifts = self.terms.keys() | other.terms.keys()
+        zero = self.exponents[0] * 0
+        return Monomials(self.exponents, {s: self.terms.get(s, zero) + other.terms.get(s, zero) for s in shifts})
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            return self.scaled(other)
+        if not isinstance(other, Monomials):
+            return NotImplemented
+        terms: dict[tuple[int, int], fmpq_mpoly] = {}
+        for (i, j), x in self.terms.items():
+            for (k, m), y in other.terms.items():
+                terms[i + k, j + m] = terms.get((i + k, j + m), x * 0) + x * y
+        (u, v), (s, t) = self.exponents, other.exponents
+        return Monomials((u + s, v + t), terms)
+
+    def scaled(self, constant: Any) -> Monomials:
+        """The terms times an exact constant."""
+        q = to_fmpq(rational(constant))
+        return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
+
+    def raised_to(self, other: Any) -> Monomials:
+        """Itself: what this reading is for needs no degree elevation."""
+        return self
+
+    def d(self, order: int = 1) -> Monomials:
+        """``(∂v − ∂u)``, the derivative by the local parameter, term by term."""
+        result, (u, v) = self, self.exponents
+        for _ in range(order):
+            terms: dict[tuple[int, int], fmpq_mpoly] = {}
+            for (i, j), c in result.terms.items():
+                terms[i, j + 1] = terms.get((i, j + 1), c * 0) + c * (v - j)
+                terms[i + 1, j] = terms.get((i + 1, j), c * 0) - c * (u - i)
+            result = Monomials(self.exponents, terms)
+        return result
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether there is no term."""
+        return not self.terms
+
+
+def monomial_curve(dimension: int) -> Curve:
+    """One term of the rational curve of degree d.
+
+    >>> c = monomial_curve(2)
+    >>> (c.p.d(1)[0] * c.w - c.p[0] * c.w.d(1)).terms
+    {(0, 1): a - b, (1, 0): a - b}
+    """
+    context = fmpq_mpoly_ctx.get(["d", "a", "b"], Ordering.degrevlex)
+    d, a, b = context.gens()
+    one = context.constant(1)
+    p = Monomials((d - a, a), {(0, 0): one})
+    return Curve(Vector(*[p] * dimension), Monomials((d - b, b), {(0, 0): one}))
+
+
+def every_coefficient(value: Any) -> tuple[mpq, mpq] | None:
+    """A proof that no scaled Bernstein coefficient of a vector that is linear in p and in w is identically zero, for
+    every degree d ≥ 1, or None.
+
+    The vector has degree 2d − 1. Its coefficients 2k and 2k + 1, k = 0 … d − 1, contain the product ``p_(k+1) w_k``
+    with the numbers that are returned; they are not zero. (For one a and one b no two terms meet in one coefficient, so
+    that nothing cancels.)
+
+    >>> c = monomial_curve(2)
+    >>> every_coefficient(c.p.d(1) * c.w - c.p * c.w.d(1)), every_coefficient(c.p.d(1) * c.w.d(1))
+    ((mpq(1,1), mpq(1,1)), None)
+    """
+    c = value[0] if isinstance(value, Vector) else None
+    if not isinstance(c, Monomials) or set(c.terms) != {(0, 1), (1, 0)}:
+        return None
+    u, v = c.exponents
+    d, a, b = u.context().gens()
+    if (u, v) != (2 * d - a - b, a + b):
+        return None
+    # at a = k + 1, b = k the exponents of v are 2k and 2k + 1
+    even, odd = (c.terms[shift].compose(d, b + 1, b, ctx=u.context()) for shift in ((0, 1), (1, 0)))
+    if not all(n.is_constant() and n != 0 for n in (even, odd)):
+        return None
+    first, second = (mpq(int(n.leading_coefficient().p), int(n.leading_coefficient().q)) for n in (even, odd))
+    return first, second

@@ -1,0 +1,82 @@
+"""The order reading: how many derivatives of a curve a formula needs. A first pass before the jet ring is made."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactspline.language.arguments import assemble
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.vector import Vector
+
+
+class Order(Operand):
+    """The highest derivative in an expression.
+
+    >>> (Order(1) * Order(0)).d(2).order
+    3
+    """
+
+    __slots__ = ("order",)
+    degree = 0
+    recipe = 0
+    is_zero = False
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            return self
+        if not isinstance(other, Order):
+            return NotImplemented
+        return self if other.order <= self.order else other
+
+    __mul__ = __add__
+
+    def scaled(self, constant: Any) -> Order:
+        """A constant factor needs no derivative."""
+        return self
+
+    def constant(self, value: Any) -> Order:
+        """A constant needs no derivative."""
+        return Order(0)
+
+    def raised_to(self, other: Any) -> Order:
+        """Raising a degree needs no derivative."""
+        return self
+
+    def d(self, order: int = 1) -> Order:
+        """So many derivatives more."""
+        return Order(self.order + order)
+
+
+def is_polynomial(formula: Any, dimension: int) -> bool:
+    """Whether a formula is a polynomial in the curve and its derivatives: no quotient on a rational curve.
+
+    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0, f2
+    >>> is_polynomial(f2, 2), is_polynomial(f0, 2)
+    (True, False)
+    """
+    return isinstance(_orders(formula, dimension), (Order, Vector))
+
+
+def order_of(formula: Any, dimension: int) -> int:
+    """The highest derivative of the curve that a formula needs.
+
+    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D3
+    >>> order_of(D3, 3)
+    3
+    """
+    return _highest(_orders(formula, dimension))
+
+
+def _highest(value: Any) -> int:
+    if isinstance(value, Order):
+        return value.order
+    parts = value if isinstance(value, Vector) else [value.numerator, value.denominator]
+    return max(map(_highest, parts))
+
+
+def _orders(formula: Any, dimension: int) -> Any:
+    result = formula(assemble(getattr(formula, "curve", "curve"), dimension, lambda _: Order(0), Order(0)))
+    return getattr(result, "joined", result)

@@ -1,0 +1,192 @@
+"""The factored reading: differential polynomials kept as products, never multiplied out unless a sum asks for it.
+
+A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums take out
+what both sides share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from flint import fmpq, fmpq_mpoly
+
+from exactspline.exact import rational, to_fmpq
+from exactspline.language import provenance as structure
+from exactspline.language.operand import Operand
+from exactspline.readings.jet import Jet, JetRing, jet_argument
+
+#: Sums of more terms than this are tried for the factors that were met before; those have fewer.
+LONG = 100
+#: Monic polynomials with exponents.
+Powers = tuple[tuple[fmpq_mpoly, int], ...]
+
+
+class FactoredJet(Operand):
+    """``unit · Π baseᵉ``; the bases are monic but need not be irreducible.
+
+    >>> c = factored_argument("curve", 2, 1)
+    >>> (c.p[0] * c.w * c.w + c.p[1] * c.w).powers
+    ((w0, 1), (x0*w0 + y0, 1))
+    """
+
+    __slots__ = ("powers", "recipe", "ring", "unit")
+    degree = 0
+
+    def __init__(self, ring: JetRing, unit: fmpq, powers: Powers, recipe: structure.Recipe = None) -> None:
+        self.ring, self.unit, self.powers = ring, unit, powers
+        self.recipe = structure.leaf() if recipe is None else recipe
+
+    @classmethod
+    def of(cls, jet: Jet) -> FactoredJet:
+        """A differential polynomial as one base."""
+        return _product(jet.ring, jet.polynomial, (), jet.recipe)
+
+    def constant(self, value: Any) -> FactoredJet:
+        """An exact constant."""
+        return FactoredJet(self.ring, to_fmpq(rational(value)), (), (structure.MULTIPLE, 1, rational(value)))
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve."""
+        return bool(self.unit == 0)
+
+    def expanded(self) -> fmpq_mpoly:
+        """Multiplied out."""
+        return multiplied(self.ring, self.powers) * self.unit
+
+    def __mul__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        recipe = (structure.PRODUCT, self.recipe, right.recipe)
+        if self.is_zero or right.is_zero:
+            return FactoredJet(self.ring, fmpq(0), (), recipe)
+        powers = merged(self.powers, right.powers)
+        _remember(self.ring, powers)
+        return FactoredJet(self.ring, self.unit * right.unit, powers, recipe)
+
+    def __add__(self, other: Any) -> Any:
+        return self._sum(other, 1, structure.SUM)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._sum(other, -1, structure.DIFFERENCE)
+
+    def _sum(self, other: Any, sign: int, name: int) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        recipe = (name, self.recipe, right.recipe)
+        if self.is_zero or right.is_zero:
+            left = self if right.is_zero else right
+            return FactoredJet(self.ring, left.unit * (sign if left is right else 1), left.powers, recipe)
+        common = shared(self.powers, right.powers)
+        a = multiplied(self.ring, without(self.powers, common)) * self.unit
+        b = multiplied(self.ring, without(right.powers, common)) * right.unit
+        return _product(self.ring, a + sign * b, common, recipe)
+
+    def scaled(self, constant: Any) -> FactoredJet:
+        """The polynomial times an exact constant."""
+        unit = self.unit * to_fmpq(rational(constant))
+        return FactoredJet(
+            self.ring, unit, self.powers if unit else (), (structure.MULTIPLE, self.recipe, rational(constant))
+        )
+
+    def raised_to(self, other: Any) -> FactoredJet:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1) -> FactoredJet:
+        """The total derivative, by the product rule for all factors at once."""
+        result = self
+        for _ in range(order):
+            ring, recipe = result.ring, (structure.DERIVATIVE, result.recipe)
+            total = ring.context.constant(0)
+            for i, (p, e) in enumerate(result.powers):
+                others = [q for j, (q, _) in enumerate(result.powers) if j != i]
+                total += e * Jet(ring, p).d().polynomial * multiplied(ring, [(q, 1) for q in others])
+            lowered = tuple((p, e - 1) for p, e in result.powers if e > 1)
+            result = _product(ring, total * result.unit, lowered, recipe)
+        return result
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, FactoredJet):
+            return NotImplemented
+        common = shared(self.powers, other.powers)
+        left, right = without(self.powers, common), without(other.powers, common)
+        same: bool = multiplied(self.ring, left) * self.unit == multiplied(self.ring, right) * other.unit
+        return same
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return repr(Jet(self.ring, self.expanded()))
+
+
+def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, recipe: structure.Recipe) -> FactoredJet:
+    """A polynomial times powers: made monic, the variables that divide it taken out."""
+    if not p:
+        return FactoredJet(ring, fmpq(0), (), recipe)
+    unit = p.leading_coefficient()
+    p = p / unit
+    content = p.term_content()
+    content = content / content.leading_coefficient()
+    variables = tuple((x, int(e)) for x, e in zip(ring.gens, content.degrees(), strict=True) if e)
+    rest, found = p / content, merged(powers, variables)
+    if len(rest) > LONG:
+        for q in ring.repeated:
+            times, rest = divided_out(rest, q)
+            found = merged(found, ((q, times),)) if times else found
+    return FactoredJet(ring, unit, merged(found, ((rest, 1),)) if rest.total_degree() > 0 else found, recipe)
+
+
+def _remember(ring: JetRing, powers: Powers) -> None:
+    for p, e in powers:
+        if e > 1 and 1 < len(p) < LONG and all(p != q for q in ring.repeated):
+            ring.repeated.append(p)
+
+
+def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
+    """How often q divides p, and what is left."""
+    times = 0
+    while True:
+        quotient, rest = divmod(p, q)
+        if rest:
+            return times, p
+        times, p = times + 1, quotient
+
+
+def multiplied(ring: JetRing, powers: Iterable[tuple[fmpq_mpoly, int]]) -> fmpq_mpoly:
+    """The product multiplied out, short factors last."""
+    result = ring.context.constant(1)
+    for p, e in sorted(powers, key=lambda item: -len(item[0])):
+        result = result * p**e
+    return result
+
+
+def merged(a: Powers, b: Powers) -> Powers:
+    """The product of two products."""
+    result = list(a)
+    for p, e in b:
+        i = next((i for i, (q, _) in enumerate(result) if p == q), None)
+        if i is None:
+            result.append((p, e))
+        else:
+            result[i] = (p, result[i][1] + e)
+    return tuple(result)
+
+
+def shared(a: Powers, b: Powers) -> Powers:
+    """The bases that two products have in common."""
+    return tuple((p, min(e, f)) for p, e in a for q, f in b if p == q)
+
+
+def without(a: Powers, b: Powers) -> Powers:
+    """A product divided by a part of it."""
+    gone = [(p, next((f for q, f in b if p == q), 0)) for p, _ in a]
+    return tuple((p, e - f) for (p, e), (_, f) in zip(a, gone, strict=True) if e > f)
+
+
+def factored_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
+    """The indeterminate argument of formulas of a kind."""
+    return jet_argument(kind, dimension, order, polynomial=polynomial).mapped(FactoredJet.of)

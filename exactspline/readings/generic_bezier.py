@@ -1,0 +1,106 @@
+"""The generic reading: one Bézier segment of a given degree whose control points and weights are indeterminates.
+
+What a formula returns has Bézier coefficients that are polynomials in them; one that is not the zero polynomial
+vanishes on special curves only.
+"""
+
+from __future__ import annotations
+
+from math import comb
+from typing import Any
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+
+from exactspline.exact import rational, to_fmpq
+from exactspline.language.arguments import Curve
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.vector import Vector
+
+
+class Generic(Operand):
+    """Scaled Bernstein coefficients ``c_i = C(n, i) b_i``, n+1 of them."""
+
+    __slots__ = ("coefficients", "context")
+    recipe = 0
+
+    def __init__(self, context: Any, coefficients: list[fmpq_mpoly]) -> None:
+        self.context, self.coefficients = context, coefficients
+
+    @property
+    def degree(self) -> int:
+        """The formal degree."""
+        return len(self.coefficients) - 1
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve of this degree."""
+        return not any(self.coefficients)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Generic) and self.coefficients == other.coefficients
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def constant(self, value: Any) -> Generic:
+        """A constant of degree 0."""
+        return Generic(self.context, [self.context.constant(to_fmpq(rational(value)))])
+
+    def raised_to(self, other: Generic) -> Generic:
+        """The same function, at least of the degree of `other`."""
+        by = other.degree - self.degree
+        return (
+            self
+            if by <= 0
+            else self * Generic(self.context, [self.context.constant(comb(by, i)) for i in range(by + 1)])
+        )
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            other = self.constant(other)
+        if not isinstance(other, Generic):
+            return NotImplemented
+        a, b = self.raised_to(other), other.raised_to(self)
+        return Generic(self.context, [x + y for x, y in zip(a.coefficients, b.coefficients, strict=True)])
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            return self.scaled(other)
+        if not isinstance(other, Generic):
+            return NotImplemented
+        zero = self.context.constant(0)
+        product = [zero] * max(self.degree + other.degree + 1, 0)
+        for i, x in enumerate(self.coefficients):
+            for j, y in enumerate(other.coefficients):
+                product[i + j] += x * y
+        return Generic(self.context, product)
+
+    def scaled(self, constant: Any) -> Generic:
+        """The form times an exact constant."""
+        q = to_fmpq(rational(constant))
+        return Generic(self.context, [q * x for x in self.coefficients])
+
+    def d(self, order: int = 1) -> Generic:
+        """The derivative by the parameter of the segment."""
+        result = self
+        for _ in range(order):
+            c, n = result.coefficients, result.degree
+            result = Generic(self.context, [(i + 1) * c[i + 1] - (n - i) * c[i] for i in range(n)])
+        return result
+
+
+def generic_curve(dimension: int, degree: int, *, polynomial: bool = False) -> Curve:
+    """The generic Bézier segment of that dimension and degree.
+
+    >>> c = generic_curve(2, 2)
+    >>> len(c.w.d(1).coefficients), c.w.d(3).is_zero
+    (2, True)
+    """
+    names = [*"xyzuvst"[:dimension], *([] if polynomial else ["w"])]
+    context = fmpq_mpoly_ctx.get([f"{name}{i}" for name in names for i in range(degree + 1)], Ordering.degrevlex)
+    gens = context.gens()
+    size = degree + 1
+    functions = [
+        Generic(context, [comb(degree, i) * gens[k * size + i] for i in range(size)]) for k in range(len(names))
+    ]
+    p = Vector(*functions[:dimension])
+    return Curve(p, functions[0].constant(1) if polynomial else functions[-1], polynomial=polynomial)

@@ -1,0 +1,156 @@
+"""What LaTeX and text have in common: where parentheses go, which products are squares, how a sum is strung
+together.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+from exactspline.readings.tree import Node
+
+#: How tightly an operation binds; arguments that bind less get parentheses.
+SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
+
+
+class Printer(ABC):
+    """A walk over a tree; the subclasses say how each thing looks."""
+
+    def __call__(self, node: Node) -> str:
+        """The text of a tree."""
+        return self.show(node)[0]
+
+    def show(self, n: Node) -> tuple[str, int]:
+        """The text of a node and how tightly it binds."""
+        if n.op in ("leaf", "number", "named"):
+            return self.atom(n)
+        if n.op in "+-":
+            left, right = n.args
+            return (
+                f"{self(left)} {self.minus if n.op == '-' else '+'} {self.at(right, PRODUCT if n.op == '-' else SUM)}",
+                SUM,
+            )
+        if n.op == "ruled":
+            return f"{self(n.args[0])} + {self.ruling}{self.between}{self.at(n.args[1], PRODUCT)}", SUM
+        if n.op == "neg":
+            return f"{self.minus}{self.at(n.args[0], PRODUCT)}", SUM
+        if n.op == "*":
+            return self.times(n), PRODUCT
+        if n.op == "/":
+            return self.quotient(*n.args)
+        if n.op == "**":
+            return self.power(self.at(n.args[0], ATOM), n.value), POWER
+        if n.op == "d":
+            return self.derivative(self.at(n.args[0], ATOM), n.value), ATOM
+        if n.op == "[]":
+            return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
+        if n.op == "join":
+            return self.parentheses(", ".join(map(self, n.args))), ATOM
+        return self.product(n)
+
+    def at(self, n: Node, least: int) -> str:
+        """The text of an argument that must bind at least so tightly."""
+        text, binding = self.show(n)
+        return text if binding >= least else self.parentheses(text)
+
+    def times(self, n: Node) -> str:
+        """A product, scalars before vectors."""
+        a, b = n.args
+        if a.is_vector and not b.is_vector and b.op != "leaf" and not (b.op == "d" and b.args[0].op == "leaf"):
+            a, b = b, a
+        return f"{self.at(a, PRODUCT)}{self.between}{self.at(b, POWER)}"
+
+    def product(self, n: Node) -> tuple[str, int]:
+        """A product of vectors."""
+        parts = [self.at(a, POWER) for a in n.args]
+        if n.op == "dot" and n.args[0] is n.args[1]:
+            return self.norm2(self(n.args[0])), POWER
+        if n.op == "det":
+            return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
+        if n.op == "perp":
+            return self.perp(self.at(n.args[0], ATOM)), ATOM
+        if n.op == "generalized_cross":
+            return self.wedge([self(a) for a in n.args]), ATOM
+        return (f" {self.cross} " if n.op == "cross" else f" {self.dot} ").join(parts), PRODUCT
+
+    minus: str
+    cross: str
+    dot: str
+    between: str
+    ruling: str
+
+    @abstractmethod
+    def atom(self, n: Node) -> tuple[str, int]:
+        """A leaf, a number or a named formula."""
+
+    @abstractmethod
+    def quotient(self, a: Node, b: Node) -> tuple[str, int]:
+        """A quotient."""
+
+    @abstractmethod
+    def power(self, base: str, exponent: int) -> str:
+        """A power."""
+
+    @abstractmethod
+    def derivative(self, base: str, order: int) -> str:
+        """A derivative."""
+
+    @abstractmethod
+    def component(self, base: str, index: str) -> str:
+        """A component of a vector."""
+
+    @abstractmethod
+    def parentheses(self, text: str) -> str:
+        """Parentheses."""
+
+    @abstractmethod
+    def norm2(self, text: str) -> str:
+        """A squared length."""
+
+    @abstractmethod
+    def bracket(self, parts: list[str]) -> str:
+        """A determinant."""
+
+    @abstractmethod
+    def perp(self, text: str) -> str:
+        """A vector turned by a right angle."""
+
+    @abstractmethod
+    def wedge(self, parts: list[str]) -> str:
+        """A generalized cross product."""
+
+
+def named_binding(n: Node) -> int:
+    """How tightly the symbol of a named formula binds: one with a power of its own needs parentheses before it gets
+    another.
+    """
+    return POWER if "^" in n.value.symbol else ATOM
+
+
+def index_text(index: int | slice) -> str:
+    """An index, or the first and last of a slice.
+
+    >>> index_text(2), index_text(slice(1, 4))
+    ('2', '1…3')
+    """
+    return f"{index.start}…{index.stop - 1}" if isinstance(index, slice) else str(index)
+
+
+def number(value: Any) -> tuple[str, int]:
+    """A constant: fractions bind like products."""
+    text = str(value)
+    return text, ATOM if text.isdigit() else PRODUCT
+
+
+#: Names of leaves that people write otherwise.
+LEAVES = {"point": "Q", "axis_x": "e_1", "axis_y": "e_2", "axis_z": "e_3"}
+
+
+def leaf(value: str) -> tuple[str, bool]:
+    """The name of a leaf, and whether it gets a bar: it is of the second of two curves.
+
+    >>> leaf("second.p"), leaf("gamma")
+    (('p', True), ('gamma', False))
+    """
+    path, _, name = value.rpartition(".")
+    return LEAVES.get(name, name), path == "second"

@@ -1,0 +1,85 @@
+"""Formulas as Unicode text."""
+
+from __future__ import annotations
+
+import re
+
+from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
+from exactspline.readings.tree import Node
+
+_GREEK = {"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"}
+_SUBSCRIPT = {ord("_"): None, **str.maketrans("123", "₁₂₃")}
+_SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+class TextPrinter(Printer):
+    """``[p′ p″] w − [p p″] w′``."""
+
+    minus, cross, dot, between, ruling = "−", "×", "·", " ", "ζ"
+
+    def atom(self, n: Node) -> tuple[str, int]:
+        """A name or a number."""
+        if n.op == "number":
+            return number(n.value)
+        if n.op == "named":
+            return _barred(symbol_text(n.value.symbol), n.value.barred), named_binding(n)
+        name, barred = leaf(n.value)
+        return _barred(_GREEK.get(name, name).translate(_SUBSCRIPT), barred), ATOM
+
+    def quotient(self, a: Node, b: Node) -> tuple[str, int]:
+        """``a/b``."""
+        return f"{self.at(a, 2)}/{self.at(b, 3)}", 2
+
+    def power(self, base: str, exponent: int) -> str:
+        """``a²``."""
+        return base + str(exponent).translate(_SUPERSCRIPT)
+
+    def derivative(self, base: str, order: int) -> str:
+        """``a′``."""
+        return base + ("′″‴"[order - 1] if order < 4 else f"⁽{str(order).translate(_SUPERSCRIPT)}⁾")
+
+    def component(self, base: str, index: str) -> str:
+        """``a[i]``."""
+        return f"{base}[{index}]"
+
+    def parentheses(self, text: str) -> str:
+        """``(a)``."""
+        return f"({text})"
+
+    def norm2(self, text: str) -> str:
+        """``‖a‖²``."""
+        return f"‖{text}‖²"
+
+    def bracket(self, parts: list[str]) -> str:
+        """``[a b]``."""
+        return f"[{' '.join(parts)}]"
+
+    def perp(self, text: str) -> str:
+        """``a⊥``."""
+        return f"{text}⊥"
+
+    def wedge(self, parts: list[str]) -> str:
+        """``⋀(a, b)``."""
+        return f"⋀({', '.join(parts)})"
+
+
+def _barred(text: str, barred: bool) -> str:
+    """A bar over the first letter."""
+    return f"{text[0]}\u0304{text[1:]}" if barred else text
+
+
+def symbol_text(symbol: str) -> str:
+    r"""A LaTeX symbol as text.
+
+    >>> symbol_text(r"D_{21}"), symbol_text(r"\gamma''"), symbol_text("[D_1\\ D_2]")
+    ('D21', 'γ″', '[D1 D2]')
+    """
+    text = symbol.replace("'''", "‴").replace("''", "″").replace("'", "′").replace("\\ ", " ")
+    text = text.replace(r"\times", "×").replace(r"\cdot", "·").replace(r"\perp", "⊥").replace(r"\|", "‖")
+    text = re.sub(r"\\(kappa|gamma|tau|Psi|Pi|delta|bar)", lambda m: _GREEK.get(m[1], ""), text)
+    text = re.sub(r"\^\{?(\d+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
+    text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1/\2", text)
+    return re.sub(r"\\(mathbf|left|right)|[_{}]", "", text)
+
+
+print_text = TextPrinter()

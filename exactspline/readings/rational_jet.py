@@ -1,0 +1,123 @@
+"""The fraction reading: quotients of differential polynomials in lowest terms.
+
+Where the jet reading carries out the naive algorithm, this one computes what the formula *is*, cancelling common
+factors after every operation: the way to prove an identity between large naive expressions without multiplying them
+out.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import fmpq_mpoly
+
+from exactspline.errors import FormulaError
+from exactspline.language.arguments import Curve
+from exactspline.language.vector import FieldOperand
+from exactspline.readings.jet import Jet, JetRing, jet_argument
+
+
+class JetFraction(FieldOperand):
+    """``top / bottom`` without common factor, the bottom monic.
+
+    >>> c = fraction_curve(2, 1)
+    >>> (c.gamma[0] * c.w).top == c.p[0].top
+    True
+    """
+
+    __slots__ = ("bottom", "ring", "top")
+    degree = recipe = 0
+
+    def __init__(self, ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> None:
+        self.ring, self.top, self.bottom = ring, top, bottom
+
+    def constant(self, value: Any) -> JetFraction:
+        """An exact constant."""
+        return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
+
+    def __add__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        shared = _gcd(self.bottom, right.bottom)
+        mine, its = self.bottom / shared, right.bottom / shared
+        top = self.top * its + right.top * mine
+        left = _gcd(top, shared)
+        return JetFraction(self.ring, top / left, mine * its * (shared / left))
+
+    def __mul__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
+        return JetFraction(self.ring, (self.top / a) * (right.top / b), (self.bottom / b) * (right.bottom / a))
+
+    def reciprocal(self) -> JetFraction:
+        """``1 / a``; `FormulaError` for zero."""
+        if not self.top:
+            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+        unit = self.top.leading_coefficient()
+        return JetFraction(self.ring, self.bottom / unit, self.top / unit)
+
+    def scaled(self, constant: Any) -> JetFraction:
+        """The fraction times an exact constant."""
+        result: JetFraction = self * self.constant(constant)
+        return result
+
+    def raised_to(self, other: Any) -> JetFraction:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1) -> JetFraction:
+        """The total derivative."""
+        result = self
+        for _ in range(order):
+            top, bottom = Jet(result.ring, result.top), Jet(result.ring, result.bottom)
+            if bottom.polynomial.total_degree() == 0:
+                result = JetFraction(
+                    result.ring,
+                    top.d().polynomial / bottom.polynomial.leading_coefficient(),
+                    result.ring.context.constant(1),
+                )
+                continue
+            numerator = (top.d() * bottom - top * bottom.d()).polynomial
+            shared = _gcd(numerator, result.bottom)
+            rest = result.bottom / shared
+            again = _gcd(numerator / shared, result.bottom)
+            result = JetFraction(result.ring, numerator / shared / again, rest * (result.bottom / again))
+        return result
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve."""
+        return not self.top
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, JetFraction) and self.top * other.bottom == other.top * self.bottom
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
+
+
+def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    """The monic greatest common divisor (of 0 and b: b made monic)."""
+    common = a.gcd(b)
+    return common / common.leading_coefficient() if common else common
+
+
+def fraction_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
+    """The indeterminate curve with its derivatives up to `order`.
+
+    >>> fraction_curve(2, 2).gamma.d(1)[0]
+    (x′·w − x·w′) / (w²)
+    """
+    curve: Curve = fraction_argument("curve", dimension, order, polynomial=polynomial)
+    return curve
+
+
+def fraction_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
+    """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves."""
+    jets = jet_argument(kind, dimension, order, polynomial=polynomial)
+    return jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))

@@ -1,0 +1,110 @@
+"""The series reading: Taylor series at a parameter, truncated. Values and derivatives of any formula there, without
+splines or quotient rules.
+
+Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mpmath's ``mpf`` or intervals.
+"""
+
+from __future__ import annotations
+
+from math import factorial
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import FormulaError
+from exactspline.language.arguments import Curve
+from exactspline.language.vector import FieldOperand, Vector
+
+
+class Series(FieldOperand):
+    """``a_0 + a_1 h + a_2 h² + …`` as far as it is known.
+
+    >>> h = Series([mpq(0), mpq(1), mpq(0), mpq(0)])
+    >>> (1 / (1 - h)).coefficients
+    (mpq(1,1), mpq(1,1), mpq(1,1), mpq(1,1))
+    """
+
+    __slots__ = ("coefficients",)
+    degree = 0
+
+    def __init__(self, coefficients: Any) -> None:
+        self.coefficients = tuple(coefficients)
+
+    def constant(self, value: Any) -> Series:
+        """An exact constant."""
+        zero = self.coefficients[0] * 0
+        return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
+
+    def __add__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
+
+    def __mul__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        a, b = self.coefficients, right.coefficients
+        return Series(sum(a[j] * b[i - j] for j in range(i + 1)) for i in range(min(len(a), len(b))))
+
+    def reciprocal(self) -> Series:
+        """``1 / a``; `FormulaError` when the value here is zero."""
+        a = self.coefficients
+        if a[0] == 0:
+            raise FormulaError(
+                "division by a series that vanishes at this parameter", remedy="expand at another parameter"
+            )
+        b: list[Any] = [1 / a[0]]
+        for i in range(1, len(a)):
+            b.append(-b[0] * sum(a[j] * b[i - j] for j in range(1, i + 1)))
+        return Series(b)
+
+    def scaled(self, constant: Any) -> Series:
+        """The series times an exact constant."""
+        return Series(a * constant for a in self.coefficients)
+
+    def raised_to(self, other: Any) -> Series:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1) -> Series:
+        """The derivative, known to so many terms less."""
+        if order >= len(self.coefficients):
+            raise FormulaError(
+                f"a derivative of order {order} of a series of {len(self.coefficients)} terms", remedy="expand further"
+            )
+        return Series(a * (factorial(i) // factorial(i - order)) for i, a in enumerate(self.coefficients) if i >= order)
+
+    @property
+    def value(self) -> Any:
+        """The value at the parameter."""
+        return self.coefficients[0]
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether all known coefficients vanish."""
+        return all(a == 0 for a in self.coefficients)
+
+    def __repr__(self) -> str:
+        return f"Series({', '.join(map(str, self.coefficients))})"
+
+
+def taylor(spline: Any, t: Any, terms: int, side: str = "right") -> Series:
+    """The expansion of a spline at a parameter (at a knot the one on the given side).
+
+    >>> from exactspline import BSpline
+    >>> taylor(BSpline.bezier([0, 0, 1]), "1/2", 3).coefficients
+    (mpq(1,4), mpq(1,1), mpq(1,1))
+    """
+    coefficients, derivative = [], spline
+    for i in range(terms):
+        coefficients.append(derivative(t, side) / factorial(i) if i <= spline.degree else mpq(0))
+        derivative = derivative.d() if i < spline.degree else derivative
+    return Series(coefficients)
+
+
+def series_curve(curve: Any, t: Any, terms: int, side: str = "right") -> Curve:
+    """The expansion of a concrete curve at a parameter."""
+    p = Vector(*[taylor(x, t, terms, side) for x in curve.p])
+    return Curve(p, taylor(curve.w, t, terms, side), polynomial=curve.polynomial)

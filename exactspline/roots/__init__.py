@@ -1,0 +1,11 @@
+"""Certified zero sets: every root, none invented, to any number of digits.
+
+>>> from exactspline import BSpline
+>>> zeros(BSpline.bezier([1, -2, 1])).roots
+[<Root 0.211325…: multiplicity 1, sign + to −>, <Root 0.788675…: multiplicity 1, sign − to +>]
+"""
+
+from exactspline.roots.root import Root, between
+from exactspline.roots.zero_set import Jump, Stretch, ZeroSet, zeros
+
+__all__ = ["Jump", "Root", "Stretch", "ZeroSet", "between", "zeros"]

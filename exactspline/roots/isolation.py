@@ -1,0 +1,232 @@
+"""Exact isolation of the zeros of one form on its segment: Descartes' rule with subdivision.
+
+In ``z = t/(1 − t)`` the segment is ``z ≥ 0`` and the form is ``Σ c_i zⁱ``; the sign changes of its coefficients bound
+the number of zeros inside the segment and agree with it in parity. None means no zero, one means one simple zero;
+anything else is split at the midpoint, which is two Taylor shifts. No square-free part is needed until a depth cap is
+reached: only there could a multiple zero be the reason, and a gcd modulo one prime mostly says that it is not.
+
+Source: Collins and Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976; Lane and
+Riesenfeld, Bounds on a polynomial, BIT 1981.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import NamedTuple
+
+from flint import fmpz, fmpz_poly, nmod_poly
+from gmpy2 import mpq
+
+from exactspline.exact import ratio
+from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
+
+#: Depth at which multiple zeros are first suspected.
+DEPTH = 10
+#: A prime for the square-free test: any prime that does not divide the leading coefficient and the degree gives a
+#: proof.
+PRIME = (1 << 61) - 1
+_PRIME = fmpz(PRIME)
+
+
+class Factor:
+    """An integer polynomial in z, non-zero at both ends of the segment, with what its evaluation from either end needs.
+
+    >>> Factor(fmpz_poly([1, -5, 6])).reversed.coeffs()
+    [6, -5, 1]
+    """
+
+    def __init__(self, polynomial: fmpz_poly) -> None:
+        self.polynomial = polynomial
+
+    @cached_property
+    def slope(self) -> fmpz_poly:
+        """Derivative by z."""
+        return self.polynomial.derivative()
+
+    @cached_property
+    def reversed(self) -> fmpz_poly:
+        """The polynomial in 1/z."""
+        return backwards(self.polynomial, self.polynomial.degree())
+
+    @cached_property
+    def reversed_slope(self) -> fmpz_poly:
+        """Derivative by 1/z of the polynomial in 1/z."""
+        return self.reversed.derivative()
+
+
+class LocalZero(NamedTuple):
+    """A zero strictly inside the segment, in the local parameter: at ``low = high`` exactly, or the only one in the
+    open interval (low, high).
+    """
+
+    low: mpq
+    high: mpq
+    multiplicity: int
+    #: Signs of the form just left and just right of the zero.
+    signs: tuple[int, int]
+    #: A factor of the form that has this zero once and no other in the interval (any factor that has the zero, when it
+    #: is exact).
+    factor: Factor
+    #: Sign of the factor just left of the zero (0 when it is exact).
+    sign: int
+
+
+class Leaf(NamedTuple):
+    """The interval ``[k, k + 1]/2^level``, with 0 or 1 sign changes of the polynomial that was searched."""
+
+    level: int
+    k: int
+    changes: int
+
+
+class Isolation(NamedTuple):
+    """The zeros of one form on one segment, and the leaves of the subdivision that prove there are no others."""
+
+    #: Multiplicity of the zero at the left end, and at the right end (0: none).
+    at_left: int
+    at_right: int
+    #: Signs of the form just right of the left end, and just left of the right end.
+    signs: tuple[int, int]
+    inner: list[LocalZero]
+    leaves: list[Leaf]
+    #: The zeros met exactly at midpoints, ``k/2^level``.
+    points: list[tuple[int, int]]
+    #: Square-free factors with their multiplicities, when they were needed; the leaves then belong to the product of
+    #: the factors, each taken once.
+    factors: list[tuple[fmpz_poly, int]] | None
+
+
+def isolate(c: fmpz_poly, n: int) -> Isolation:
+    """All zeros on [0, 1] of the non-zero form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ``.
+
+    >>> found = isolate(fmpz_poly([1, -3, 1]), 2)  # (1 − t)² − 3(1 − t)t + t²
+    >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
+    [('0', '1/2'), ('1/2', '1')]
+    """
+    at_left = next(i for i, x in enumerate(c.coeffs()) if x != 0)
+    at_right = n - c.degree()
+    inner = c.right_shift(at_left) if at_left else c
+    signs = (_sign(inner[0]), _sign(inner[inner.degree()]))
+    if variations(inner) == 0:
+        return Isolation(at_left, at_right, signs, [], [Leaf(0, 0, 0)], [], None)
+    inner, _ = divide_u_plus_v(inner // inner.content(), inner.degree())
+    search = _Search(inner, DEPTH)
+    if search.finished:
+        return Isolation(at_left, at_right, signs, search.zeros(), search.leaves, search.points(), None)
+    factors = [(g, int(k)) for g, k in inner.factor_squarefree()[1]]
+    radical = fmpz_poly([1])
+    for g, _ in factors:
+        radical = radical * g
+    search = _Search(radical, None)
+    zeros = _attributed(inner, [(Factor(g), k) for g, k in factors], search.zeros())
+    return Isolation(at_left, at_right, signs, zeros, search.leaves, search.points(), factors)
+
+
+class _Search:
+    """Subdivision of a polynomial that is non-zero at both ends; not finished when it stopped at the cap because of a
+    multiple zero.
+    """
+
+    def __init__(self, polynomial: fmpz_poly, cap: int | None) -> None:
+        self.factor, self.cap = Factor(polynomial), cap
+        self.leaves: list[Leaf] = []
+        self._found: list[
+            tuple[int, int, int, tuple[int, int]]
+        ] = []  # level, k, multiplicity at a point or 0 inside an interval, signs on both sides
+        self.finished = self._run(polynomial)
+
+    def _run(self, polynomial: fmpz_poly) -> bool:
+        todo = [(0, 0, polynomial)]
+        while todo:
+            level, k, part = todo.pop()
+            changes = variations(part)
+            if changes <= 1:
+                self.leaves.append(Leaf(level, k, changes))
+                if changes:
+                    sign = _sign(part[0])
+                    self._found.append((level, k, 0, (sign, -sign)))
+                continue
+            if level == self.cap:
+                if not certainly_square_free(polynomial):
+                    return False
+                self.cap = None
+            n = part.degree()
+            left, right = halves(part, n)
+            level, k = level + 1, 2 * k
+            if right[0] == 0:
+                times = n - left.degree()
+                right = right.right_shift(times)
+                self._found.append((level, k + 1, times, (_sign(left[n - times]), _sign(right[0]))))
+            todo += [(level, k + 1, right), (level, k, left)]
+        return True
+
+    def points(self) -> list[tuple[int, int]]:
+        return [(level, k) for level, k, times, _ in self._found if times]
+
+    def zeros(self) -> list[LocalZero]:
+        result = []
+        for level, k, times, signs in self._found:
+            low = mpq(k, 1 << level)
+            high = low if times else mpq(k + 1, 1 << level)
+            result.append(
+                _exact_if_linear(LocalZero(low, high, times or 1, signs, self.factor, 0 if times else signs[0]))
+            )
+        return sorted(result, key=lambda zero: zero.low + zero.high)
+
+
+def certainly_square_free(c: fmpz_poly) -> bool:
+    """Whether the polynomial has no multiple factor modulo `PRIME`, which proves that it has none; False proves
+    nothing.
+
+    >>> certainly_square_free(fmpz_poly([1, -3, 1])), certainly_square_free(fmpz_poly([1, -2, 1]))
+    (True, False)
+    """
+    image = nmod_poly([x % _PRIME for x in c.coeffs()], PRIME)
+    return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
+
+
+def _attributed(c: fmpz_poly, factors: list[tuple[Factor, int]], zeros: list[LocalZero]) -> list[LocalZero]:
+    """The zeros of the product of the factors, each with the one factor it belongs to, and with the signs of the form
+    itself.
+    """
+    result = []
+    for zero in zeros:
+        low, high = zero.low, zero.high
+        if low == high:
+            factor, multiplicity = next(
+                (f, k) for f, k in factors if value((f.polynomial, ONE), f.polynomial.degree(), low) == 0
+            )
+            signs, sign = (end_signs(c, mpq(0), low)[1], end_signs(c, low, mpq(1))[0]), 0
+        else:
+            # the product has one zero here, so that exactly one factor changes sign
+            (factor, multiplicity), sign = next(
+                (pair, first)
+                for pair, (first, last) in ((p, end_signs(p[0].polynomial, low, high)) for p in factors)
+                if first != last
+            )
+            signs = end_signs(c, low, high)
+        result.append(_exact_if_linear(LocalZero(low, high, multiplicity, signs, factor, sign)))
+    return result
+
+
+def _exact_if_linear(zero: LocalZero) -> LocalZero:
+    c = zero.factor.polynomial
+    if c.degree() != 1:
+        return zero
+    t = ratio(c[0], c[0] - c[1])
+    return zero._replace(low=t, high=t, sign=0)
+
+
+def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
+    """Signs of the form with integers c (of its own degree) just inside the ends of [low, high].
+
+    >>> end_signs(fmpz_poly([1, -1]), mpq(1, 2), mpq(1))
+    (-1, -1)
+    """
+    part, _ = restrict((c, ONE), c.degree(), low, high)
+    signs = [_sign(x) for x in part.coeffs() if x != 0]
+    return signs[0], signs[-1]
+
+
+def _sign(x: fmpz) -> int:
+    return 1 if x > 0 else -1 if x < 0 else 0

@@ -1,0 +1,207 @@
+"""Refinement of an isolated simple zero to any number of digits: Newton's method in ball arithmetic, the precision
+doubled step by step.
+
+Every step proves what it returns. For a ball X with midpoint m, ``N = m − g(m)/g′(X)`` holds every zero of g in X, and
+when N lies inside X there is exactly one (interval Newton). The evaluations are those of FLINT's ``arb``, whose results
+hold the exact value whatever the precision; the precision is set for one step at a time, with guard bits that follow
+the cancellation met in the step before. An exact sign at a rational parameter falls back to integers when the balls
+cannot tell.
+
+Everything happens in ``z = t/(1 − t)`` or, in the right half of the segment, in its reciprocal: there evaluation is as
+well conditioned as in the Bernstein basis.
+
+Source: Moore, Interval Analysis, 1966; Johansson, Arb: efficient arbitrary-precision midpoint-radius interval
+arithmetic, IEEE Trans. Comput. 2017.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from flint import arb, arb_poly, ctx, fmpz_poly
+from gmpy2 import mpq, mpz
+
+from exactspline.exact import to_fmpq
+from exactspline.roots.isolation import Factor
+from exactspline.splines.bernstein import ONE, value
+
+#: Working precision to begin with, and guard bits of every later step.
+START, GUARD = 64, 12
+#: Bits from which on every step is worth keeping: what is below is quickly done again.
+KEEP = 1500
+
+Interval = tuple[mpq, mpq]
+
+
+def sign_at(c: fmpz_poly, t: mpq) -> int:
+    """Sign of a form (of its own degree) at a local parameter in [0, 1]: by balls first, exactly when they hold zero.
+
+    >>> sign_at(fmpz_poly([1, -1]), mpq(1, 3)), sign_at(fmpz_poly([1, -1]), mpq(1, 2))
+    (1, 0)
+    """
+    if 0 < t < 1:
+        with ctx.workprec(START + t.denominator.bit_length()):
+            near = arb_poly(c)(arb(to_fmpq(t / (1 - t))))
+            if near > 0 or near < 0:
+                return 1 if near > 0 else -1
+    exact = value((c, ONE), c.degree(), t)
+    return int(exact > 0) - int(exact < 0)
+
+
+def enclosures(factor: Factor, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:
+    """Ever smaller rational intervals around the one zero in (low, high), the last at most ``2^−bits`` wide; ``(t, t)``
+    when t is found to be the zero.
+
+    `low` and `high` are local parameters, `sign` is that of the factor just right of `low`. The zero is strictly inside
+    every interval, and the factor is not zero at an end unless it was so at `low` or `high` from the beginning. Every
+    interval stands on its own: whoever stops early continues from the last one.
+
+    >>> *_, (a, b) = enclosures(Factor(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
+    >>> b - a < mpq(1, 2**200), a < mpq(5, 18) < b, mpq(276, 1000) < a < mpq(277, 1000)
+    (True, False, True)
+    """
+    half = mpq(1, 2)
+    if low == 0 and high == 1:
+        at_half = factor.polynomial(1) * sign
+        if at_half == 0:
+            yield half, half
+            return
+        low, high = (half, high) if at_half > 0 else (low, half)
+        yield low, high
+    flipped = low + high > 1
+    if flipped:
+        chart = _Chart(factor.reversed, factor.reversed_slope, 1 - high, 1 - low, -sign)
+    else:
+        chart = _Chart(factor.polynomial, factor.slope, low, high, sign)
+    for a, b in chart.run(bits):
+        yield (1 - b, 1 - a) if flipped else (a, b)
+
+
+class _Chart:
+    """One zero of g(z) in the interval of z that belongs to [low, high], below 3 or so."""
+
+    def __init__(self, g: fmpz_poly, slope: fmpz_poly, low: mpq, high: mpq, sign: int) -> None:
+        self.g, self.slope, self.low, self.high, self.sign = g, slope, low, high, sign
+        self.ends = to_fmpq(low / (1 - low)), to_fmpq(high / (1 - high))
+        #: Bits lost by cancellation and division, as met so far.
+        self.loss = 0
+
+    def run(self, bits: int) -> Iterator[Interval]:
+        ball = self._caught()
+        accuracy = _accuracy(ball)
+        # one bit for the two units that rounding outwards adds, two for the width of a ball
+        goal = bits + 3
+        while accuracy < goal:
+            if accuracy >= KEEP:
+                yield self._local(ball, accuracy)
+            wanted = goal + GUARD
+            while wanted > 2 * accuracy + GUARD:
+                wanted = wanted // 2 + 2
+            ball = self._step(ball, accuracy, wanted)
+            accuracy, before = _accuracy(ball), accuracy
+            if accuracy < before + 2:
+                self.loss += before + GUARD
+        yield self._local(ball, goal)
+
+    def _step(self, ball: Any, accuracy: int, wanted: int) -> Any:
+        """One interval Newton step from a ball of the given accuracy; what cancellation it meets is kept in `loss`."""
+        precision = wanted + self.loss + GUARD
+        with ctx.workprec(min(precision, accuracy + self.loss + 2 * GUARD)):
+            slope = arb_poly(self.slope)(ball)
+        with ctx.workprec(precision):
+            middle = ball.mid()
+            correction = arb_poly(self.g)(middle) / slope
+            step = middle - correction
+            # the balls overlap: both hold the zero
+            result = step.intersection(ball) if step.is_finite() else ball
+        noise = _accuracy(result)
+        self.loss = (
+            max(self.loss, min(wanted - noise, wanted))
+            if noise < wanted and noise < 2 * accuracy - 2 * GUARD
+            else self.loss
+        )
+        return result
+
+    def _caught(self) -> Any:
+        """A ball proved to hold the zero and no other, on which interval Newton contracts.
+
+        Newton's method without proof from the middle, held inside the interval, whose ends move in with every certain
+        sign; then the inclusion test around where it went.
+        """
+        low, high = self.ends
+        gap = high - low
+        precision = START + max(0, gap.q.bit_length() - gap.p.bit_length())
+        start: Any = None
+        while True:
+            with ctx.workprec(precision):
+                caught, low, high, start = self._attempt(low, high, start)
+            if caught is not None:
+                return caught
+            precision *= 2
+            self.loss = precision
+
+    def _attempt(self, low_end: Any, high_end: Any, x: Any) -> tuple[Any, Any, Any, Any]:
+        """The ball, or None when the precision does not do; then the smaller interval and the point where a sign was
+        not certain.
+        """
+        g, slope = arb_poly(self.g), arb_poly(self.slope)
+        low, high = arb(low_end), arb(high_end)
+        x = ((low + high) / 2).mid() if x is None else x
+        last = high - low
+        # near enough for what the inclusion test proves to be worth a step of higher precision
+        near = last / 1024
+        while True:
+            at = g(x)
+            if (at > 0) if self.sign > 0 else (at < 0):
+                low = low_end = x
+            elif (at < 0) if self.sign > 0 else (at > 0):
+                high = high_end = x
+            elif at.is_zero():
+                return x, low_end, high_end, x
+            else:
+                return None, low_end, high_end, x
+            change = at / slope(x)
+            y = (x - change).mid()
+            size = abs(change).upper() if change.is_finite() else last
+            if change.is_finite() and low < y and y < high and 2 * size < last:
+                ball = arb(y, size / 4)
+                if size < near and low < ball < high:
+                    newton = y - g(y) / slope(ball)
+                    if newton.is_finite() and ball.contains_interior(newton):
+                        # once more, while the precision is there
+                        y = newton.mid()
+                        return (y - g(y) / slope(newton)).intersection(newton), low_end, high_end, y
+                last = size
+            else:
+                y, last = ((low + high) / 2).mid(), high - low
+            if not (low < y < high):
+                return None, low_end, high_end, None
+            x = y
+
+    def _local(self, ball: Any, bits: int) -> Interval:
+        """The interval of t on the grid of ``2^−bits`` around the ball, rounded outwards and inside the one before."""
+        if ball.is_exact() and self.g(ball.fmpq()) == 0:
+            z = ball.fmpq()
+            self.low = self.high = mpq(int(z.p), int(z.p + z.q))
+            return self.low, self.high
+        with ctx.workprec(max(bits, 0) + START):
+            low, high = (_floor_scaled(end, bits) for end in (ball.lower(), ball.upper()))
+        unit = mpz(1) << bits
+        self.low, self.high = max(self.low, mpq(low - 1, unit)), min(self.high, mpq(high + 2, unit))
+        return self.low, self.high
+
+
+def _floor_scaled(z: Any, bits: int) -> mpz:
+    """Integer part of ``2^bits z/(1 + z)`` for a dyadic ball of radius zero."""
+    mantissa, exponent = z.man_exp()
+    man, exp = mpz(int(mantissa)), int(exponent)
+    if exp >= 0:
+        man, exp = man << exp, 0
+    return (man << bits) // (man + (mpz(1) << -exp))
+
+
+def _accuracy(ball: Any) -> int:
+    """Largest k such that the radius is below ``2^−k``."""
+    mantissa, exponent = ball.rad().man_exp()
+    return -int(exponent) - int(mantissa).bit_length() if mantissa != 0 else 1 << 60

@@ -1,0 +1,205 @@
+"""The zero set of a spline on its domain: roots, stretches on which it vanishes, and changes of sign by a jump."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from gmpy2 import mpq
+
+from exactspline.errors import ShapeError
+from exactspline.exact import ratio, text
+from exactspline.language.services import Displayed
+from exactspline.roots.isolation import Isolation, isolate
+from exactspline.roots.root import Root
+from exactspline.splines.bspline import BSpline
+
+
+class Side(NamedTuple):
+    """A spline seen from one side of a knot: limit, multiplicity of the zero (None where the segment vanishes), sign
+    beside the knot.
+    """
+
+    value: mpq
+    multiplicity: int | None
+    sign: int
+
+
+@dataclass(frozen=True)
+class Jump:
+    """A knot where the spline jumps and either changes sign without a zero on both sides, or is zero seen from one side
+    only.
+
+    `left` and `right` tell the limit, the multiplicity and the sign on each side.
+    """
+
+    parameter: mpq
+    left: Side
+    right: Side
+
+    @property
+    def sign_change(self) -> bool:
+        """Whether the spline has opposite signs on the two sides."""
+        return self.left.sign * self.right.sign < 0
+
+    def __repr__(self) -> str:
+        return f"<Jump at {text(self.parameter)}: from {text(self.left.value)} to {text(self.right.value)}>"
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """An interval [low, high] on which the spline vanishes, with its sign before and behind (None where the domain
+    ends).
+
+    On a periodic spline a stretch across the seam begins before the end of the domain, and `high` lies beyond the end
+    by as much as the stretch goes on behind the start.
+    """
+
+    low: mpq
+    high: mpq
+    signs: tuple[int | None, int | None]
+
+    def __repr__(self) -> str:
+        return f"<Stretch [{text(self.low)}, {text(self.high)}]>"
+
+
+class ZeroSet(Displayed):
+    """All zeros of a spline; a sequence of its roots, in order, each parameter once.
+
+    `roots`, `stretches` and `jumps` are complete and disjoint: a root at an end of a stretch belongs to the stretch.
+    """
+
+    def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
+        self.spline, self.periodic, self.isolations = spline, periodic, isolations
+        self.roots: list[Root] = []
+        self.jumps: list[Jump] = []
+        self.stretches = _stretches(spline, isolations, periodic)
+        breaks = spline.mesh.breaks
+        for i, isolation in enumerate(isolations):
+            self._judge(breaks[i], self._left_of(i), _sides(spline, i, isolation)[0])
+            if isolation is not None:
+                self._inner(isolation, (breaks[i], breaks[i + 1]))
+        if not periodic:
+            self._judge(breaks[-1], _sides(spline, len(isolations) - 1, isolations[-1])[1], None)
+
+    def _left_of(self, i: int) -> Side | None:
+        if i == 0 and not self.periodic:
+            return None
+        return _sides(self.spline, (i - 1) % len(self.isolations), self.isolations[i - 1])[1]
+
+    def _inner(self, isolation: Isolation, segment: tuple[mpq, mpq]) -> None:
+        a, b = segment
+        width = b - a
+        for zero in isolation.inner:
+            self.roots.append(
+                Root(
+                    a + width * zero.low,
+                    a + width * zero.high,
+                    (zero.multiplicity, zero.multiplicity),
+                    zero.signs,
+                    zero,
+                    segment,
+                )
+            )
+
+    def _judge(self, t: mpq, left: Side | None, right: Side | None) -> None:
+        """What there is at a knot; at an end of the domain one side is None."""
+        sides = [side for side in (left, right) if side is not None]
+        if left is not None and right is not None:
+            zero_sides = sum(side.multiplicity != 0 for side in sides)
+            if zero_sides == 1 or (zero_sides == 0 and left.sign != right.sign):
+                self.jumps.append(Jump(t, left, right))
+                return
+        if all(side.multiplicity for side in sides):
+            multiplicities = (left and left.multiplicity, right and right.multiplicity)
+            self.roots.append(Root(t, t, multiplicities, (left and left.sign, right and right.sign)))
+
+    def __iter__(self) -> Iterator[Root]:
+        return iter(self.roots)
+
+    def __len__(self) -> int:
+        return len(self.roots)
+
+    def __getitem__(self, i: int) -> Root:
+        return self.roots[i]
+
+    def __repr__(self) -> str:
+        return f"<ZeroSet: {len(self.roots)} roots, {len(self.stretches)} stretches, {len(self.jumps)} jumps>"
+
+    def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[tuple[mpq, mpq]]:
+        """Every root in an interval at most ``10^−digits`` wide; `progress` is called after each with how many are
+        done, of how many.
+
+        May be interrupted: what was reached stays with the roots.
+        """
+        result = []
+        for i, root in enumerate(self.roots):
+            result.append(root.refine(digits))
+            if progress is not None:
+                progress(i + 1, len(self.roots))
+        return result
+
+    def certificate(self) -> dict[str, Any]:
+        """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.roots.checker`)."""
+        from exactspline.roots.certificate import certificate
+
+        return certificate(self)
+
+
+def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
+    """All zeros of a spline on its domain, proved complete.
+
+    With `periodic` the two ends of the domain count as one knot, judged like any other and reported at the start.
+
+    >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
+    >>> found = zeros(f)
+    >>> found, found.roots, found.stretches
+    (<ZeroSet: 1 roots, 1 stretches, 0 jumps>, [<Root 1/2: multiplicity 1, sign + to −>], [<Stretch [2, 3]>])
+
+    Raises `ShapeError` for anything but a `BSpline`.
+    """
+    if type(f) is not BSpline:
+        raise ShapeError(
+            f"zeros of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
+        )
+    return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.polynomials])
+
+
+def _sides(f: BSpline, i: int, isolation: Isolation | None) -> tuple[Side, Side]:
+    """The segment seen from its left and from its right end."""
+    if isolation is None:
+        nothing = Side(mpq(0), None, 0)
+        return nothing, nothing
+    c, m, n = f.polynomials[i], f.denominators[i], f.degree
+    left, right = isolation.signs
+    return Side(ratio(c[0], m), isolation.at_left, left), Side(ratio(c[n], m), isolation.at_right, right)
+
+
+def _stretches(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[Stretch]:
+    """The segments without isolation, adjacent ones merged."""
+    breaks, count = f.mesh.breaks, len(isolations)
+    if not any(isolations):
+        return [Stretch(breaks[0], breaks[-1], (None, None))]
+    runs: list[list[int]] = []
+    for i, isolation in enumerate(isolations):
+        if isolation is None and runs and runs[-1][1] == i:
+            runs[-1][1] = i + 1
+        elif isolation is None:
+            runs.append([i, i + 1])
+    if periodic and len(runs) > 1 and runs[0][0] == 0 and runs[-1][1] == count:
+        runs[-1][1] += runs.pop(0)[1]
+    period = breaks[-1] - breaks[0]
+    result = []
+    for first, last in runs:
+        before = isolations[first - 1] if first or periodic else None
+        behind = isolations[last % count] if last < count or periodic else None
+        signs = (before and before.signs[1], behind and behind.signs[0])
+        result.append(Stretch(breaks[first], breaks[last] if last <= count else breaks[last - count] + period, signs))
+    return result
+
+
+def jump_root(jump: Jump) -> Root:
+    """The knot of a jump as a root, with the signs on both sides."""
+    t = jump.parameter
+    return Root(t, t, (jump.left.multiplicity, jump.right.multiplicity), (jump.left.sign, jump.right.sign))

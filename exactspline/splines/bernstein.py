@@ -1,0 +1,287 @@
+"""One polynomial on one segment: a homogeneous binary form in the scaled Bernstein basis.
+
+``P(u, v) = (c_0 uⁿ + c_1 uⁿ⁻¹v + … + c_n vⁿ) / m`` with ``u = 1 − t``, ``v = t``, integers ``c_i = m·C(n, i)·b_i`` and
+``m > 0``; the ``b_i`` are the Bézier points. A form is the pair ``(c, m)``: an ``fmpz_poly`` in ``z = v/u`` and an
+``fmpz``; its formal degree n is kept by whoever holds it, because leading zeros are no accident here. Product is
+convolution, raising the degree is multiplication by ``u + v``, lowering it exactly is division by ``u + v``, the
+derivative is ``∂v − ∂u``. Nothing leaves the Bernstein side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import cache
+from itertools import pairwise
+from math import comb
+
+from flint import fmpq, fmpz, fmpz_poly
+from gmpy2 import lcm, mpq
+
+from exactspline.exact import ratio, to_fmpq, to_fmpz
+
+Form = tuple[fmpz_poly, fmpz]
+
+ONE = fmpz(1)
+ZERO_FORM: Form = (fmpz_poly([]), ONE)
+U_PLUS_V = fmpz_poly([1, 1])
+ONE_PLUS_2Z = fmpz_poly([1, 2])
+
+
+@cache
+def raiser(by: int) -> fmpz_poly:
+    """``(u + v)`` to the power `by`."""
+    return U_PLUS_V**by
+
+
+def from_bezier(points: Sequence[mpq]) -> Form:
+    """The form with the given Bézier points.
+
+    >>> from_bezier([mpq(0), mpq(1, 2), mpq(1)])
+    (x^2 + x, 1)
+    """
+    n = len(points) - 1
+    scaled = [comb(n, i) * b for i, b in enumerate(points)]
+    m = lcm(*[c.denominator for c in scaled]) if scaled else 1
+    return fmpz_poly([int(c.numerator * (m // c.denominator)) for c in scaled]), to_fmpz(m)
+
+
+def bezier(form: Form, n: int) -> list[mpq]:
+    """The n+1 Bézier points of a form of degree n (none when n < 0)."""
+    c, m = form
+    return [ratio(c[i], m * comb(n, i)) for i in range(n + 1)]
+
+
+def derivative(c: fmpz_poly, n: fmpz) -> fmpz_poly:
+    """``(∂v − ∂u)`` of a form of degree n ≥ 1: the derivative by the local parameter, of formal degree n−1."""
+    return c.derivative() * U_PLUS_V - n * c
+
+
+def rescaled(form: Form, m: fmpz) -> Form:
+    """The same form over the denominator `m`, a multiple of its own."""
+    return (form[0] * (m // form[1]), m) if m != form[1] else form
+
+
+def add(a: Form, b: Form) -> Form:
+    """Sum of two forms of one degree."""
+    (p, k), (q, m) = a, b
+    if k == m:
+        return p + q, k
+    g = k.gcd(m)
+    return p * (m // g) + q * (k // g), k * (m // g)
+
+
+def common_denominators(
+    p: list[fmpz_poly], k: list[fmpz], q: list[fmpz_poly], m: list[fmpz]
+) -> tuple[list[fmpz_poly], list[fmpz_poly], list[fmpz]]:
+    """Two lists of polynomials, over the denominators k and m, brought to common ones."""
+    shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
+    denominators = [x * y for x, y in zip(shared, m, strict=True)]
+    lifts = [d // x for d, x in zip(denominators, k, strict=True)]
+    return _times(p, lifts), _times(q, shared), denominators
+
+
+def _times(polynomials: list[fmpz_poly], factors: list[fmpz]) -> list[fmpz_poly]:
+    return [c if x == 1 else c * x for c, x in zip(polynomials, factors, strict=True)]
+
+
+def value(form: Form, n: int, t: mpq) -> mpq:
+    """Value of a form of degree n at the local parameter t.
+
+    >>> value(from_bezier([mpq(0), mpq(1, 2), mpq(1)]), 2, mpq(1, 3))
+    mpq(1,3)
+    """
+    c, m = form
+    if n < 0:
+        return mpq(0)
+    if t == 1:
+        return ratio(c[n], m)
+    u = 1 - t
+    at = c(to_fmpq(t / u))
+    return mpq(int(at.p), int(at.q)) * u**n / int(m) if isinstance(at, fmpq) else mpq(int(at)) * u**n / int(m)
+
+
+def substituted(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
+    """``Σ c_i uⁿ⁻ⁱ vⁱ`` for two polynomials: restriction, reversal and composition are this."""
+    result, power = fmpz_poly([]), fmpz_poly([1])
+    for i in range(n, -1, -1):
+        result = result * v + c[i] * power if i < n else fmpz_poly([c[n]])
+        power = power * u if i < n else u
+    return result
+
+
+def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
+    """The form over the part [a, b] of its segment (or beyond it), in the local parameter of the part.
+
+    >>> restrict(from_bezier([mpq(0), mpq(1)]), 1, mpq(1, 2), mpq(3, 4))
+    (3*x + 2, 4)
+    """
+    if n < 0 or (a == 0 and b == 1):
+        return form
+    m = int(lcm(a.denominator, b.denominator))
+    ia, ib = int(a * m), int(b * m)
+    c = substituted(form[0], n, fmpz_poly([m - ia, m - ib]), fmpz_poly([ia, ib]))
+    return primitive((c, form[1] * fmpz(m) ** n))
+
+
+def primitive(form: Form) -> Form:
+    """The same form, its common integer factor with the denominator taken out."""
+    c, m = form
+    if not c:
+        return ZERO_FORM
+    g = c.content().gcd(m)
+    return (c // g, m // g) if g != 1 else form
+
+
+def reverse(form: Form, n: int) -> Form:
+    """The form run through backwards."""
+    c, m = form
+    return backwards(c, n), m
+
+
+def divide_u_plus_v(c: fmpz_poly, at_most: int) -> tuple[fmpz_poly, int]:
+    """Divide by ``u + v`` as often as it goes exactly, at most so many times; the quotient and the number of times."""
+    times = 0
+    while times < at_most and c(-1) == 0:
+        c, times = c // U_PLUS_V, times + 1
+    return c, times
+
+
+def true_degree(form: Form, n: int) -> int:
+    """Degree of the polynomial in the parameter, −1 for zero.
+
+    >>> true_degree(from_bezier([mpq(0), mpq(1, 2), mpq(1)]), 2)
+    1
+    """
+    c, _ = form
+    return n - divide_u_plus_v(c, n)[1] if c else -1
+
+
+def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
+    """The polar form of the polynomial with the given Bézier points, at as many local arguments as its degree.
+
+    Arguments 0 and 1 cost nothing: they drop the last or the first point.
+
+    >>> blossom([mpq(0), mpq(1, 2), mpq(1)], [mpq(1, 4), mpq(3, 4)])
+    mpq(1,2)
+    """
+    arguments = list(arguments)
+    zeros, ones = arguments.count(0), arguments.count(1)
+    points = list(points[ones : len(points) - zeros])
+    for t in arguments:
+        if t not in (0, 1):
+            points = [(1 - t) * a + t * b for a, b in pairwise(points)]
+    return points[0]
+
+
+def is_square_class(c: fmpz_poly, n: int) -> bool:
+    """Whether a form of degree n is a constant times a square.
+
+    >>> is_square_class(3 * fmpz_poly([1, 2, 1]), 2), is_square_class(fmpz_poly([1, 2, 1]), 3)
+    (True, False)
+    """
+    return bool(c) and (n - c.degree()) % 2 == 0 and all(e % 2 == 0 for _, e in c.factor_squarefree()[1])
+
+
+def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
+    """``outer ∘ inner`` for an inner form of the given degree with values in the local parameter of the outer one."""
+    (c, m), (v, k) = outer, inner
+    u = k * raiser(degree) - v
+    return primitive((substituted(c, n, u, v), m * k**n)) if n > 0 else outer
+
+
+def variations(c: fmpz_poly) -> int:
+    """Sign changes in the coefficients: at least the number of roots inside the segment, and of its parity
+    (Descartes).
+    """
+    signs = [x > 0 for x in c.coeffs() if x != 0]
+    return sum(a != b for a, b in pairwise(signs))
+
+
+def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:
+    """The form on the left and right half of its segment, up to positive constants.
+
+    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half the same of the form run through backwards: two
+    shifts inside FLINT.
+    """
+    return backwards(backwards(c, n)(ONE_PLUS_2Z), n), c(ONE_PLUS_2Z)
+
+
+def backwards(c: fmpz_poly, n: int) -> fmpz_poly:
+    """The integers of a form of degree n in reverse order: the form run through backwards."""
+    coefficients = c.coeffs()
+    return fmpz_poly([0] * (n + 1 - len(coefficients)) + coefficients[::-1])
+
+
+def rational_roots(c: fmpz_poly) -> list[mpq]:
+    """The rational local parameters strictly inside the segment at which a form that is not zero vanishes.
+
+    >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
+    [mpq(1,2)]
+    """
+    ratios = [ratio(-p[0], p[1]) for p, _ in c.factor()[1] if p.degree() == 1]
+    return sorted(z / (1 + z) for z in ratios if z > 0)
+
+
+def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
+    """A rational interval (a point when both ends agree) of [0, 1] with a zero of the form in it, or None when there is
+    none.
+
+    Exact: the square-free part is subdivided until Descartes' rule says 0 or 1.
+
+    >>> zero_on_segment(fmpz_poly([1, -2, 3]), 2) is None
+    True
+    >>> zero_on_segment(fmpz_poly([1, -3, 1]), 2)
+    (mpq(0,1), mpq(1,2))
+    >>> zero_on_segment(fmpz_poly([1, -4, 4]), 2)
+    (mpq(1,3), mpq(1,3))
+    """
+    if not c:
+        return mpq(0), mpq(1)
+    if c[0] == 0:
+        return mpq(0), mpq(0)
+    if c[n] == 0:
+        return mpq(1), mpq(1)
+    repeated = c.gcd(c.derivative())
+    if repeated.degree() > 0:
+        n, c = n - repeated.degree(), c // repeated
+    todo = [(mpq(0), mpq(1), c)]
+    while todo:
+        a, b, part = todo.pop()
+        changes = variations(part)
+        if changes == 1 and part[0] * part[n] < 0:
+            exact = [t for t in rational_roots(c) if a < t < b]
+            return (exact[0], exact[0]) if exact else (a, b)
+        if changes > 0:
+            mid = (a + b) / 2
+            left, right = halves(part, n)
+            if right[0] == 0:
+                return mid, mid
+            todo += [(mid, b, right), (a, mid, left)]
+    return None
+
+
+def is_nonnegative(c: fmpz_poly, n: int) -> bool:
+    """Whether a form of degree n is ≥ 0 on its segment: no odd root inside, and a non-negative value somewhere that is
+    no root.
+
+    >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
+    (True, False)
+    """
+    if not c:
+        return True
+    if any(crosses(p) for p in odd_factors(c)):
+        return False
+    return all(value((c, ONE), n, mpq(k, n + 2)) >= 0 for k in range(1, n + 2))
+
+
+def odd_factors(c: fmpz_poly) -> list[fmpz_poly]:
+    """Square-free factors of odd multiplicity; roots at the right end of the segment (z = ∞) left out."""
+    _, factors = c.factor_squarefree()
+    return [p for p, multiplicity in factors if multiplicity % 2 and p.degree() > 0]
+
+
+def crosses(p: fmpz_poly) -> bool:
+    """Whether a square-free form has a root strictly inside the segment (z > 0)."""
+    while p[0] == 0:
+        p = p.right_shift(1)
+    return p.degree() > 0 and zero_on_segment(p, p.degree()) is not None

@@ -1,0 +1,419 @@
+"""The public piecewise polynomial: exact B-splines and the primitive operations of §2.
+
+A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are made
+when first asked for and kept. Inside it is a list of forms (see `exactspline.splines.bernstein`), one a segment, with
+the nominal degree and the nominal continuity at every interior breakpoint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from operator import add as plus
+from operator import mul as times
+from operator import sub as minus
+from typing import Any
+
+from flint import fmpz, fmpz_poly
+from gmpy2 import mpq
+
+from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
+from exactspline.exact import rational, text, to_fmpz
+from exactspline.language import provenance as structure
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.splines import blossom as bezier_points
+from exactspline.splines import refinement
+from exactspline.splines.bernstein import (
+    ONE,
+    Form,
+    bezier,
+    common_denominators,
+    derivative,
+    from_bezier,
+    raiser,
+    true_degree,
+    value,
+)
+from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
+
+#: Largest degree accepted from outside; computed splines may go beyond it.
+MAX_DEGREE = 1000
+
+
+class BSpline(Operand):
+    """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
+
+    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
+    The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as
+    `exactspline.exact.rational` takes them.
+
+    >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
+    >>> f(1), (f * f).degree, f.d().control_points
+    (mpq(1,2), 4, (mpq(2,1), mpq(-1,1), mpq(1,1)))
+
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
+    """
+
+    __slots__ = (
+        "_derivative",
+        "_knots",
+        "_points",
+        "continuity",
+        "degree",
+        "denominators",
+        "mesh",
+        "polynomials",
+        "recipe",
+    )
+
+    degree: int
+    mesh: Mesh
+    continuity: tuple[int, ...]
+    #: The forms, their polynomials and denominators apart: never changed in place.
+    polynomials: list[fmpz_poly]
+    denominators: list[fmpz]
+    recipe: structure.Recipe
+    _derivative: BSpline | None
+    _knots: KnotVector | None
+    _points: tuple[mpq, ...] | None
+
+    def __init__(self, degree: int, knots: Iterable[Any], control_points: Iterable[Any]) -> None:
+        degree = checked_degree(degree)
+        vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
+        vector.check(degree)
+        points = exact_points(control_points)
+        if len(points) != len(vector) - degree - 1:
+            raise ShapeError(
+                f"{len(points)} control points for {len(vector)} knots of degree {degree}",
+                where="control_points",
+                remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
+            )
+        mesh, continuity, spans = mesh_of(vector, degree)
+        self.degree, self.mesh, self.continuity = degree, mesh, continuity
+        forms = [from_bezier(bezier_points.of_span(vector.knots, degree, points, j)) for j in spans]
+        self.polynomials, self.denominators = [c for c, _ in forms], [m for _, m in forms]
+        self.recipe, self._derivative, self._knots, self._points = structure.leaf(), None, vector, points
+
+    @classmethod
+    def from_forms(
+        cls,
+        degree: int,
+        mesh: Mesh,
+        continuity: tuple[int, ...],
+        forms: Iterable[Form],
+        recipe: structure.Recipe = None,
+    ) -> BSpline:
+        """The spline with these forms; the caller vouches for the continuity."""
+        forms = list(forms)
+        recipe = structure.leaf() if recipe is None else recipe
+        return _make(degree, mesh, continuity, [c for c, _ in forms], [m for _, m in forms], recipe)
+
+    @classmethod
+    def bezier(cls, points: Sequence[Any], a: Any = 0, b: Any = 1) -> BSpline:
+        """A polynomial by its Bézier points over [a, b].
+
+        >>> BSpline.bezier([0, 0, 1])("1/2")
+        mpq(1,4)
+        """
+        points = list(points)
+        return cls(len(points) - 1, [*[a] * len(points), *[b] * len(points)], points)
+
+    @classmethod
+    def identity(cls, a: Any, b: Any) -> BSpline:
+        """The function t ↦ t on [a, b].
+
+        >>> BSpline.identity(0, 2)("1/3")
+        mpq(1,3)
+        """
+        return cls.bezier([a, b], a, b)
+
+    # ---- representation
+
+    @property
+    def forms(self) -> list[Form]:
+        """The form of every segment."""
+        return list(zip(self.polynomials, self.denominators, strict=True))
+
+    @property
+    def knots(self) -> KnotVector:
+        """The knots, as given or (of a computed spline) clamped."""
+        if self._knots is None:
+            self._knots = clamped(self.mesh, self.continuity, self.degree)
+        return self._knots
+
+    @property
+    def control_points(self) -> tuple[mpq, ...]:
+        """The control points over `knots`."""
+        if self._points is None:
+            known = (self.knots.knots, self.degree, self.mesh.breaks, self.segments)
+            self._points = bezier_points.to_control_points(*known) if self.degree >= 0 else ()
+        return self._points
+
+    @property
+    def segments(self) -> list[list[mpq]]:
+        """The Bézier points of every segment.
+
+        >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).segments
+        [[mpq(1,1), mpq(2,1)], [mpq(2,1), mpq(0,1)]]
+        """
+        return [bezier(form, self.degree) for form in self.forms]
+
+    @property
+    def domain(self) -> tuple[mpq, mpq]:
+        """The interval of definition."""
+        return self.mesh.domain
+
+    @property
+    def breakpoints(self) -> tuple[mpq, ...]:
+        """The distinct knots of the domain, ends included."""
+        return self.mesh.breaks
+
+    def __repr__(self) -> str:
+        knots = ", ".join(map(text, self.knots))
+        points = ", ".join(map(text, self.control_points))
+        return f"BSpline({self.degree}, [{knots}], [{points}])"
+
+    def same_representation(self, other: BSpline) -> bool:
+        """Whether degree, knots and control points agree (`==` asks only whether the functions agree)."""
+        return self.degree == other.degree and self.knots == other.knots and self.control_points == other.control_points
+
+    # ---- arithmetic
+
+    def constant(self, number: Any) -> BSpline:
+        """The constant spline of degree 0 on this domain."""
+        q, segments = rational(number), len(self.mesh)
+        c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
+        return _make(
+            0, self.mesh, (SMOOTH,) * (segments - 1), [c] * segments, [m] * segments, (structure.MULTIPLE, 1, q)
+        )
+
+    def __add__(self, other: Any) -> Any:
+        return self._sum(other, plus, structure.SUM)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._sum(other, minus, structure.DIFFERENCE)
+
+    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+        if type(other) is not BSpline:
+            if not isinstance(other, CONSTANTS):
+                return NotImplemented
+            other = self.constant(other)
+        a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
+        n, p, q = a.degree, a.polynomials, b.polynomials
+        if n < b.degree:
+            n, lift = b.degree, raiser(b.degree - n)
+            p = [c * lift for c in p]
+        elif n > b.degree:
+            lift = raiser(n - b.degree)
+            q = [c * lift for c in q]
+        denominators = a.denominators
+        if denominators != b.denominators:
+            p, q, denominators = common_denominators(p, denominators, q, b.denominators)
+        continuity = a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity))
+        return _make(n, a.mesh, continuity, list(map(operation, p, q)), denominators, (name, self.recipe, other.recipe))
+
+    def __mul__(self, other: Any) -> Any:
+        if type(other) is not BSpline:
+            return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
+        a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
+        return _make(
+            a.degree + b.degree,
+            a.mesh,
+            a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
+            list(map(times, a.polynomials, b.polynomials)),
+            list(map(times, a.denominators, b.denominators)),
+            (structure.PRODUCT, self.recipe, other.recipe),
+        )
+
+    def scaled(self, constant: Any) -> BSpline:
+        """The spline times an exact constant."""
+        if type(constant) is int:
+            factor, recipe = fmpz(constant), (structure.MULTIPLE, self.recipe, constant)
+            return _make(
+                self.degree,
+                self.mesh,
+                self.continuity,
+                [c * factor for c in self.polynomials],
+                self.denominators,
+                recipe,
+            )
+        q = rational(constant)
+        top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
+        denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
+        recipe = (structure.MULTIPLE, self.recipe, q)
+        return _make(self.degree, self.mesh, self.continuity, [c * top for c in self.polynomials], denominators, recipe)
+
+    def d(self, order: int = 1) -> BSpline:
+        """The derivative of the given order.
+
+        The formal degree drops by one each time, below 0 if need be (then the spline is zero and has no control
+        points); so does the continuity, not below −1.
+
+        >>> BSpline.bezier([0, 0, 1]).d(2).control_points
+        (mpq(2,1),)
+        """
+        if order < 0:
+            raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
+        result = self
+        for _ in range(order):
+            if result._derivative is None:
+                result._derivative = _differentiated(result)
+            result = result._derivative
+        return result
+
+    def raised_to(self, other: BSpline) -> BSpline:
+        """The same function, at least of the degree of `other`."""
+        return self if self.degree >= other.degree else refinement.elevate(self, other.degree - self.degree)
+
+    # ---- the function
+
+    def __call__(self, t: Any, side: str = "right") -> mpq:
+        """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the `side`
+        asked for.
+
+        Raises `DomainError` outside the domain.
+        """
+        t = rational(t)
+        i = self.mesh.locate(t, left=checked_side(side))
+        return value((self.polynomials[i], self.denominators[i]), self.degree, self.mesh.local(i, t))
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the function is identically zero."""
+        return not any(self.polynomials)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function on the same domain, whatever their knots and degrees."""
+        if not isinstance(other, BSpline):
+            return NotImplemented
+        return self.domain == other.domain and (self - other).is_zero
+
+    def __hash__(self) -> int:
+        a, b = self.domain
+        return hash((a, b, *[self(a + (b - a) * mpq(i, 5)) for i in range(6)]))
+
+    @property
+    def true_degree(self) -> int:
+        """Largest degree, over the segments, of the polynomials themselves (−1 for the zero function).
+
+        >>> BSpline.bezier([0, 1, 2, 3]).true_degree
+        1
+        """
+        return max(true_degree(form, self.degree) for form in self.forms)
+
+    def continuity_at(self, t: Any) -> int:
+        """How many derivatives agree at a parameter: −1 at a jump, `degree` where the two sides are one polynomial.
+
+        >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
+        1
+        """
+        return refinement.continuity_at(self, rational(t))
+
+    # ---- other representations and parts (see exactspline.splines.refinement)
+
+    def elevate_degree(self, by: int = 1) -> BSpline:
+        """The same function, its degree raised."""
+        return refinement.elevate(self, by)
+
+    def reduce_degree(self, by: int = 1) -> BSpline:
+        """The same function, its degree lowered; `ReductionError` names a segment where that cannot be done exactly."""
+        return refinement.reduce(self, by)
+
+    def insert_knot(self, t: Any, times: int = 1) -> BSpline:
+        """The same function with a knot more inside the domain."""
+        return refinement.insert_knot(self, rational(t), times)
+
+    def remove_knot(self, t: Any, times: int = 1) -> BSpline:
+        """The same function with a knot less; `ReductionError` tells the derivative that jumps there."""
+        return refinement.remove_knot(self, rational(t), times)
+
+    def split(self, t: Any) -> tuple[BSpline, BSpline]:
+        """The parts left and right of an inner parameter."""
+        a, b = self.domain
+        return self.restrict(a, t), self.restrict(t, b)
+
+    def restrict(self, a: Any, b: Any) -> BSpline:
+        """The part over [a, b]."""
+        return refinement.restricted(self, rational(a), rational(b))
+
+    def reverse(self) -> BSpline:
+        """The spline run through backwards, over the same domain."""
+        return refinement.reversed_(self)
+
+    def reparametrize(self, a: Any, b: Any) -> BSpline:
+        """The same control points over the domain [a, b], mapped affinely."""
+        return refinement.reparametrized(self, rational(a), rational(b))
+
+    def bezier_segments(self) -> list[BSpline]:
+        """One polynomial spline a segment."""
+        return [self.restrict(a, b) for a, b in zip(self.breakpoints, self.breakpoints[1:], strict=False)]
+
+    def compose(self, inner: BSpline) -> BSpline:
+        """``t ↦ self(inner(t))``; `ReductionError` where a knot of this spline has an irrational preimage."""
+        from exactspline.splines.composition import composed
+
+        return composed(self, inner)
+
+
+_new = object.__new__
+
+
+def _make(
+    degree: int,
+    mesh: Mesh,
+    continuity: tuple[int, ...],
+    polynomials: list[fmpz_poly],
+    denominators: list[fmpz],
+    recipe: structure.Recipe,
+) -> BSpline:
+    spline = _new(BSpline)
+    spline.degree, spline.mesh, spline.continuity, spline.recipe = degree, mesh, continuity, recipe
+    spline.polynomials, spline.denominators = polynomials, denominators
+    spline._derivative = spline._knots = spline._points = None
+    return spline
+
+
+def _differentiated(f: BSpline) -> BSpline:
+    n, recipe = f.degree, (structure.DERIVATIVE, f.recipe)
+    continuity = tuple([max(c - 1, -1) for c in f.continuity]) if f.continuity else ()
+    if n <= 0:
+        return _make(n - 1, f.mesh, continuity, [fmpz_poly([])] * len(f.mesh), [ONE] * len(f.mesh), recipe)
+    order = fmpz(n)
+    polynomials = [derivative(c, order) for c in f.polynomials]
+    if f.mesh.unit:
+        return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, recipe)
+    widths = f.mesh.widths
+    return _make(
+        n - 1,
+        f.mesh,
+        continuity,
+        [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)],
+        [m * top for m, (top, _) in zip(f.denominators, widths, strict=True)],
+        recipe,
+    )
+
+
+def checked_degree(degree: Any) -> int:
+    """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
+    if type(degree) is not int or degree < 0:
+        raise ShapeError(f"{shown(degree)} is no degree", where="degree", remedy="an integer ≥ 0")
+    if degree > MAX_DEGREE:
+        raise ShapeError(f"degree {shown(degree)}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
+    return degree
+
+
+def checked_side(side: str) -> bool:
+    """Whether the side is the left one; `DomainError` unless it is ``left`` or ``right``."""
+    if side not in ("left", "right"):
+        raise DomainError(f"{side!r} is no side", remedy="'left' or 'right'")
+    return side == "left"
+
+
+def exact_points(points: Iterable[Any]) -> tuple[mpq, ...]:
+    """Control points as exact numbers, an error naming the one at fault."""
+    exact = []
+    for i, b in enumerate(points):
+        try:
+            exact.append(rational(b))
+        except NumberError as error:
+            raise error.at(f"control_points[{i}]") from None
+    return tuple(exact)

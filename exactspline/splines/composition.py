@@ -1,0 +1,103 @@
+"""Composition of splines, exact or refused."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from gmpy2 import mpq
+
+from exactspline.errors import DomainError, ReductionError
+from exactspline.exact import text, to_fmpz
+from exactspline.splines import bernstein as forms
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+
+
+def composed(outer: BSpline, inner: BSpline) -> BSpline:
+    """``t ↦ outer(inner(t))``, of the product of the degrees.
+
+    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when
+    `inner` leaves the domain of `outer` and `ReductionError` when a crossing is irrational: the composition is then no
+    spline with rational knots.
+    """
+    if outer.degree < 0 or inner.degree < 0:
+        return inner.constant(outer(0) if outer.degree >= 0 else 0)
+    _check_range(outer, inner)
+    kinks = dict(zip(outer.mesh.breaks[1:-1], outer.continuity, strict=True))
+    continuity = {t: c for knot, c in kinks.items() for t in _preimages(inner, knot)}
+    for t, c in zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True):
+        continuity[t] = min([c, *[kinks[x] for x in (inner(t, "left"), inner(t)) if x in kinks]])
+    a, b = inner.domain
+    mesh = Mesh([a, *sorted(t for t in continuity if a < t < b), b])
+    parts = []
+    for low, high in pairwise(mesh.breaks):
+        i = inner.mesh.locate(low)
+        piece = forms.restrict(inner.forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
+        j = outer.mesh.locate(_typical(inner, outer, low, high))
+        parts.append(
+            forms.compose(outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree)
+        )
+    return BSpline.from_forms(outer.degree * inner.degree, mesh, tuple(continuity[t] for t in mesh.breaks[1:-1]), parts)
+
+
+def _typical(inner: BSpline, outer: BSpline, low: mpq, high: mpq) -> mpq:
+    """A value of the inner spline on (low, high) that is no knot of the outer one, where it has any: it may touch knots
+    there but crosses none.
+    """
+    values = [inner(low + (high - low) * mpq(k, inner.degree + 4)) for k in range(1, inner.degree + 4)]
+    return next((x for x in values if x not in outer.mesh.breaks), values[0])
+
+
+def _localized(piece: forms.Form, degree: int, mesh: Mesh, j: int) -> forms.Form:
+    """The inner form in the local parameter of segment j of the outer mesh."""
+    start, width = mesh.breaks[j], mesh.breaks[j + 1] - mesh.breaks[j]
+    c, m = forms.add(piece, _constant(-start, degree))
+    return c * to_fmpz(width.denominator), m * to_fmpz(width.numerator)
+
+
+def _constant(value: mpq, degree: int) -> forms.Form:
+    return int(value.numerator) * forms.raiser(degree), to_fmpz(value.denominator)
+
+
+def _check_range(outer: BSpline, inner: BSpline) -> None:
+    low, high = outer.domain
+    for i, piece in enumerate(inner.forms):
+        below = forms.add(piece, _constant(-low, inner.degree))[0]
+        above = forms.add((-piece[0], piece[1]), _constant(high, inner.degree))[0]
+        for c in (below, above):
+            if not forms.is_nonnegative(c, inner.degree):
+                a, b = inner.mesh.breaks[i : i + 2]
+                raise DomainError(
+                    f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]",
+                    remedy="restrict it first",
+                    segment=i,
+                )
+
+
+def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
+    """Parameters strictly inside segments where `inner` crosses `knot`; all rational, or an error."""
+    found = []
+    for i, piece in enumerate(inner.forms):
+        c, _ = forms.add(piece, _constant(-knot, inner.degree))
+        if not c:
+            continue
+        for p in forms.odd_factors(c):
+            for q, _ in p.factor()[1]:
+                if q.degree() == 1:
+                    a, b = inner.mesh.breaks[i : i + 2]
+                    found += [a + (b - a) * t for t in forms.rational_roots(q)]
+                elif forms.crosses(q):
+                    a, b = inner.mesh.breaks[i : i + 2]
+                    raise ReductionError(
+                        (
+                            f"the knot {text(knot)} of the outer spline has an irrational preimage on [{text(a)}, "
+                            f"{text(b)}]"
+                        ),
+                        remedy=(
+                            "the composition is no spline with rational knots; split the outer spline there "
+                            "or approximate the inner one"
+                        ),
+                        knot=knot,
+                        polynomial=[int(x) for x in q.coeffs()],
+                    )
+    return found

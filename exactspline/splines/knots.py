@@ -1,0 +1,211 @@
+"""Knot vectors as a small algebra: multiplicity, continuity, refinement, union.
+
+Two views of the same thing. A `KnotVector` is the full list with multiplicities, as people write it. A `Mesh` is the
+list of distinct breakpoints of a domain; together with the continuity at each interior breakpoint it says the same for
+a spline of known degree (multiplicity = degree − continuity).
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby, pairwise
+from typing import Any
+
+from flint import fmpz
+from gmpy2 import mpq
+
+from exactspline.errors import DomainError, KnotError, NumberError
+from exactspline.exact import rational, text, to_fmpz
+
+#: Continuity at a breakpoint where the function has no knot.
+SMOOTH = 1 << 60
+
+
+class KnotVector:
+    """A non-decreasing sequence of exact knots.
+
+    >>> k = KnotVector([0, 0, "1/2", 1, 1])
+    >>> k.multiplicity(0), k.breakpoints, k | KnotVector(["1/2", "1/2", "3/4"])
+    (2, (mpq(0,1), mpq(1,2), mpq(1,1)), KnotVector(0, 0, 1/2, 1/2, 3/4, 1, 1))
+
+    Raises `KnotError` when knots decrease and `NumberError` when one is no exact number.
+    """
+
+    __slots__ = ("knots",)
+
+    def __init__(self, knots: Iterable[Any]) -> None:
+        exact = []
+        for i, t in enumerate(knots):
+            try:
+                exact.append(rational(t))
+            except NumberError as error:
+                raise error.at(f"knots[{i}]") from None
+        for i, (a, b) in enumerate(pairwise(exact)):
+            if b < a:
+                raise KnotError(
+                    f"{text(b)} after {text(a)}: knots decrease",
+                    where=f"knots[{i + 1}]",
+                    remedy="knots must not decrease",
+                    knot=b,
+                )
+        self.knots = tuple(exact)
+
+    def __len__(self) -> int:
+        return len(self.knots)
+
+    def __iter__(self) -> Iterator[mpq]:
+        return iter(self.knots)
+
+    def __getitem__(self, i: int) -> mpq:
+        return self.knots[i]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, KnotVector) and self.knots == other.knots
+
+    def __hash__(self) -> int:
+        return hash(self.knots)
+
+    def __repr__(self) -> str:
+        return f"KnotVector({', '.join(map(text, self.knots))})"
+
+    def multiplicity(self, t: Any) -> int:
+        """How often t occurs."""
+        return self.knots.count(rational(t))
+
+    @property
+    def breakpoints(self) -> tuple[mpq, ...]:
+        """The distinct knots."""
+        return tuple(t for t, _ in groupby(self.knots))
+
+    @property
+    def multiplicities(self) -> tuple[int, ...]:
+        """How often each distinct knot occurs."""
+        return tuple(len(list(same)) for _, same in groupby(self.knots))
+
+    def __or__(self, other: KnotVector) -> KnotVector:
+        """Union: every knot as often as in the vector that has it more often."""
+        both = sorted({*self.knots, *other.knots})
+        return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
+
+    def insert(self, t: Any, times: int = 1) -> KnotVector:
+        """The vector with t in it so many times more."""
+        return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
+
+    def domain(self, degree: int) -> tuple[mpq, mpq]:
+        """``[t_n, t_{N−n}]`` for a spline of degree n with knots t_0 … t_N."""
+        return self.knots[degree], self.knots[len(self.knots) - 1 - degree]
+
+    def check(self, degree: int) -> None:
+        """Raise `KnotError` unless these knots carry splines of the given degree (multiplicity ≤ degree+1, non-empty
+        domain).
+        """
+        need = 2 * degree + 2
+        if len(self.knots) < need:
+            raise KnotError(
+                f"{len(self.knots)} knots for degree {degree}",
+                where="knots",
+                remedy=f"degree {degree} needs at least {need} knots",
+                degree=degree,
+            )
+        position = 0
+        for t, count in zip(self.breakpoints, self.multiplicities, strict=True):
+            if count > degree + 1:
+                raise KnotError(
+                    f"{text(t)} has multiplicity {count}",
+                    where=f"knots[{position}]",
+                    remedy=f"at most degree + 1 = {degree + 1}",
+                    knot=t,
+                    multiplicity=count,
+                )
+            position += count
+        a, b = self.domain(degree)
+        if not a < b:
+            raise KnotError(
+                f"the domain [{text(a)}, {text(b)}] is empty",
+                where="knots",
+                remedy=f"knots[{degree}] must be below knots[{len(self) - 1 - degree}]",
+                domain=(a, b),
+            )
+
+
+class Mesh:
+    """Distinct breakpoints of a domain, shared by all splines computed from one another.
+
+    >>> Mesh([mpq(0), mpq(1, 2), mpq(2)]).locate(mpq(1, 2))
+    1
+    """
+
+    __slots__ = ("breaks", "unit", "widths")
+
+    def __init__(self, breaks: Sequence[mpq]) -> None:
+        self.breaks = tuple(breaks)
+        widths = [b - a for a, b in pairwise(self.breaks)]
+        #: Width of each segment as numerator and denominator.
+        self.widths: list[tuple[fmpz, fmpz]] = [(to_fmpz(h.numerator), to_fmpz(h.denominator)) for h in widths]
+        #: Whether all segments have width one, so that derivatives need no scaling.
+        self.unit = all(h == 1 for h in widths)
+
+    @property
+    def domain(self) -> tuple[mpq, mpq]:
+        """First and last breakpoint."""
+        return self.breaks[0], self.breaks[-1]
+
+    def __len__(self) -> int:
+        """Number of segments."""
+        return len(self.breaks) - 1
+
+    def locate(self, t: mpq, *, left: bool = False) -> int:
+        """Index of the segment that holds t: at a breakpoint the one on its right, or on its left when asked for.
+
+        Raises `DomainError` outside the domain.
+        """
+        a, b = self.domain
+        if not a <= t <= b:
+            raise DomainError(
+                f"the parameter {text(t)} is outside the domain [{text(a)}, {text(b)}]",
+                remedy="stay inside",
+                parameter=t,
+                domain=(a, b),
+            )
+        i = bisect_right(self.breaks, t) - 1
+        if left and i > 0 and self.breaks[i] == t:
+            i -= 1
+        return min(i, len(self) - 1)
+
+    def local(self, i: int, t: mpq) -> mpq:
+        """Local parameter of t on segment i."""
+        a = self.breaks[i]
+        return (t - a) / (self.breaks[i + 1] - a)
+
+    def union(self, other: Mesh) -> Mesh:
+        """The breakpoints of both; raises `DomainError` when the domains differ."""
+        if self.domain != other.domain:
+            (a, b), (c, d) = self.domain, other.domain
+            raise DomainError(
+                f"operands over different domains, [{text(a)}, {text(b)}] and [{text(c)}, {text(d)}]",
+                remedy="restrict or reparametrize one of them first",
+            )
+        return Mesh(sorted({*self.breaks, *other.breaks}))
+
+
+def mesh_of(knots: KnotVector, degree: int) -> tuple[Mesh, tuple[int, ...], list[int]]:
+    """The mesh of the domain, the continuity at its interior breakpoints, and for each segment the index j with t_j its
+    left end.
+    """
+    first, last = degree, len(knots) - 1 - degree
+    spans = [j for j in range(first, last) if knots[j] < knots[j + 1]]
+    breaks = [knots[j] for j in spans] + [knots[last]]
+    continuity = tuple(degree - knots.multiplicity(t) for t in breaks[1:-1])
+    return Mesh(breaks), continuity, spans
+
+
+def clamped(mesh: Mesh, continuity: Sequence[int], degree: int) -> KnotVector:
+    """The clamped knot vector of a spline of the given degree with the given continuity at the interior breakpoints;
+    none below degree 0.
+    """
+    if degree < 0:
+        return KnotVector([])
+    a, b = mesh.domain
+    inner = (t for t, c in zip(mesh.breaks[1:-1], continuity, strict=True) for _ in range(degree - c))
+    return KnotVector([*[a] * (degree + 1), *inner, *[b] * (degree + 1)])

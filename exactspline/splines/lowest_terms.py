@@ -1,0 +1,249 @@
+"""Three degrees, never confused: nominal (Table 1's counting), represented (of the spline at hand), true (after exact
+division).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import fmpz_poly
+
+from exactspline.errors import ReductionError
+from exactspline.exact import text
+from exactspline.language.parts import split
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
+from exactspline.splines.bspline import BSpline
+
+
+def common_factor(v: Vector) -> BSpline:
+    """A spline that vanishes exactly where all components do: their greatest common divisor, segment by segment.
+
+    >>> t = BSpline.identity(0, 1)
+    >>> common_factor(Vector(t * (t + 1), t * (t + 2))).true_degree
+    1
+    """
+    rows = []
+    for parts in zip(*[c.polynomials for c in v], strict=True):
+        common = fmpz_poly([])
+        for c in parts:
+            common = common.gcd(c)
+        at_end = min((x.degree - c.degree() for x, c in zip(v, parts, strict=True) if c), default=0)
+        rows.append((common, max(common.degree(), 0) + at_end))
+    n, mesh = max(degree for _, degree in rows), v[0].mesh
+    return BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), [(c * raiser(n - degree), ONE) for c, degree in rows])
+
+
+def _scalars(value: Any) -> list[BSpline]:
+    components, denominator = split(value)
+    return components if denominator is None else [*components, denominator]
+
+
+def control_point_count(value: Any) -> int:
+    """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity,
+    over the knots of all.
+    """
+    first, *rest = _scalars(value)
+    common = first * 0
+    for s in rest:
+        common = common + s * 0
+    inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)
+    ends: int = max(common.degree + 1, 0)
+    return ends + inner_points
+
+
+def true_degree(value: Any) -> int:
+    """Degree after exact division: by u + v, and of a quotient by the common factor of numerator and denominator; the
+    largest over the segments.
+    """
+    if not isinstance(value, Rational):
+        components: list[BSpline] = list(value) if isinstance(value, Vector) else [value]
+        return max(c.true_degree for c in components)
+    if value.is_zero:
+        return -1
+    return max(n for _, n in lowest_terms(value))
+
+
+def true_degree_or_none(value: Any) -> int | None:
+    """The true degree, None where a denominator vanishes on a whole segment."""
+    try:
+        return true_degree(value)
+    except ReductionError:
+        return None
+
+
+def lowest_terms(value: Rational) -> list[tuple[list[fmpz_poly], int]]:
+    """Segment by segment the components of a quotient without their common factor, the denominator last and positive,
+    and the degree that is left.
+
+    As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are
+    common factors like any other. Raises `ReductionError` where the denominator vanishes on a whole segment.
+    """
+    if (gap := next((i for i, c in enumerate(value.denominator.polynomials) if not c), None)) is not None:
+        a, b = value.denominator.breakpoints[gap : gap + 2]
+        raise ReductionError(
+            f"the denominator vanishes on all of [{text(a)}, {text(b)}]",
+            where=f"segment {gap}",
+            remedy="leave this segment out",
+            segment=gap,
+        )
+    return _lowest_rows(_scalars(value))
+
+
+def _lowest_rows(scalars: list[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
+    """The lowest terms of several splines segment by segment; 0/1 where the last one vanishes on a whole segment."""
+    n = max(s.degree for s in scalars)
+    rows = []
+    for forms in zip(*[s.forms for s in scalars], strict=True):
+        scale = _common([m for _, m in forms])
+        homogeneous = [c * (scale // m) * raiser(n - s.degree) for (c, m), s in zip(forms, scalars, strict=True)]
+        rows.append(
+            _lowest(homogeneous, n) if homogeneous[-1] else ([*[fmpz_poly([])] * (len(scalars) - 1), fmpz_poly([1])], 0)
+        )
+    return rows
+
+
+def _common(denominators: list[Any]) -> Any:
+    total = denominators[0]
+    for m in denominators[1:]:
+        total = total * (m // total.gcd(m))
+    return total
+
+
+def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tuple[list[fmpz_poly], int]:
+    """Forms of degree n without their common factor, which is made positive, or so that the last form becomes so, at a
+    parameter inside.
+    """
+    common = fmpz_poly([])
+    for c in forms:
+        common = common.gcd(c)
+    left = n - common.degree() - (n - max(c.degree() for c in forms))
+    forms = [c // common for c in forms]
+    judge, most = (forms[-1], left) if sign_of_last else (common, n)
+    sign = next(sign for j in range(1, most + 3) if (sign := _sign_at(judge, j)))
+    return ([-c for c in forms] if sign < 0 else forms), left
+
+
+def _sign_at(c: fmpz_poly, z: int) -> int:
+    value = c(z)
+    return int(value > 0) - int(value < 0)
+
+
+def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
+    """`f` divided, segment by segment, by what it has in common with a power of `w`, which has no zero; the sign stays.
+
+    The same spline where there is nothing in common; otherwise each segment loses a positive factor of its own.
+    """
+    if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
+        return f
+    rows = [
+        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f.polynomials, w.polynomials, strict=True)
+    ]
+    if not any(lost for _, lost in rows):
+        return f
+    least = min(lost for p, lost in rows if p)
+    forms = [(p * raiser(lost - least) if p else p, m) for (p, lost), m in zip(rows, f.denominators, strict=True)]
+    return BSpline.from_forms(f.degree - least, f.mesh, (-1,) * (len(f.mesh) - 1), forms)
+
+
+def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
+    """p without what it has in common with a power of q, made positive, and the degree of that."""
+    lost = 0
+    for _ in range(times if p else 0):
+        common = p.gcd(q)
+        common = common // (common.content() if common(1) > 0 else -common.content())
+        if common.degree() <= 0:
+            break
+        p, lost = p // common, lost + common.degree()
+    return p, lost
+
+
+def primitive(f: BSpline) -> BSpline:
+    """`f` times the positive constant that makes the integers of all its forms coprime: as continuous as it was.
+
+    >>> primitive(BSpline.bezier(["2/3", "4/3"])).control_points
+    (mpq(1,1), mpq(2,1))
+    """
+    if f.is_zero:
+        return f
+    scale = _common(f.denominators)
+    forms = [c * (scale // m) for c, m in f.forms]
+    content = forms[0].content()
+    for c in forms[1:]:
+        content = content.gcd(c.content())
+    return BSpline.from_forms(f.degree, f.mesh, f.continuity, [(c // content, ONE) for c in forms])
+
+
+def in_lowest_terms(value: Any) -> Any:
+    """The same scalar, vector or quotient in the lowest degree that holds on all segments.
+
+    A quotient is reduced segment by segment: each keeps a factor of its own, so that numerator and denominator are only
+    C⁻¹ although their quotient is as continuous as it was. What is no quotient loses powers of u + v and keeps its
+    continuity.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> in_lowest_terms(find("evolute")(example("circle"))).degree
+    0
+
+    Of a ruled surface the directrix is reduced to q/v like any quotient; the ruling parameter is free, so that any
+    factor may be taken out of the generator: what is left is g/v with g the primitive polynomial vector of its
+    direction, segment by segment. As a quotient (q + ζ g)/v this is the surface of least degree in s with this
+    directrix.
+    """
+    if isinstance(value, RuledSurface):
+        directrix, generator = in_lowest_terms(value.directrix), primitive_part(value.generator)
+        if isinstance(directrix, Vector):
+            return RuledSurface(directrix, generator)
+        return RuledSurface(directrix, Rational(generator, directrix.product))
+    if isinstance(value, Vector):
+        by = min(c.degree - c.true_degree for c in value if not c.is_zero) if not value.is_zero else 0
+        return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
+    if isinstance(value, BSpline):
+        return value.constant(0) if value.is_zero else value.reduce_degree(value.degree - value.true_degree)
+    return _over_rows(value, lowest_terms(value))
+
+
+def primitive_part(value: Any) -> Vector:
+    """The polynomial vector of least degree with the direction of a vector or a vector quotient, segment by segment.
+
+    It points the same way as the vector does in the first half of each segment (but for parameters at which the vector
+    vanishes).
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> primitive_part(find("normal")(example("rational_space_cubic"))).degree
+    7
+    """
+    if isinstance(value, Rational):
+        value = in_lowest_terms(value).numerator
+    n, mesh, rows = value.degree, value[0].mesh, []
+    for forms in zip(*[c.forms for c in value], strict=True):
+        scale = _common([m for _, m in forms])
+        parts = [c * (scale // m) * raiser(n - x.degree) for (c, m), x in zip(forms, value, strict=True)]
+        rows.append(_lowest(parts, n, sign_of_last=False) if any(parts) else (parts, 0))
+    highest = max(degree for _, degree in rows)
+    columns = zip(*[[(c * raiser(highest - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
+    return Vector(*[BSpline.from_forms(highest, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns])
+
+
+def where_it_exists(value: Rational) -> Rational:
+    """A quotient in lowest terms segment by segment, 0/1 on segments where its denominator vanishes identically.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> where_it_exists(find("torsion")(example("space_line")))(0)
+    mpq(0,1)
+    """
+    return _over_rows(value, _lowest_rows(_scalars(value)))
+
+
+def _over_rows(value: Rational, rows: list[tuple[list[fmpz_poly], int]]) -> Rational:
+    """The quotient whose segments are the rows, raised to one degree."""
+    mesh = value.denominator.mesh
+    n = max(degree for _, degree in rows)
+    columns = zip(*[[(c * raiser(n - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
+    *numerator, denominator = [BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns]
+    return Rational(Vector(*numerator) if value.is_vector else numerator[0], denominator)

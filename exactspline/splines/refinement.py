@@ -1,0 +1,189 @@
+"""Other representations of the same spline, and its parts: degree, knots, restriction. Functions behind the methods of
+`BSpline`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from gmpy2 import mpq
+
+from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
+from exactspline.exact import text
+from exactspline.splines import bernstein as forms
+from exactspline.splines.knots import SMOOTH, Mesh
+
+if TYPE_CHECKING:
+    from exactspline.splines.bspline import BSpline
+
+
+def aligned(f: BSpline, g: BSpline) -> tuple[BSpline, BSpline]:
+    """Both splines over the union of their breakpoints; where one has no knot it counts as smooth."""
+    mesh = f.mesh if f.mesh.breaks == g.mesh.breaks else f.mesh.union(g.mesh)
+    return over(f, mesh), over(g, mesh)
+
+
+def over(f: BSpline, mesh: Mesh) -> BSpline:
+    """The spline over a finer mesh of the same domain."""
+    if mesh is f.mesh or mesh.breaks == f.mesh.breaks:
+        return type(f).from_forms(f.degree, mesh, f.continuity, f.forms, f.recipe)
+    known = dict(zip(f.mesh.breaks[1:-1], f.continuity, strict=True))
+    continuity = tuple(known.get(t, SMOOTH) for t in mesh.breaks[1:-1])
+    return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.recipe)
+
+
+def _parts(f: BSpline, mesh: Mesh) -> Iterator[forms.Form]:
+    for a, b in zip(mesh.breaks, mesh.breaks[1:], strict=False):
+        i = f.mesh.locate(a)
+        yield forms.restrict(f.forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
+
+
+def elevate(f: BSpline, by: int) -> BSpline:
+    """Degree raised by multiplying every form with a power of u + v."""
+    if type(by) is not int or by < 0:
+        raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 0 (use reduce_degree to lower a degree)")
+    lift = forms.raiser(by)
+    return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.recipe)
+
+
+def reduce(f: BSpline, by: int) -> BSpline:
+    """Degree lowered by dividing every form by a power of u + v, exactly or not at all."""
+    if type(by) is not int or by < 0:
+        raise ShapeError(f"degree reduction by {by}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)")
+    if by > f.degree:
+        raise ReductionError(f"degree {f.degree} cannot be lowered by {by}", remedy=f"at most by {f.degree}")
+    lower, divisor = [], forms.raiser(by)
+    for i, (p, k) in enumerate(f.forms):
+        whole, rest = divmod(p, divisor)
+        if not rest:
+            lower.append((whole, k))
+            continue
+        quotient, times = forms.divide_u_plus_v(p, by)
+        if times < by:
+            a, b = f.mesh.breaks[i : i + 2]
+            raise ReductionError(
+                f"the segment [{text(a)}, {text(b)}] has true degree {f.degree - times}",
+                where=f"segment {i}",
+                remedy=f"the degree can be lowered to {f.true_degree}, not to {f.degree - by}",
+                segment=i,
+                true_degree=f.degree - times,
+            )
+        lower.append((quotient, k))
+    n = f.degree - by
+    result = type(f).from_forms(n, f.mesh, tuple(min(c, n) for c in f.continuity), lower)
+    return _without_smooth_knots(result)
+
+
+def _without_smooth_knots(f: BSpline) -> BSpline:
+    """Merge segments across breakpoints whose nominal continuity reaches the degree: there is no knot left."""
+    keep = [i for i, c in enumerate(f.continuity) if c < f.degree]
+    if len(keep) == len(f.continuity):
+        return f
+    starts = [0, *[i + 1 for i in keep]]
+    breaks = [f.mesh.breaks[i] for i in starts] + [f.mesh.breaks[-1]]
+    merged = [
+        forms.restrict(f.forms[i], f.degree, mpq(0), f.mesh.local(i, b))
+        for i, b in zip(starts, breaks[1:], strict=True)
+    ]
+    return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
+
+
+def _inner(f: BSpline, t: mpq) -> None:
+    a, b = f.domain
+    if not a < t < b:
+        raise DomainError(
+            f"{text(t)} is not inside the domain ({text(a)}, {text(b)})", remedy="inner parameters only", parameter=t
+        )
+
+
+def insert_knot(f: BSpline, t: mpq, times: int) -> BSpline:
+    """One more knot (or several) at t; the function stays."""
+    _inner(f, t)
+    if type(times) is not int or times < 1:
+        raise KnotError(f"{times} knots to insert", remedy="insert a whole number of them, at least one")
+    g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
+    position = g.mesh.breaks.index(t) - 1
+    lowered = min(g.continuity[position], f.degree) - times
+    if lowered < -1:
+        raise KnotError(
+            f"{text(t)} would get multiplicity {f.degree - lowered}",
+            remedy=f"at most degree + 1 = {f.degree + 1}",
+            knot=t,
+        )
+    return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
+
+
+def remove_knot(f: BSpline, t: mpq, times: int) -> BSpline:
+    """One knot less (or several) at t, when enough derivatives agree there."""
+    _inner(f, t)
+    multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
+    if type(times) is not int or not 1 <= times <= multiplicity:
+        raise KnotError(
+            f"{times} of {multiplicity} knots at {text(t)} to remove",
+            remedy="remove at least one and at most as many as there are",
+            knot=t,
+        )
+    position = f.mesh.breaks.index(t) - 1
+    wanted, have = f.continuity[position] + times, continuity_at(f, t)
+    if have < min(wanted, f.degree):
+        jump = f.d(have + 1)
+        raise ReductionError(
+            f"the derivative of order {have + 1} jumps at {text(t)} by {text(jump(t) - jump(t, 'left'))}",
+            remedy=f"{max(have - f.continuity[position], 0)} knots can be removed there",
+            knot=t,
+            continuity=have,
+        )
+    return _without_smooth_knots(
+        type(f).from_forms(f.degree, f.mesh, _replaced(f.continuity, position, wanted), f.forms)
+    )
+
+
+def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int, ...]:
+    return (*continuity[:position], by, *continuity[position + 1 :])
+
+
+def continuity_at(f: BSpline, t: mpq) -> int:
+    """Number of derivatives that agree at t, −1 at a jump; the degree where the sides are one polynomial."""
+    _inner(f, t)
+    if t not in f.mesh.breaks:
+        return f.degree
+    derivative = f
+    for order in range(f.degree + 1):
+        if derivative(t) != derivative(t, "left"):
+            return order - 1
+        derivative = derivative.d()
+    return f.degree
+
+
+def restricted(f: BSpline, a: mpq, b: mpq) -> BSpline:
+    """The part over [a, b]."""
+    low, high = f.domain
+    if not low <= a < b <= high:
+        raise DomainError(
+            f"[{text(a)}, {text(b)}] is no part of the domain [{text(low)}, {text(high)}]",
+            remedy="give a < b inside the domain",
+            domain=f.domain,
+        )
+    inner = [t for t in f.mesh.breaks if a < t < b]
+    known = dict(zip(f.mesh.breaks[1:-1], f.continuity, strict=True))
+    mesh = Mesh([a, *inner, b])
+    return type(f).from_forms(f.degree, mesh, tuple(known[t] for t in inner), _parts(f, mesh))
+
+
+def reversed_(f: BSpline) -> BSpline:
+    """``t ↦ f(a + b − t)`` on [a, b]."""
+    a, b = f.domain
+    mesh = Mesh([a + b - t for t in reversed(f.mesh.breaks)])
+    return type(f).from_forms(
+        f.degree, mesh, f.continuity[::-1], [forms.reverse(p, f.degree) for p in reversed(f.forms)]
+    )
+
+
+def reparametrized(f: BSpline, a: mpq, b: mpq) -> BSpline:
+    """The affine image of the domain is [a, b]."""
+    if not a < b:
+        raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")
+    low, high = f.domain
+    mesh = Mesh([a + (t - low) * (b - a) / (high - low) for t in f.mesh.breaks])
+    return type(f).from_forms(f.degree, mesh, f.continuity, f.forms)

@@ -1,0 +1,467 @@
+"""Splines in two parameters: exact tensor-product B-splines, the algebra that §6 needs.
+
+A `TensorSpline` is immutable, like `BSpline`, and scalar; a surface in space is a `Vector` of three, or a `Rational`.
+What depends on one parameter only is kept as the `BSpline` it is, so that nothing is computed once a patch that can be
+computed once a segment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from operator import add as plus
+from operator import mul as times
+from operator import sub as minus
+from typing import Any
+
+from flint import fmpz, fmpz_poly
+from gmpy2 import lcm, mpq
+
+from exactspline.errors import FormulaError, ShapeError, shown
+from exactspline.exact import rational, text, to_fmpz
+from exactspline.language import provenance as structure
+from exactspline.language.arguments import Curve, Pair
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.splines import refinement
+from exactspline.splines import tensor_bernstein as patch
+from exactspline.splines.bernstein import common_denominators, primitive, raiser
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import KnotVector, Mesh, clamped
+from exactspline.splines.tensor_lines import Degrees, joined, lines
+from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
+from exactspline.splines.tensor_univariate import (
+    Profile,
+    changed_one,
+    one_parameter,
+    packed_segments,
+    replaced,
+    smooth,
+    spread,
+)
+
+
+class TensorSpline(Operand):
+    """A scalar tensor-product B-spline in two parameters s and t, over a rectangle.
+
+    `degrees`, knots and `control_points` as for `BSpline`, in each direction: ``control_points[i][j]`` with i along s
+    and j along t.
+
+    >>> f = TensorSpline((1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[0, 0, 0], [0, 0, 4]])
+    >>> f("1/2", "1/2"), (f * f).degree, f.partial(0, 1)(1, "1/2")
+    (mpq(1,2), Degrees(s=2, t=4), mpq(4,1))
+
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
+    """
+
+    __slots__ = ("_denominators", "_packed", "_points", "continuity", "degree", "meshes", "profile", "recipe", "stride")
+
+    degree: Degrees
+    #: The breakpoints in each direction, and the continuity at the interior ones.
+    meshes: tuple[Mesh, Mesh]
+    continuity: tuple[tuple[int, ...], tuple[int, ...]]
+    #: Where it depends on one parameter only: which (0 for s), and the spline.
+    profile: Profile | None
+    recipe: structure.Recipe
+    #: The stride of `polynomials` (see `exactspline.splines.tensor_bernstein`); results keep it while it has room,
+    #: since packing anew costs more than a product.
+    stride: int
+    #: The packed polynomials by stride, and the denominators; what depends on one parameter only has them when they are
+    #: asked for.
+    _packed: dict[int, list[fmpz_poly]]
+    _denominators: list[fmpz] | None
+    _points: tuple[tuple[mpq, ...], ...] | None
+
+    def __init__(
+        self,
+        degrees: tuple[int, int],
+        knots_s: Iterable[Any],
+        knots_t: Iterable[Any],
+        control_points: Iterable[Iterable[Any]],
+    ) -> None:
+        degree = checked_degrees(degrees)
+        vectors = checked_knots(knots_s, degree.s, "knots_s"), checked_knots(knots_t, degree.t, "knots_t")
+        rows, columns = (len(vector) - n - 1 for vector, n in zip(vectors, degree, strict=True))
+        along_t = [BSpline(degree.t, vectors[1], row) for row in checked_net(control_points, rows, columns)]
+        bezier = zip(*[[x for part in row.segments for x in part] for row in along_t], strict=True)
+        along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
+        stride = patch.stride_for(degree.s)
+        forms = [patch.from_net(net, stride) for net in bezier_nets(degree, along_s)]
+        self.degree, self.meshes, self.recipe, self.stride = (
+            degree,
+            (along_s[0].mesh, along_t[0].mesh),
+            structure.leaf(),
+            stride,
+        )
+        self.continuity = along_s[0].continuity, along_t[0].continuity
+        self._packed, self._denominators = {stride: [c for c, _ in forms]}, [d for _, d in forms]
+        self.profile = self._points = None
+
+    # ---- representation
+
+    def packed(self, stride: int) -> list[fmpz_poly]:
+        """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
+        found = self._packed.get(stride)
+        if found is None:
+            if self.profile is None:
+                found = [patch.repacked(c, self.stride, stride) for c in self.polynomials]
+            else:
+                found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
+            self._packed[stride] = found
+        return found
+
+    @property
+    def polynomials(self) -> list[fmpz_poly]:
+        """The packed polynomials at the stride at hand: zero where the spline is."""
+        return self.packed(self.stride)
+
+    @property
+    def denominators(self) -> list[fmpz]:
+        """Denominators patch by patch, t running faster."""
+        if self._denominators is None:
+            assert self.profile is not None
+            self._denominators = spread(self.profile[1].denominators, self.profile[0], self.meshes)
+        return self._denominators
+
+    @property
+    def domain(self) -> tuple[tuple[mpq, mpq], tuple[mpq, mpq]]:
+        """The rectangle, as its two sides."""
+        return self.meshes[0].domain, self.meshes[1].domain
+
+    @property
+    def knots(self) -> tuple[KnotVector, KnotVector]:
+        """Clamped knots in each direction."""
+        s, t = (clamped(mesh, c, n) for mesh, c, n in zip(self.meshes, self.continuity, self.degree, strict=True))
+        return s, t
+
+    @property
+    def control_points(self) -> tuple[tuple[mpq, ...], ...]:
+        """The control net over `knots`, rows along s."""
+        if self._points is None:
+            nets = [[self.bezier_net(i, j) for j in range(len(self.meshes[1]))] for i in range(len(self.meshes[0]))]
+            self._points = control_net(self.knots, self.degree, self.meshes, nets)
+        return self._points
+
+    @property
+    def control_point_counts(self) -> tuple[int, int]:
+        """How many control points there are along s and along t."""
+        if min(self.degree) < 0:
+            return 0, 0
+        return len(self.knots[0]) - self.degree.s - 1, len(self.knots[1]) - self.degree.t - 1
+
+    def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
+        """The Bézier points of the patch over segment i of s and segment j of t."""
+        at = i * len(self.meshes[1]) + j
+        return patch.bezier_net((self.polynomials[at], self.denominators[at]), self.degree, self.stride)
+
+    def __repr__(self) -> str:
+        (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
+        return f"<TensorSpline of degree {self.degree.s} × {self.degree.t} over [{a}, {b}] × [{c}, {d}]>"
+
+    # ---- arithmetic
+
+    def constant(self, number: Any) -> TensorSpline:
+        """The constant of degree 0 × 0 on this rectangle."""
+        a, b = self.meshes[0].domain
+        return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
+
+    def __add__(self, other: Any) -> Any:
+        return self._sum(other, plus, structure.SUM)
+
+    def __sub__(self, other: Any) -> Any:
+        return self._sum(other, minus, structure.DIFFERENCE)
+
+    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+        right = other if type(other) is TensorSpline else self.beside(other)
+        if right is None:
+            return NotImplemented
+        a, b = (self, right) if self.meshes is right.meshes else aligned(self, right)
+        stride = a.stride if a.stride >= b.stride else b.stride
+        if (
+            a.profile is not None
+            and b.profile is not None
+            and (shared := one_parameter(a.profile, b.profile)) is not None
+        ):
+            return lifted(operation(shared[1], shared[2]), a.meshes, shared[0], stride)
+        degree = a.degree
+        if degree == b.degree:
+            p, q = a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride)
+        else:
+            degree = degree.max(b.degree)
+            p, q = _elevated(a, degree, stride), _elevated(b, degree, stride)
+        denominators = a.denominators
+        if denominators != b.denominators:
+            p, q, denominators = common_denominators(p, denominators, q, b.denominators)
+        continuity = a.continuity if a.continuity == b.continuity else _lower(a, b)
+        return make(
+            degree,
+            a.meshes,
+            continuity,
+            stride,
+            list(map(operation, p, q)),
+            denominators,
+            (name, self.recipe, right.recipe),
+        )
+
+    def __mul__(self, other: Any) -> Any:
+        if type(other) is not TensorSpline:
+            return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
+        a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)
+        stride = a.stride if a.stride >= b.stride else b.stride
+        if (
+            a.profile is not None
+            and b.profile is not None
+            and (shared := one_parameter(a.profile, b.profile)) is not None
+        ):
+            return lifted(shared[1] * shared[2], a.meshes, shared[0], stride)
+        (m, n), (k, h) = a.degree, b.degree
+        if m + k >= stride:
+            stride = patch.stride_for(m + k)
+        return make(
+            _tuple(Degrees, (m + k, n + h)),
+            a.meshes,
+            a.continuity if a.continuity == b.continuity else _lower(a, b),
+            stride,
+            list(map(times, a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride))),
+            list(map(times, a.denominators, b.denominators)),
+            (structure.PRODUCT, self.recipe, other.recipe),
+        )
+
+    def scaled(self, constant: Any) -> TensorSpline:
+        """The spline times an exact constant."""
+        if self.profile is not None:
+            return lifted(self.profile[1].scaled(constant), self.meshes, self.profile[0], self.stride)
+        q = rational(constant)
+        top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
+        denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
+        polynomials = self.polynomials if top == 1 else [c * top for c in self.polynomials]
+        recipe = (structure.MULTIPLE, self.recipe, q)
+        return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, recipe)
+
+    def d(self, order: int = 1) -> TensorSpline:
+        """The derivative of what depends on one parameter only; `FormulaError` for anything else (see `partial`)."""
+        if self.profile is None:
+            raise FormulaError(
+                "a derivative of a spline in two parameters", remedy="say by which: partial(1, 0) or partial(0, 1)"
+            )
+        return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
+
+    def partial(self, i: int, j: int) -> TensorSpline:
+        """The derivative of order i by s and j by t.
+
+        >>> s = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
+        >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
+        (mpq(3,1), True)
+        """
+        first = self.along(0, lambda f: f.d(i)) if i else self
+        return first.along(1, lambda f: f.d(j)) if j else first
+
+    def raised_to(self, other: TensorSpline) -> TensorSpline:
+        """The same function, in each direction at least of the degree of `other`."""
+        return self.elevate_degree(
+            *[max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
+        )
+
+    # ---- the function
+
+    def __call__(self, s: Any, t: Any) -> mpq:
+        """Exact value at two parameters; at a jump the limit from the right (from the left at the end).
+
+        Raises `DomainError` outside the rectangle.
+        """
+        s, t = rational(s), rational(t)
+        i, j = self.meshes[0].locate(s), self.meshes[1].locate(t)
+        at = i * len(self.meshes[1]) + j
+        place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
+        return patch.evaluated(self.polynomials[at], self.denominators[at], self.degree, self.stride, *place)
+
+    def at_t(self, t: Any) -> BSpline:
+        """The iso-curve of constant t, a spline in s."""
+        t, forms = rational(t), []
+        for own in lines(self):
+            values = [line(t) for line in own]
+            common = lcm(*[x.denominator for x in values])
+            forms.append(
+                primitive((fmpz_poly([int(x.numerator * (common // x.denominator)) for x in values]), to_fmpz(common)))
+            )
+        return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
+
+    def at_s(self, s: Any) -> BSpline:
+        """The iso-curve of constant s, a spline in t."""
+        return self.turned().at_t(s)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the function is identically zero."""
+        return not any(self.polynomials)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function on the same rectangle, whatever their knots and degrees."""
+        if not isinstance(other, TensorSpline):
+            return NotImplemented
+        return self.domain == other.domain and bool((self - other).is_zero)
+
+    def __hash__(self) -> int:
+        (a, b), (c, d) = self.domain
+        return hash(
+            (self.domain, *[self(a + (b - a) * mpq(i, 4), c + (d - c) * mpq(j, 5)) for i in range(4) for j in range(3)])
+        )
+
+    @property
+    def true_degree(self) -> Degrees:
+        """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for the zero
+        function).
+        """
+        s, t = (max(line.true_degree for own in lines(f) for line in own) for f in (self.turned(), self))
+        return Degrees(s, t)
+
+    # ---- other representations and parts: what `BSpline` can do, in either direction
+
+    def along(self, direction: int, change: Callable[[BSpline], BSpline]) -> TensorSpline:
+        """The spline with a linear map of splines applied along one direction (0: along s)."""
+        if direction not in (0, 1):
+            raise ShapeError(f"the direction {shown(direction)}", remedy="0 for s or 1 for t")
+        if self.profile is not None:
+            own, spline = self.profile
+            if own != direction:
+                other = changed_one(self.meshes[direction], change)
+                meshes = replaced(self.meshes, direction, other.mesh)
+                crossed: TensorSpline = lifted(spline, meshes, own, self.stride) * lifted(other, meshes, direction)
+                return crossed
+            spline = change(spline)
+            return lifted(spline, replaced(self.meshes, direction, spline.mesh), direction, self.stride)
+        if direction == 0:
+            return self.turned().along(1, change).turned()
+        return make(*joined([[change(line) for line in own] for own in lines(self)], self), structure.leaf())
+
+    def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
+        """The same function, its degrees raised."""
+        first = self.along(0, lambda f: f.elevate_degree(by_s)) if by_s else self
+        return first.along(1, lambda f: f.elevate_degree(by_t)) if by_t else first
+
+    def reduce_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
+        """The same function, its degrees lowered; `ReductionError` where that cannot be done exactly."""
+        return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
+
+    def insert_knot(self, direction: int, t: Any, times: int = 1) -> TensorSpline:
+        """The same function with a knot more in one direction."""
+        return self.along(direction, lambda f: f.insert_knot(t, times))
+
+    def restrict(self, side_s: tuple[Any, Any], side_t: tuple[Any, Any]) -> TensorSpline:
+        """The part over a smaller rectangle."""
+        return self.along(0, lambda f: f.restrict(*side_s)).along(1, lambda f: f.restrict(*side_t))
+
+    def turned(self) -> TensorSpline:
+        """The spline with its parameters exchanged."""
+        meshes, continuity = (self.meshes[1], self.meshes[0]), (self.continuity[1], self.continuity[0])
+        if self.profile is not None:
+            return lifted(self.profile[1], meshes, 1 - self.profile[0])
+        degree, stride = Degrees(self.degree.t, self.degree.s), patch.stride_for(self.degree.t)
+        order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
+        polynomials = [patch.turned(self.polynomials[k], self.stride, self.degree.t, stride) for k in order]
+        return make(
+            degree, meshes, continuity, stride, polynomials, [self.denominators[k] for k in order], structure.leaf()
+        )
+
+
+_new, _tuple = object.__new__, tuple.__new__
+
+
+def make(
+    degree: Degrees,
+    meshes: Any,
+    continuity: Any,
+    stride: int,
+    polynomials: list[fmpz_poly],
+    denominators: list[fmpz],
+    recipe: Any,
+) -> TensorSpline:
+    """The spline with these packed polynomials; the caller vouches for the continuity."""
+    spline = _new(TensorSpline)
+    spline.degree, spline.meshes, spline.continuity, spline.stride, spline.recipe = (
+        degree,
+        meshes,
+        continuity,
+        stride,
+        recipe,
+    )
+    spline._packed, spline._denominators = {stride: polynomials}, denominators
+    spline.profile = spline._points = None
+    return spline
+
+
+def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> list[fmpz_poly]:
+    """The packed polynomials raised to a degree."""
+    if f.degree == degree:
+        return f.packed(stride)
+    lift = raiser(degree.s - f.degree.s) * raiser(degree.t - f.degree.t).inflate(stride)
+    if f.profile is None:
+        return [c * lift for c in f.packed(stride)]
+    return spread([c * lift for c in packed_segments(f.profile, stride)], f.profile[0], f.meshes)
+
+
+def _lower(a: TensorSpline, b: TensorSpline) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    s, t = (tuple(map(min, x, y)) for x, y in zip(a.continuity, b.continuity, strict=True))
+    return s, t
+
+
+def aligned(*splines: TensorSpline) -> list[TensorSpline]:
+    """All over the union of their breakpoints."""
+    meshes = splines[0].meshes
+    for f in splines[1:]:
+        if f.meshes is not meshes:
+            first, second = (m if m.breaks == n.breaks else m.union(n) for m, n in zip(meshes, f.meshes, strict=True))
+            meshes = replaced(replaced(meshes, 0, first), 1, second)
+    return [_over(f, meshes) for f in splines]
+
+
+def _over(f: TensorSpline, meshes: Any) -> TensorSpline:
+    if f.meshes is meshes or all(m.breaks == n.breaks for m, n in zip(f.meshes, meshes, strict=True)):
+        return f
+    if f.profile is not None:
+        return lifted(refinement.over(f.profile[1], meshes[f.profile[0]]), meshes, f.profile[0], f.stride)
+    return f.along(0, lambda g: refinement.over(g, meshes[0])).along(1, lambda g: refinement.over(g, meshes[1]))
+
+
+def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: int = 1) -> TensorSpline:
+    """A spline of one parameter as one of two: direction 0 if the parameter is s, 1 if it is t.
+
+    A stride is room for the products that it will be part of.
+
+    >>> f = BSpline.bezier([0, 0, 1])
+    >>> lifted(f, (f.mesh, Mesh([mpq(0), mpq(1)])), 0)("1/2", "1/3")
+    mpq(1,4)
+    """
+    result, n = _new(TensorSpline), spline.degree
+    if direction == 0:
+        result.degree, result.continuity = _tuple(Degrees, (n, 0)), (spline.continuity, smooth(len(meshes[1].widths)))
+        result.stride = stride if n < stride else patch.stride_for(n)
+    else:
+        result.degree, result.continuity, result.stride = (
+            _tuple(Degrees, (0, n)),
+            (smooth(len(meshes[0].widths)), spline.continuity),
+            stride,
+        )
+    result.meshes, result.recipe, result.profile, result._packed, result._points = (
+        meshes,
+        spline.recipe,
+        (direction, spline),
+        {},
+        None,
+    )
+    result._denominators = None
+    return result
+
+
+#: Degrees in each parameter stay below this multiple of the curve's in the polynomial forms of §6.
+BISECTOR_ROOM = 4
+
+
+def surface_pair(first: Curve, second: Curve) -> Pair:
+    """Two curves as the argument of formulas whose values are splines in both parameters.
+
+    >>> from exactspline.splines.examples import example
+    >>> c = surface_pair(example("twisted_cubic"), example("rational_space_cubic"))
+    >>> (c.first.p[0] * c.second.w).degree
+    Degrees(s=3, t=3)
+    """
+    meshes, room = (first.w.mesh, second.w.mesh), max(BISECTOR_ROOM * first.p.degree, 1)
+    return Pair(first.mapped(lambda f: lifted(f, meshes, 0, room)), second.mapped(lambda f: lifted(f, meshes, 1, room)))

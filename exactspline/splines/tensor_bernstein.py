@@ -1,0 +1,97 @@
+"""One polynomial in two parameters on one patch: a form in each direction, packed into a single ``fmpz_poly``.
+
+``P = Σ c_ij u^(m−i) vⁱ ū^(n−j) v̄ʲ / denominator`` is kept as ``Σ c_ij x^(i + S j)`` (Kronecker): a power x^S of the
+variable stands for the second one. The stride S is a power of two above the degree m in the first parameter, so that a
+product of two patches with room for its degree is a product of two polynomials.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import comb
+
+from flint import fmpz, fmpz_poly
+from gmpy2 import lcm, mpq
+
+from exactspline.exact import ratio, to_fmpz
+from exactspline.splines.bernstein import Form, primitive, value
+
+
+def stride_for(degree: int) -> int:
+    """The smallest stride with room for a degree in the first parameter.
+
+    >>> [stride_for(m) for m in (0, 1, 3, 4)]
+    [1, 2, 4, 8]
+    """
+    return 1 << max(degree, 0).bit_length()
+
+
+def rows(c: fmpz_poly, stride: int, n: int) -> list[fmpz_poly]:
+    """The forms in the first parameter, one for each power of the second.
+
+    >>> rows(fmpz_poly([1, 2, 3, 4]), 2, 1)
+    [2*x + 1, 4*x + 3]
+    """
+    coefficients = c.coeffs()
+    return [fmpz_poly(coefficients[j * stride : (j + 1) * stride]) for j in range(n + 1)]
+
+
+def packed(parts: Sequence[fmpz_poly], stride: int) -> fmpz_poly:
+    """The patch with these rows.
+
+    >>> packed([fmpz_poly([1, 2]), fmpz_poly([3, 4])], 4)
+    4*x^5 + 3*x^4 + 2*x + 1
+    """
+    coefficients: list[fmpz] = []
+    for row in parts:
+        own = row.coeffs()
+        coefficients += own
+        coefficients += [0] * (stride - len(own))
+    return fmpz_poly(coefficients)
+
+
+def repacked(c: fmpz_poly, old: int, new: int) -> fmpz_poly:
+    """The same patch with another stride."""
+    if old == new or c.degree() < old:
+        return c
+    return c.inflate(new) if old == 1 else packed(rows(c, old, c.degree() // old), new)
+
+
+def turned(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
+    """The patch with its parameters exchanged: n is the degree in what was the second one, `new` the stride of the
+    result.
+    """
+    parts = [row.coeffs() for row in rows(c, stride, n)]
+    height = max((len(row) for row in parts), default=0)
+    return packed([fmpz_poly([row[i] if i < len(row) else 0 for row in parts]) for i in range(height)], new)
+
+
+def at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
+    """The form in the second parameter where the first one has the local value a."""
+    values = [value((row, m), degrees[0], a) for row in rows(c, stride, degrees[1])]
+    common = lcm(*[x.denominator for x in values])
+    return primitive((fmpz_poly([int(x.numerator * (common // x.denominator)) for x in values]), to_fmpz(common)))
+
+
+def evaluated(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq, b: mpq) -> mpq:
+    """The value at the local parameters a and b."""
+    return value(at_first(c, m, degrees, stride, a), degrees[1], b) if min(degrees) >= 0 else mpq(0)
+
+
+def from_net(net: Sequence[Sequence[mpq]], stride: int) -> Form:
+    """The patch with the Bézier points ``net[i][j]``."""
+    m, n = len(net) - 1, len(net[0]) - 1
+    scaled = [[comb(m, i) * comb(n, j) * b for j, b in enumerate(row)] for i, row in enumerate(net)]
+    common = lcm(*[x.denominator for row in scaled for x in row])
+    integers = [[int(x.numerator * (common // x.denominator)) for x in row] for row in scaled]
+    return packed([fmpz_poly([row[j] for row in integers]) for j in range(n + 1)], stride), to_fmpz(common)
+
+
+def bezier_net(form: Form, degrees: tuple[int, int], stride: int) -> list[list[mpq]]:
+    """The Bézier points of a patch.
+
+    >>> bezier_net(from_net([[mpq(1), mpq(2)], [mpq(3), mpq(4)]], 2), (1, 1), 2)
+    [[mpq(1,1), mpq(2,1)], [mpq(3,1), mpq(4,1)]]
+    """
+    (c, common), (m, n) = form, degrees
+    return [[ratio(c[i + stride * j], common * comb(m, i) * comb(n, j)) for j in range(n + 1)] for i in range(m + 1)]

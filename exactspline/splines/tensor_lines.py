@@ -1,0 +1,72 @@
+"""A spline in two parameters as lines of splines in one: what lets everything that `BSpline` can do be done in either
+direction.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from flint import fmpz_poly
+from gmpy2 import lcm
+
+from exactspline.exact import to_fmpz
+from exactspline.splines import tensor_bernstein as patch
+from exactspline.splines.bernstein import primitive
+from exactspline.splines.bspline import BSpline
+
+if TYPE_CHECKING:
+    from exactspline.splines.tensor import TensorSpline
+
+
+class Degrees(NamedTuple):
+    """The degrees in the two parameters."""
+
+    s: int
+    t: int
+
+    def max(self, other: Degrees) -> Degrees:
+        """The larger of two degrees in each parameter."""
+        return Degrees(max(self.s, other.s), max(self.t, other.t))
+
+
+def lines(f: TensorSpline) -> list[list[BSpline]]:
+    """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
+    columns, own = len(f.meshes[1]), f.polynomials
+    found = []
+    for i in range(len(f.meshes[0])):
+        patches = range(i * columns, (i + 1) * columns)
+        nets = [patch.rows(own[k], f.stride, f.degree.t) for k in patches]
+        lines = []
+        for h in range(max(f.degree.s, 0) + 1):  # below degree 0 a line of zeros, so that there is one to change
+            forms = [
+                primitive((fmpz_poly([row[h] for row in net]), f.denominators[k]))
+                for k, net in zip(patches, nets, strict=True)
+            ]
+            lines.append(BSpline.from_forms(f.degree.t, f.meshes[1], f.continuity[1], forms))
+        found.append(lines)
+    return found
+
+
+def joined(found: list[list[BSpline]], old: TensorSpline) -> tuple[Degrees, Any, Any, int, Any, Any]:
+    """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
+    it is as the old one.
+    """
+    first, stride = found[0][0], patch.stride_for(old.degree.s)
+    polynomials, denominators = [], []
+    for own in found:
+        for j in range(len(first.mesh)):
+            common = lcm(*[int(line.denominators[j]) for line in own])
+            rows = [line.polynomials[j] * (int(common) // int(line.denominators[j])) for line in own]
+            polynomials.append(
+                patch.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
+            )
+            denominators.append(to_fmpz(common))
+    continuity = (old.continuity[0], first.continuity)
+    return (
+        Degrees(old.degree.s, first.degree),
+        (old.meshes[0], first.mesh),
+        continuity,
+        stride,
+        polynomials,
+        denominators,
+    )

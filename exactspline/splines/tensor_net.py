@@ -1,0 +1,105 @@
+"""The control net of a spline in two parameters: checked where it is given, made where it is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import product
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
+from exactspline.splines import blossom as bezier_points
+from exactspline.splines.bspline import BSpline, checked_degree, exact_points
+from exactspline.splines.knots import KnotVector, Mesh
+from exactspline.splines.tensor_lines import Degrees
+
+Net = list[list[mpq]]
+Points = tuple[tuple[mpq, ...], ...]
+
+
+def checked_degrees(degrees: Any) -> Degrees:
+    """Two degrees as given by a user; `ShapeError` for anything else."""
+    if not isinstance(degrees, (tuple, list)) or len(degrees) != 2:
+        raise ShapeError(f"{shown(degrees)} are no two degrees", where="degrees", remedy="give one for s and one for t")
+    checked = []
+    for i, degree in enumerate(degrees):
+        try:
+            checked.append(checked_degree(degree))
+        except ShapeError as error:
+            raise _renamed(error, "degree", f"degrees[{i}]") from None
+    return Degrees(*checked)
+
+
+def checked_knots(knots: Iterable[Any], degree: int, name: str) -> KnotVector:
+    """Knots as given by a user, the errors of `BSpline` with the name of the argument."""
+    try:
+        vector = KnotVector(knots)
+        vector.check(degree)
+    except ExactSplineError as error:
+        raise _renamed(error, "knots", name) from None
+    return vector
+
+
+def checked_net(net: Any, rows: int, columns: int) -> list[tuple[mpq, ...]]:
+    """Control points as given by a user: so many rows along s of so many points along t."""
+    if not isinstance(net, Iterable):
+        raise ShapeError(f"{shown(net)} is no net", where="control_points", remedy="give the control points in rows")
+    found = [_checked_row(row, f"control_points[{i}]", columns) for i, row in enumerate(net)]
+    if len(found) != rows:
+        raise ShapeError(
+            f"{len(found)} rows of control points",
+            where="control_points",
+            remedy=f"there must be {rows} (knots − degree − 1 along s)",
+        )
+    return found
+
+
+def _checked_row(row: Any, where: str, columns: int) -> tuple[mpq, ...]:
+    if not isinstance(row, Iterable):
+        raise ShapeError(
+            f"{shown(row)} is no row of control points", where=where, remedy="give the control points in rows"
+        )
+    try:
+        points = exact_points(row)
+    except NumberError as error:
+        raise _renamed(error, "control_points", where) from None
+    if len(points) != columns:
+        raise ShapeError(
+            f"{len(points)} control points in a row",
+            where=where,
+            remedy=f"there must be {columns} (knots − degree − 1 along t)",
+        )
+    return points
+
+
+def _renamed(error: ExactSplineError, old: str, new: str) -> ExactSplineError:
+    return type(error)(error.problem, where=error.where.replace(old, new, 1), remedy=error.remedy, **error.data)
+
+
+def bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:
+    """The Bézier nets of all patches, t running faster; `along_s` has a spline in s for each Bézier point along t."""
+    n = degrees.t + 1
+    segments = [spline.segments for spline in along_s]
+    for i, j in product(range(len(along_s[0].mesh)), range(len(along_s) // n)):
+        yield [list(row) for row in zip(*[segments[j * n + k][i] for k in range(n)], strict=True)]
+
+
+def control_net(
+    knots: tuple[KnotVector, KnotVector], degrees: Degrees, meshes: tuple[Mesh, Mesh], nets: list[list[Net]]
+) -> Points:
+    """The control net over clamped knots; ``nets[i][j]`` are the Bézier points over segment i of s and j of t. None
+    below degree 0.
+    """
+    if min(degrees) < 0:
+        return ()
+    n, columns = degrees.t + 1, []
+    for j in range(len(meshes[1])):
+        for k in range(n):
+            segments = [[row[k] for row in patches[j]] for patches in nets]
+            columns.append(bezier_points.to_control_points(knots[0].knots, degrees.s, meshes[0].breaks, segments))
+    rows = zip(*columns, strict=True)
+    segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in rows)
+    return tuple(
+        bezier_points.to_control_points(knots[1].knots, degrees.t, meshes[1].breaks, parts) for parts in segmented
+    )

@@ -1,0 +1,68 @@
+"""Splines in two parameters that depend on one of them only: which (0 for s, 1 for t), and the spline."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from flint import fmpz_poly
+
+from exactspline.splines import refinement
+from exactspline.splines.bernstein import ONE
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import SMOOTH, Mesh
+
+Profile = tuple[int, BSpline]
+
+
+def packed_segments(profile: Profile, stride: int) -> list[fmpz_poly]:
+    """The packed polynomials, one a segment."""
+    direction, spline = profile
+    return [c.inflate(stride) for c in spline.polynomials] if direction else spline.polynomials
+
+
+def spread(values: list[Any], direction: int, meshes: tuple[Mesh, Mesh]) -> list[Any]:
+    """What belongs to the segments of one direction, patch by patch, t running faster."""
+    count = len(meshes[1 - direction].widths)
+    if count == 1:
+        return values
+    return values * count if direction else [x for x in values for _ in range(count)]
+
+
+@cache
+def smooth(segments: int) -> tuple[int, ...]:
+    """Continuity across the breakpoints of what does not depend on a parameter."""
+    return (SMOOTH,) * (segments - 1)
+
+
+def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
+    """What a linear map of splines makes of the constant 1: all that it does to what depends on the other parameter
+    only.
+    """
+    return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
+
+
+def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mesh, Mesh]:
+    """The meshes, one of them another: the same tuple where it is not, by which operands know each other."""
+    if mesh is meshes[direction]:
+        return meshes
+    return (meshes[0], mesh) if direction else (mesh, meshes[1])
+
+
+def one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
+    """The direction and the splines of two that depend on the same parameter only; a constant depends on either."""
+    (i, f), (j, g) = a, b
+    if i == j:
+        return i, f, g
+    if _is_constant(f):
+        return j, _constant_beside(g, f), g
+    return (i, f, _constant_beside(f, g)) if _is_constant(g) else None
+
+
+def _is_constant(f: BSpline) -> bool:
+    return f.degree == 0 and all(c == SMOOTH for c in f.continuity)
+
+
+def _constant_beside(f: BSpline, constant: BSpline) -> BSpline:
+    return refinement.over(f.constant(constant(constant.domain[0])), f.mesh)

@@ -1,0 +1,1 @@
+"""Algebra in the ring of jet polynomials: factorization, reduction, covariants."""

@@ -1,0 +1,216 @@
+"""How far a differential polynomial is from a covariant of binary forms, and the true degree that follows.
+
+Let F be homogeneous of degree k in the curve and of weight m, and L the derivation with ``L f⁽ⁱ⁾ = i (d − i + 1)
+f⁽ⁱ⁻¹⁾``: what an infinitesimal projective change of parameter does to the derivatives of polynomials of degree d. The
+height of F is the j with ``Lʲ F ≠ 0 = Lʲ⁺¹ F``; F is a covariant exactly when j = 0. On the generic curve of degree d
+the polynomial F has degree ``k d − 2 m + j`` in the parameter: exactly that, and never more on any curve. The proof is
+in ``docs/degree-theorem.md``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+
+from exactspline.errors import FormulaError
+from exactspline.language.arguments import COORDINATES
+from exactspline.readings.degree import Degree
+from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.leading_terms import common_roots
+
+
+@dataclass(frozen=True)
+class TrueDegree:
+    """Degree k, weight m and height j for symbolic d.
+
+    `lower` are the d ≥ 1 at which the true degree is below ``k d − 2 m + j``, with what it is there: −1 stands for a
+    polynomial that vanishes on all curves of that degree.
+    """
+
+    k: int
+    m: int
+    j: int
+    lower: tuple[tuple[int, int], ...]
+
+    @property
+    def nominal(self) -> Degree:
+        """``k d − m``, what Table 1 counts."""
+        return _affine(self.k, -self.m)
+
+    @property
+    def generic(self) -> Degree:
+        """``k d − 2 m + j``, the degree on the generic curve."""
+        return _affine(self.k, self.j - 2 * self.m)
+
+    @property
+    def surplus(self) -> int:
+        """``m − j``: by how much the nominal degree can be lowered on every curve."""
+        return self.m - self.j
+
+    @property
+    def is_covariant(self) -> bool:
+        """Whether a projective change of parameter only multiplies it by a power of the denominator."""
+        return self.j == 0
+
+    def at(self, d: int) -> int:
+        """The true degree on the generic curve of degree d."""
+        return dict(self.lower).get(d, self.k * d - 2 * self.m + self.j)
+
+
+def _affine(k: int, constant: int) -> Degree:
+    return Degree([((("d", k),) if k else (), constant)])
+
+
+def true_degree(jets: Jet | Iterable[Jet]) -> TrueDegree:
+    """k, m, j and the true degree of a differential polynomial, or of a vector of them (the largest of the components).
+
+    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f2
+    >>> from exactspline.readings.jet import jet_curve
+    >>> t = true_degree(f2(jet_curve(2, 2)))
+    >>> (t.k, t.m, t.j), t.nominal, t.generic, t.lower
+    ((3, 3, 0), 3d − 3, 3d − 6, ((1, -1),))
+
+    Raises `FormulaError` when it is zero, or not homogeneous in degree and weight (see `graded`).
+    """
+    parts = [jet for jet in ([jets] if isinstance(jets, Jet) else jets) if not jet.is_zero]
+    if not parts:
+        raise FormulaError("the zero polynomial has no degree", remedy="ask for one that does not vanish")
+    gradings = {grading(jet) for jet in parts}
+    if len(gradings) > 1:
+        raise FormulaError(
+            f"components with the gradings {sorted(gradings)}",
+            remedy="degree and weight of a vector exist when all agree",
+        )
+    ((k, m),) = gradings
+    ring = parts[0].ring
+    lowest: list[fmpq_mpoly] = []
+    j, images = -1, [_with_d(ring, jet.polynomial) for jet in parts]
+    while images:
+        lowest, j = images, j + 1
+        images = [image for p in lowest if (image := _lowered(ring, p))]
+    suspects = {*range(1, ring.order), *set.intersection(*[set(common_roots(p)) for p in lowest])}
+    lower = [(d, _at(parts, k, m, d)) for d in sorted(suspects)]
+    return TrueDegree(k, m, j, tuple((d, n) for d, n in lower if n != k * d - 2 * m + j))
+
+
+def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
+    """k, m, j and the true degree of a product from those of its factors with their exponents: all of them add."""
+    k, m, j = (sum(getattr(f, name) * e for f, e in factors) for name in ("k", "m", "j"))
+    lower = []
+    for d in sorted({d for f, _ in factors for d, _ in f.lower}):
+        degrees = [(f.at(d), e) for f, e in factors]
+        lower.append((d, -1 if any(n < 0 for n, _ in degrees) else sum(n * e for n, e in degrees)))
+    return TrueDegree(k, m, j, tuple((d, n) for d, n in lower if n != k * d - 2 * m + j))
+
+
+def graded(jet: Jet) -> list[Jet]:
+    """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel.
+
+    >>> from exactspline.readings.jet import jet_curve
+    >>> x = jet_curve(2, 1).p[0]
+    >>> graded(x * x + 3 * x.d() * x + x.d())
+    [x′, x², 3·x·x′]
+    """
+    moving = _moving(jet.ring)
+    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    for exponents, c in jet.polynomial.terms():
+        e = tuple(map(int, exponents))
+        parts.setdefault((sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)), {})[e] = c
+    return [Jet(jet.ring, jet.ring.context.from_dict(terms)) for _, terms in sorted(parts.items())]
+
+
+def grading(jet: Jet) -> tuple[int, int]:
+    """Degree k and weight m in the curve; of two curves in the first. `FormulaError` when it is not homogeneous in
+    both.
+    """
+    moving = _moving(jet.ring)
+    exponents = ([int(x) for x in m] for m in jet.polynomial.monoms())
+    found = {(sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)) for e in exponents}
+    if len(found) != 1:
+        raise FormulaError(
+            f"a polynomial with the gradings {sorted(found)}",
+            remedy="degree and weight exist for homogeneous ones only",
+        )
+    return found.pop()
+
+
+def _moving(ring: JetRing) -> list[tuple[int, int]]:
+    """The places of the variables that depend on the parameter, and their orders: of two curves those of the first."""
+    return [(n, i) for n, (name, i) in enumerate(ring.variables) if name in COORDINATES or name == "w"]
+
+
+def generic_degree(jets: Sequence[Jet]) -> Degree:
+    """The true degree of a vector on the generic curve for symbolic d, homogeneous or not.
+
+    >>> from exactspline.readings.jet import jet_curve
+    >>> c = jet_curve(2, 1)
+    >>> generic_degree([c.p[0] * c.w.d(1) - c.p[0].d(1) * c.w, c.w])
+    max(2d − 2, d)
+    """
+    degrees = [true_degree(part).generic for jet in jets for part in graded(jet)]
+    result = degrees[0]
+    for degree in degrees[1:]:
+        result = result.max(degree)
+    return result
+
+
+def truncated(jets: Iterable[Jet], d: int) -> list[Jet]:
+    """The polynomials on curves of degree d: derivatives of higher order are zero."""
+    return [Jet(jet.ring, _truncated(jet.ring, jet.polynomial, d)) for jet in jets]
+
+
+def without_content(jets: Sequence[Jet]) -> list[Jet]:
+    """The polynomials divided by their greatest common divisor."""
+    common = jets[0].polynomial
+    for jet in jets[1:]:
+        common = common.gcd(jet.polynomial)
+    return [Jet(jet.ring, jet.polynomial / common) for jet in jets]
+
+
+def degree_at(jets: Sequence[Jet], d: int) -> int:
+    """The true degree of a vector on the generic curve of one degree d, homogeneous or not; −1 where it vanishes."""
+    return max((true_degree(part).at(d) for jet in jets for part in graded(jet)), default=-1)
+
+
+def _with_d(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """The polynomial in a ring that has d besides the jets."""
+    context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}" for name, i in ring.variables]], Ordering.degrevlex)
+    return context.from_dict({(0, *map(int, exponents)): c for exponents, c in polynomial.terms()})
+
+
+def _lowered(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """The derivation L over the polynomials in d."""
+    gens = polynomial.context().gens()
+    d, total = gens[0], polynomial.context().constant(0)
+    used = polynomial.degrees()
+    for n, i in _moving(ring):
+        if i and used[n + 1]:
+            total += polynomial.derivative(n + 1) * (i * (d - i + 1)) * gens[n]
+    return total
+
+
+def _at(jets: Sequence[Jet], k: int, m: int, d: int) -> int:
+    """The true degree for one number d: derivatives above d are zero, and L has numbers for coefficients."""
+    ring, j = jets[0].ring, -1
+    images = [p for jet in jets if (p := _truncated(ring, jet.polynomial, d))]
+    while images:
+        j += 1
+        images = [image for p in images if (image := _lowered_at(ring, p, d))]
+    return k * d - 2 * m + j if j >= 0 else -1
+
+
+def _truncated(ring: JetRing, polynomial: fmpq_mpoly, d: int) -> fmpq_mpoly:
+    names = ring.context.names()
+    vanishing = {names[n]: 0 for n, i in _moving(ring) if i > d}
+    return polynomial.subs(vanishing) if vanishing else polynomial
+
+
+def _lowered_at(ring: JetRing, polynomial: fmpq_mpoly, d: int) -> fmpq_mpoly:
+    total, used = ring.context.constant(0), polynomial.degrees()
+    for n, i in _moving(ring):
+        if i and used[n]:
+            total += polynomial.derivative(n) * (i * (d - i + 1)) * ring.gens[n - 1]
+    return total

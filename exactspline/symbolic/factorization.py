@@ -1,0 +1,193 @@
+"""Identical up to a factor: the factor is found in the jet ring by exact division, factored, and named."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from math import gcd, lcm
+from typing import Any
+
+from flint import fmpq_mpoly
+from gmpy2 import mpq
+
+from exactspline.errors import ClaimError
+from exactspline.language.arguments import DIMENSIONS, operands
+from exactspline.language.parts import split
+from exactspline.language.services import Displayed
+from exactspline.language.vector import Vector
+from exactspline.papers import all_formulas, find
+from exactspline.readings.differential_order import is_polynomial, order_of
+from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, jet_argument, polynomial_text
+from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.tree import trace
+from exactspline.symbolic.substitution import substitute
+
+
+@dataclass(frozen=True)
+class Factor(Displayed):
+    """A quotient of jet polynomials, as a constant and powers of irreducible ones with names where they have one."""
+
+    constant: mpq
+    powers: tuple[tuple[str, fmpq_mpoly, int], ...]
+    ring: JetRing
+
+    def __str__(self) -> str:
+        parts = [_power(name, e) for name, _, e in self.powers]
+        if self.constant != 1 or not parts:
+            parts.insert(0, str(self.constant))
+        return "·".join(parts)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names in it."""
+        return frozenset(name for name, _, _ in self.powers)
+
+    @property
+    def is_one(self) -> bool:
+        """Whether it is the constant 1."""
+        return self.constant == 1 and not self.powers
+
+    def fraction(self) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """Numerator and denominator as jet polynomials."""
+        one = self.ring.context.constant(1)
+        top, bottom = one * int(self.constant.numerator), one * int(self.constant.denominator)
+        for _, p, e in self.powers:
+            top, bottom = (top * p**e, bottom) if e > 0 else (top, bottom * p ** (-e))
+        return top, bottom
+
+    def on(self, curve: Any) -> tuple[Any, Any]:
+        """Numerator and denominator in the reading of a concrete curve."""
+        top, bottom = self.fraction()
+        return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
+
+
+def _power(name: str, exponent: int) -> str:
+    base = f"({name})" if name[-1] in "⁰¹²³⁴⁵⁶⁷⁸⁹" else name
+    return name if exponent == 1 else base + str(exponent).translate(SUPERSCRIPTS)
+
+
+def jets_for(names: tuple[str, ...], dimension: int) -> Any:
+    """The indeterminate rational curve (and point, or two curves) with as many derivatives as the named formulas need,
+    in the fraction reading.
+    """
+    kind = next((find(name).curve for name in names if find(name).curve in ("pair", "point", "plane point")), "curve")
+    return fraction_argument(kind, dimension, max((order_of(find(name), dimension) for name in names), default=0))
+
+
+def find_factor(left: Any, right: Any) -> Factor | None:
+    """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional.
+
+    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f1, f2
+    >>> c = jets_for(("f1", "f2"), 2)
+    >>> str(find_factor(f1(c), f2(c)))
+    'w'
+
+    Raises `ClaimError` when the right side vanishes identically.
+    """
+    (ps, _), (qs, _) = split(left), split(right)
+    pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
+    if pivot is None:
+        raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
+    if len(ps) != len(qs):
+        return None
+    quotient = ps[pivot] / qs[pivot]
+    if any(p != quotient * q for p, q in zip(ps, qs, strict=True)):
+        return None
+    return factored(quotient.ring, quotient.top, quotient.bottom)
+
+
+def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
+    """A quotient of jet polynomials as a product of named irreducible ones."""
+    a, tops = top.factor()
+    b, bottoms = bottom.factor()
+    constant, powers = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q)), []
+    for sign, factors in ((1, tops), (-1, bottoms)):
+        for p, e in factors:
+            name, unit = name_of(Jet(ring, p))
+            constant *= unit ** (sign * int(e))
+            powers.append((name, p / int(unit.numerator) * int(unit.denominator), sign * int(e)))
+    return Factor(constant, tuple(sorted(powers, key=lambda item: (item[0] != "w", item[0]))), ring)
+
+
+def name_of(jet: Jet) -> tuple[str, mpq]:
+    """The name of an irreducible jet polynomial and its quotient by what the name stands for; its text where it has
+    none.
+    """
+    for name, other in named_parts(jet.ring):
+        if len(other.polynomial) == len(jet.polynomial):
+            quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
+            if jet.polynomial == other.polynomial * quotient:
+                return name, mpq(int(quotient.p), int(quotient.q))
+    return f"({polynomial_text(jet)})", mpq(1)
+
+
+def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
+    """The name of a vector of jet polynomials and its quotient by what the name stands for, like `name_of`."""
+    ring, n = core[0].ring, len(core)
+    if all(jet.is_zero for jet in core):
+        return "0", mpq(1)
+    vectors = [(name, list(value)) for name, value in named_values(ring) if isinstance(value, Vector)]
+    whole = [(name, value) for name, value in vectors if len(value) == n]
+    parts = [
+        (f"{name}[{i}…{i + n - 1}]", value[i : i + n])
+        for name, value in vectors
+        for i in range(len(value) - n + 1)
+        if len(value) > n
+    ]
+    for name, other in whole + parts:
+        if (quotient := _proportion(core, other)) is not None:
+            return name, quotient
+    coefficients = [mpq(int(c.p), int(c.q)) for jet in core for c in jet.polynomial.coeffs()]
+    unit = mpq(gcd(*[int(c.numerator) for c in coefficients]), lcm(*[int(c.denominator) for c in coefficients]))
+    unit = unit if coefficients[0] > 0 else -unit
+    return f"({', '.join(polynomial_text(jet.scaled(1 / unit), 2) for jet in core)})", unit
+
+
+def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
+    """The constant by which a vector is a multiple of another one, if it is."""
+    pivot = next((i for i, jet in enumerate(other) if not jet.is_zero), None)
+    if pivot is None or core[pivot].is_zero:
+        return None
+    quotient = core[pivot].polynomial.leading_coefficient() / other[pivot].polynomial.leading_coefficient()
+    same = all(a.polynomial == b.polynomial * quotient for a, b in zip(core, other, strict=True))
+    return mpq(int(quotient.p), int(quotient.q)) if same else None
+
+
+def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
+    """The denominators and the scalar polynomial formulas of the library that this ring can express."""
+    return [(name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero]
+
+
+def named_values(ring: JetRing) -> list[tuple[str, Any]]:
+    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
+    return _named_values(ring.kind, ring.dimension, ring.order, "w" not in ring.names)
+
+
+@cache
+def _named_values(kind: str, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+    c = jet_argument(kind, dimension, order, polynomial=polynomial)
+    known = operands(c)
+    values = (
+        []
+        if polynomial
+        else [
+            (known[name].ring.primes(known[name].ring.index[name, 0]), known[name])
+            for name in ("w", "W")
+            if name in known
+        ]
+    )
+    kinds = {
+        "pair": ("pair",),
+        "point": ("curve", "plane", "plane point") if dimension == 2 else ("curve", "space", "point"),
+    }
+    for formula in all_formulas().values():
+        if (
+            formula.curve in kinds.get(kind, ("curve", "plane", "space"))
+            and dimension in DIMENSIONS[formula.curve]
+            and is_polynomial(formula, dimension)
+            and order_of(formula, dimension) <= order
+        ):
+            values.append((symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c)))
+    return values

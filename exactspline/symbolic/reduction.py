@@ -1,0 +1,421 @@
+"""Reductions that nobody has to know: a formula is evaluated naively over the indeterminate curve and its numerator and
+denominator are factored.
+
+What is found is an identity of differential polynomials, ``numerator = constant · factors · core``. Products are kept
+as products while the formula is evaluated, every factorization is verified by multiplying it out again. Every factor is
+the named formula it is proportional to, sign included; one without a name has coprime integer coefficients, the first
+one positive. So the constant carries the sign.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from flint import fmpq_mpoly
+from gmpy2 import mpq
+
+from exactspline.errors import FormulaError, ReductionError, ShapeError
+from exactspline.language.arguments import DIMENSIONS
+from exactspline.language.formula import Formula
+from exactspline.language.operand import Operand
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.papers import find
+from exactspline.readings.degree import Degree, degree_argument
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.factored_jet import (
+    FactoredJet,
+    Powers,
+    factored_argument,
+    merged,
+    multiplied,
+    shared,
+    without,
+)
+from exactspline.readings.jet import Jet, JetRing
+from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
+from exactspline.symbolic.factorization import Factor, factored, name_of_vector
+from exactspline.symbolic.substitution import substitute
+
+#: Factors known to have no zero, and why.
+ZERO_FREE = {
+    "w": "the weight function, without a zero",
+    "w̄": "the weight function of the second curve, without a zero",
+    "‖D1‖²": "positive where the curve is regular",
+    "‖b‖²": "positive where the curve is regular and its curvature is not zero",
+}
+#: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
+#: alone.
+VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
+
+
+@dataclass(frozen=True)
+class Power:
+    """An irreducible differential polynomial that divides the numerator `above` times and the denominator `below`
+    times.
+    """
+
+    name: str
+    jet: Jet
+    above: int
+    below: int
+
+    @property
+    def meaning(self) -> str:
+        """Why it has no zero; for one with roots of its own, that it has."""
+        return ZERO_FREE.get(self.name, "may have roots of its own")
+
+    @property
+    def has_roots(self) -> bool:
+        """Whether it may vanish somewhere on a regular curve."""
+        return self.name not in ZERO_FREE
+
+
+@dataclass(frozen=True)
+class Part:
+    """One part of a formula: ``constant · Π power^above · core / Π power^below``: a core without common factor, 1 for a
+    scalar.
+    """
+
+    role: str
+    naive: Degree
+    constant: mpq
+    powers: tuple[Power, ...]
+    core: tuple[Jet, ...]
+    core_name: str
+    is_scalar: bool
+    is_quotient: bool
+
+    @property
+    def cancelled(self) -> Factor:
+        """What leaves the numerator, to reach the reduced form: factors without zeros, and of a generator every
+        factor.
+        """
+        gone = [p for p in self.powers if not self._kept(p) and (not p.has_roots or self.role == GENERATOR)]
+        return self._factor([(p, p.above - p.below) for p in gone], self.constant)
+
+    @property
+    def rooted(self) -> Factor:
+        """The factors with roots of their own: kept, each with its name. Of a generator they are told although they are
+        not needed.
+        """
+        return self._factor([(p, p.above - p.below) for p in self.powers if p.has_roots and p.above > p.below], mpq(1))
+
+    @property
+    def poles(self) -> Factor:
+        """What is left of the denominator and may have roots: where the value does not exist."""
+        return self._factor([(p, p.below - p.above) for p in self.powers if p.has_roots and p.below > p.above], mpq(1))
+
+    @property
+    def shared(self) -> Factor:
+        """What numerator and denominator have in common."""
+        return self._factor([(p, min(p.above, p.below)) for p in self.powers], mpq(1))
+
+    def _kept(self, p: Power) -> bool:
+        return p.has_roots and p.above > p.below and self.role != GENERATOR
+
+    def _factor(self, powers: Sequence[tuple[Power, int]], constant: mpq) -> Factor:
+        return Factor(constant, tuple((p.name, p.jet.polynomial, e) for p, e in powers if e), self.core[0].ring)
+
+    @property
+    def reduced(self) -> tuple[Jet, ...]:
+        """The reduced form of zero-set problems and directions: the numerator without what has no zeros."""
+        kept = self._product((p, p.above - p.below) for p in self.powers if self._kept(p))
+        return tuple(kept * c for c in self.core)
+
+    @property
+    def lowest(self) -> tuple[tuple[Jet, ...], Jet]:
+        """Numerator and denominator in lowest terms: the same value."""
+        top = self._product((p, p.above - p.below) for p in self.powers).scaled(self.constant)
+        return tuple(top * c for c in self.core), self._product((p, p.below - p.above) for p in self.powers)
+
+    def _product(self, powers: Any) -> Jet:
+        ring = self.core[0].ring
+        return Jet(ring, multiplied(ring, [(p.jet.polynomial, e) for p, e in powers if e > 0]))
+
+    @property
+    def true(self) -> TrueDegree | None:
+        """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
+        kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
+        try:
+            return product_of([*[(true_degree(jet), e) for jet, e in kept], (true_degree(self.core), 1)])
+        except FormulaError:
+            return None
+
+    @property
+    def generic(self) -> Degree:
+        """The true degree of the reduced form on the generic curve, by the degree theorem."""
+        return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
+
+    def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
+        if self.is_zero:
+            return Degree.number(-1)
+        total = generic_degree([c for c in self.core if not c.is_zero])
+        for jet, e in powers:
+            for _ in range(e):
+                total = total * generic_degree([jet])
+        return total
+
+    @property
+    def generic_lowest(self) -> Degree:
+        """The true degree of the value in lowest terms on the generic curve: the larger of numerator and
+        denominator.
+        """
+        numerator = self._generic((p.jet, p.above - p.below) for p in self.powers)
+        below = [(p.jet, p.below - p.above) for p in self.powers if p.below > p.above]
+        if not below or self.is_zero:
+            return numerator
+        denominator = Degree.number(0)
+        for jet, e in below:
+            for _ in range(e):
+                denominator = denominator * generic_degree([jet])
+        return numerator.max(denominator)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve."""
+        return all(c.is_zero for c in self.core)
+
+    def data(self) -> dict[str, Any]:
+        """The part for a program."""
+        found = self.true
+        return {
+            "part": self.role,
+            "naive": str(self.naive),
+            "cancelled": str(self.cancelled),
+            "reduced": self.text,
+            "poles": "" if self.poles.is_one else str(self.poles),
+            "shared": "" if self.shared.is_one else str(self.shared),
+            "meaning": {p.name: p.meaning for p in self.powers},
+            "k": found and found.k,
+            "m": found and found.m,
+            "j": found and found.j,
+            "nominal": str(found.nominal) if found else "",
+            "true": str(self.generic),
+            "lower": {str(d): n for d, n in found.lower} if found else {},
+            "lowest terms": str(self.generic_lowest) if self.is_quotient else "",
+        }
+
+    @property
+    def text(self) -> str:
+        """The reduced form by the names of what it is made of."""
+        if self.is_zero:
+            return "0"
+        names = [str(self.rooted)] if self.role != GENERATOR and self.rooted.powers else []
+        return "·".join([*names, *([] if self.is_scalar else [self.core_name])]) or "1"
+
+    def on(self, curve: Any) -> Any:
+        """The reduced form on a curve, in any reading; splines come at the true degree that the theorem guarantees, by
+        exact division.
+        """
+        values = [substitute(jet, curve) for jet in self.reduced]
+        surplus = self.true.surplus if self.true and hasattr(values[0], "reduce_degree") else 0
+        lowered = [
+            value.reduce_degree(min(surplus, value.degree)) if surplus > 0 and value.degree > 0 else value
+            for value in values
+        ]
+        return lowered[0] if self.is_scalar else Vector(*lowered)
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """What `reduce` found of a formula: one part, or directrix and generator of a ruled surface."""
+
+    name: str
+    dimension: int
+    polynomial: bool
+    parts: tuple[Part, ...]
+
+    @property
+    def main(self) -> Part:
+        """The only part, or the generator."""
+        return self.parts[-1]
+
+
+def reduce(
+    formula: Formula | Callable[[Any], Any], *, dimension: int | None = None, polynomial: bool = False
+) -> Reduction:
+    """The reduction of a formula, or of any function that takes a curve and returns a scalar, a vector, a quotient or a
+    ruled surface.
+
+    `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1. Without a dimension a formula is
+    taken at its word and a plain function tried in the plane and then in space.
+
+    >>> from exactspline.papers import find
+    >>> part = reduce(find("curvature_squared_derivative")).main
+    >>> str(part.naive), str(part.cancelled), part.text
+    ('48d', 'w⁵·(‖D1‖²)⁻⁴', '[X X′ X″ X‴]·f2')
+    >>> part.true.j, part.generic
+    (0, 11d − 18)
+
+    Raises `FormulaError` when the function returns nothing of the kind, `ShapeError` when it does not fit the
+    dimension.
+    """
+    chosen = [dimension] if dimension else _dimensions(formula)
+    for n in chosen[:-1]:
+        try:
+            return _reduced(formula, n, polynomial)
+        except ShapeError:
+            continue
+    return _reduced(formula, chosen[-1], polynomial)
+
+
+@cache
+def reduction(name: str, dimension: int, polynomial: bool = False) -> Reduction:
+    """The reduction of a formula of the library, made once."""
+    return reduce(find(name), dimension=dimension, polynomial=polynomial)
+
+
+def _dimensions(formula: Any) -> list[int]:
+    kind = getattr(formula, "curve", "curve")
+    if kind == "table":
+        raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="reduce formulas of a curve")
+    return list(DIMENSIONS[kind])
+
+
+def name_of_function(formula: Any) -> str:
+    """The name of a formula or a function."""
+    return str(getattr(formula, "__name__", formula))
+
+
+def _reduced(formula: Any, dimension: int, polynomial: bool) -> Reduction:
+    name = name_of_function(formula)
+    kind = getattr(formula, "curve", "curve")
+    degrees = _parts(formula(degree_argument(kind, dimension, polynomial=polynomial)), name)
+    value = formula(factored_argument(kind, dimension, order_of(formula, dimension), polynomial=polynomial))
+    parts = [
+        _part(role, naive.degree, part) for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
+    ]
+    return Reduction(name, dimension, polynomial, tuple(parts))
+
+
+def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
+    if isinstance(value, RuledSurface):
+        return [(DIRECTRIX, value.directrix), (GENERATOR, value.generator)]
+    if not isinstance(value, (Operand, Vector)):
+        raise FormulaError(
+            f"{name} returns {type(value).__name__}",
+            remedy="a formula returns a scalar, a vector, a quotient or a ruled surface",
+        )
+    return [(VALUE, value)]
+
+
+def _part(role: str, naive: Degree, value: Any) -> Part:
+    numerator, denominator = _over_one_denominator(value)
+    ring = numerator[0].ring
+    if denominator is not None and denominator.is_zero:
+        raise FormulaError("a denominator vanishes on every curve", remedy="check the formula")
+    below = _irreducible(ring, denominator.powers if denominator is not None else (), mpq(1))
+    common, cores = _content(ring, numerator, [p for _, p, _ in below.powers])
+    above = _irreducible(ring, common, mpq(1))
+    is_scalar = not isinstance(value, Vector) and not getattr(value, "is_vector", False)
+    core, core_name, unit = _named(ring, cores, is_scalar)
+    constant = (
+        unit * above.constant / below.constant / (rational_of(denominator.unit) if denominator is not None else 1)
+    )
+    return Part(role, naive, constant, _powers(ring, above, below), core, core_name, is_scalar, denominator is not None)
+
+
+def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:
+    """A product as a product of irreducible factors, each factorization multiplied out again."""
+    found: list[tuple[str, fmpq_mpoly, int]] = []
+    for base, e in powers:
+        factor = factored(ring, base, ring.context.constant(1))
+        if factor.fraction()[0] != base * int(factor.constant.denominator):
+            raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
+        constant *= factor.constant**e
+        for name, p, n in factor.powers:
+            i = next((i for i, (_, q, _) in enumerate(found) if p == q), None)
+            if i is None:
+                found.append((name, p, n * e))
+            else:
+                found[i] = (name, p, found[i][2] + n * e)
+    return Factor(constant, tuple(found), ring)
+
+
+def _named(ring: JetRing, cores: list[fmpq_mpoly], is_scalar: bool) -> tuple[tuple[Jet, ...], str, mpq]:
+    """The core with its name and normalised, and the constant by which it was divided."""
+    core = tuple(Jet(ring, c) for c in cores)
+    if not any(cores):
+        return core, "", mpq(1)
+    name, unit = ("", rational_of(cores[0].leading_coefficient())) if is_scalar else name_of_vector(core)
+    return tuple(jet.scaled(1 / unit) for jet in core), name, unit
+
+
+def _powers(ring: JetRing, above: Factor, below: Factor) -> tuple[Power, ...]:
+    rows: list[Power] = [Power(name, Jet(ring, p), e, 0) for name, p, e in above.powers]
+    for name, p, e in below.powers:
+        i = next((i for i, row in enumerate(rows) if row.jet.polynomial == p), None)
+        if i is None:
+            rows.append(Power(name, Jet(ring, p), 0, e))
+        else:
+            rows[i] = Power(name, rows[i].jet, rows[i].above, e)
+    return tuple(sorted(rows, key=lambda row: (row.name != "w", row.name)))
+
+
+def _over_one_denominator(value: Any) -> tuple[list[FactoredJet], FactoredJet | None]:
+    """The components of the numerator and the denominator; of a vector of quotients the product of the denominators."""
+    if isinstance(value, Rational):
+        numerator = value.numerator
+        return (list(numerator) if isinstance(numerator, Vector) else [numerator]), value.denominator
+    if not isinstance(value, Vector):
+        return [value], None
+    if not any(isinstance(c, Rational) for c in value):
+        return list(value), None
+    one = next(c for c in value if isinstance(c, Rational)).constant(1)
+    components = [c if isinstance(c, Rational) else Rational(c, one) for c in value]
+    numerators, total = [], one
+    for i, c in enumerate(components):
+        numerator = c.numerator
+        for j, other in enumerate(components):
+            numerator = numerator * other.denominator if i != j else numerator
+        numerators.append(numerator)
+        total = total * c.denominator
+    return numerators, total
+
+
+def _content(
+    ring: JetRing, components: list[FactoredJet], divisors: list[fmpq_mpoly]
+) -> tuple[Powers, list[fmpq_mpoly]]:
+    """The greatest common divisor of the components and their quotients by it; what they are known to share first, to
+    spare large computations.
+    """
+    present = [c for c in components if not c.is_zero]
+    if not present:
+        return (), [ring.context.constant(0) for _ in components]
+    common = present[0].powers
+    for c in present[1:]:
+        common = shared(common, c.powers)
+    rests = [multiplied(ring, without(c.powers, common)) * c.unit for c in components]
+    if len(components) == 1:
+        return common, rests
+    for q in sorted(divisors, key=len, reverse=True):
+        e, rests = _divided_out(rests, q)
+        common = merged(common, ((q, e),)) if e else common
+    content = ring.context.constant(0)
+    for p in rests:
+        content = content.gcd(p)
+    content = content / content.leading_coefficient()
+    cores = [p / content for p in rests]
+    if any(core * content != p for core, p in zip(cores, rests, strict=True)):
+        raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
+    return (merged(common, ((content, 1),)) if content.total_degree() > 0 else common), cores
+
+
+def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:
+    """A common factor q taken out as often as it goes."""
+    times = 0
+    while True:
+        results = [divmod(p, q) for p in polynomials]
+        if any(rest for _, rest in results):
+            return times, polynomials
+        times, polynomials = times + 1, [quotient for quotient, _ in results]
+
+
+def rational_of(q: Any) -> mpq:
+    """A FLINT rational as an mpq."""
+    return mpq(int(q.p), int(q.q))

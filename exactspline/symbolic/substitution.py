@@ -1,0 +1,49 @@
+"""A jet polynomial evaluated on a concrete curve."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.language.arguments import operands
+from exactspline.language.operand import CONSTANTS
+from exactspline.readings.jet import Jet
+
+
+def substitute(jet: Jet, curve: Any) -> Any:
+    """A jet polynomial on a concrete curve: the variables replaced by the derivatives of p and w.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.readings.jet import jet_curve
+    >>> substitute(jet_curve(2, 1).w.d(1), example("rational_cubic")) == example("rational_cubic").w.d(1)
+    True
+    """
+    known = operands(curve)
+    terms = [(tuple(map(int, exponents)), mpq(int(c.p), int(c.q))) for exponents, c in jet.polynomial.terms()]
+    value = _horner(
+        terms, 0, [lambda name=name, order=order: known[name].d(order) for name, order in jet.ring.variables]
+    )
+    return known["w"].constant(value) if isinstance(value, CONSTANTS) else value
+
+
+def _horner(terms: list[tuple[tuple[int, ...], mpq]], i: int, variables: list[Any]) -> Any:
+    """The sum of terms by Horner's rule in the i-th variable, the coefficients by the same rule in the ones that
+    follow.
+    """
+    if len(terms) <= 1 and (not terms or not any(terms[0][0][i:])):
+        return terms[0][1] if terms else mpq(0)
+    groups: dict[int, list[tuple[tuple[int, ...], mpq]]] = {}
+    for term in terms:
+        groups.setdefault(term[0][i], []).append(term)
+    powers = sorted(groups, reverse=True)
+    if powers == [0]:
+        return _horner(terms, i + 1, variables)
+    x, total = variables[i](), None
+    for e, lower in zip(powers, [*powers[1:], 0], strict=True):
+        inner = _horner(groups[e], i + 1, variables)
+        total = inner if total is None else inner + total if isinstance(total, CONSTANTS) else total + inner
+        if e > lower:
+            power = x ** (e - lower)
+            total = power if isinstance(total, CONSTANTS) and total == 1 else power * total
+    return total

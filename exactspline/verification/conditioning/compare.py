@@ -1,0 +1,162 @@
+"""The forms of a zero-set construction side by side, zero by zero."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.exact import text
+from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import ZeroSet, zeros
+from exactspline.splines.bernstein import Form, value
+from exactspline.splines.bspline import BSpline
+from exactspline.verification.conditioning.condition_number import DIGITS, Interval, condition_number, local, quotient
+from exactspline.verification.conditioning.double_precision import Double, double_precision_root
+
+
+@dataclass(frozen=True)
+class FormAtRoot:
+    """One form at one zero: its degree, the multiplicity, an enclosure of the condition number (a point when it is
+    exact).
+
+    `growth` encloses K of the theorem for the factor by which the form exceeds the minimal one: ``C ≤ K^(1/m)
+    C_minimal``; None where the factor vanishes too or is no polynomial. `one_sign` tells that its Bernstein
+    coefficients have one sign, which proves ``C ≤ C_minimal``.
+    """
+
+    form: str
+    degree: int
+    multiplicity: int
+    condition: Interval
+    growth: Interval | None
+    one_sign: bool
+    double: Double | None
+
+
+@dataclass(frozen=True)
+class RootConditions:
+    """A zero of the minimal form inside a segment, and every form there."""
+
+    root: Root
+    forms: tuple[FormAtRoot, ...]
+
+    def __getitem__(self, form: str) -> FormAtRoot:
+        return next(f for f in self.forms if f.form == form)
+
+    def compare(self, form: str) -> int:
+        """1 when the minimal form is worse conditioned than the form, −1 when it is better, 0 when the enclosures do
+        not tell them apart.
+        """
+        (a, b), (c, d) = self[MINIMAL].condition, self[form].condition
+        return int(a > d) - int(b < c)
+
+    def ratio(self, form: str) -> mpq:
+        """Condition number of the minimal form by that of the form, from the middles of the enclosures."""
+        return sum(self[MINIMAL].condition) / sum(self[form].condition)
+
+
+@dataclass(frozen=True)
+class Conditioning:
+    """All zeros of a construction inside the segments of a curve, those that a form invents, and what is left out, in
+    words.
+    """
+
+    curve: str
+    construction: str
+    roots: tuple[RootConditions, ...]
+    invented: dict[str, tuple[Root, ...]]
+    left_out: tuple[str, ...]
+
+    @property
+    def verdicts(self) -> dict[str, str]:
+        """Form by form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
+        forms = [f.form for row in self.roots[:1] for f in row.forms if f.form != MINIMAL]
+        return {form: self._verdict(form) for form in forms}
+
+    def _verdict(self, form: str) -> str:
+        signs = [row.compare(form) for row in self.roots]
+        proved = sum(row[form].one_sign and row[form].growth is not None for row in self.roots)
+        of = f"of {len(signs)} zero{'s' if len(signs) != 1 else ''}"
+        tail = f"; by the theorem it cannot be better at {proved}" if proved else ""
+        return f"the reduced form is worse conditioned at {signs.count(1)} {of}, better at {signs.count(-1)}{tail}"
+
+
+def conditioning(curve: Any, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
+    """The condition of every zero of a zero-set construction in every form.
+
+    Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or a stretch of
+    zeros is listed in `left_out`. With `doubles` the error of double precision is measured too.
+
+    >>> from exactspline.splines.examples import example
+    >>> found = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
+    >>> [(f.form, f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
+    ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
+
+    Raises `FormulaError` for a construction that is no zero set, `ShapeError` for a curve that is not in the plane.
+    """
+    made = construction(name)
+    if not made.zero_set:
+        raise FormulaError(f"{name} is no zero set", remedy="choose zero_curvature or critical_curvature")
+    if curve.dimension != 2:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
+    splines = {form: made.on(curve, form) for form in (*made.unlifted, MINIMAL)}
+    found = {form: zeros(f) for form, f in splines.items()}
+    minimal = found[MINIMAL]
+    inside = [root for root in minimal if not root.at_knot]
+    rows = []
+    for root in inside:
+        # a rational zero becomes an exact one, and its condition number with it
+        root.minimal_polynomial()
+        same = {form: next(r for r in among if r == root) for form, among in found.items()}
+        forms = [
+            _at_root(form, f, splines[MINIMAL], root, same[form].multiplicity, found[form] if doubles else None)
+            for form, f in splines.items()
+        ]
+        rows.append(RootConditions(root, tuple(forms)))
+    invented = {form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in found.items()}
+    left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
+    left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
+    left_out += [f"[{text(s.low)}, {text(s.high)}], where the form vanishes identically" for s in minimal.stretches]
+    return Conditioning(
+        curve.name, made.name, tuple(rows), {form: rs for form, rs in invented.items() if rs}, tuple(left_out)
+    )
+
+
+def _at_root(
+    form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, among: ZeroSet | None
+) -> FormAtRoot:
+    """What one form is like at a zero; `among` are all its zeros, when double precision is to be tried."""
+    i = _segment_of(f, root)
+    own, n = f.forms[i], f.degree
+    factor = quotient(own, n, minimal.forms[i], minimal.degree)
+    growth, one_sign = None, False
+    if factor is not None:
+        signs = {c > 0 for c in factor[0].coeffs() if c != 0}
+        one_sign = len(signs) == 1
+        if multiplicity == root.multiplicity:
+            growth = (mpq(1), mpq(1)) if one_sign else condition_number(factor, n - minimal.degree, root, 0)
+    double = None if among is None else double_precision_root(own, n, local(root)[0], _bracket(own, n, root, among))
+    return FormAtRoot(form, n, multiplicity, condition_number(own, n, root, multiplicity), growth, one_sign, double)
+
+
+def _segment_of(f: BSpline, root: Root) -> int:
+    assert root.segment is not None
+    return f.breakpoints.index(root.segment[0])
+
+
+def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
+    """An interval of the local parameter with this zero of the form and no other, halfway to the next ones or to the
+    ends of the segment.
+    """
+    assert root.segment is not None
+    a, b = root.segment
+    x = local(root)[0]
+    others = [(r.refine(DIGITS)[0] - a) / (b - a) for r in among if r != root]
+    ends = [mpq(end) if value(form, n, mpq(end)) else (x + end) / 2 for end in (0, 1)]
+    return max([ends[0], *[(x + y) / 2 for y in others if 0 <= y < x]]), min(
+        [ends[1], *[(x + y) / 2 for y in others if x < y <= 1]]
+    )

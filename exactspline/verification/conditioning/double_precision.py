@@ -1,0 +1,98 @@
+"""The experiment: what double precision makes of a zero. The only place of this room with floats.
+
+They come from exact numbers by rounding, once, and go back through `exactspline.exact.from_float`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from sys import float_info
+
+from gmpy2 import mpq
+
+from exactspline.exact import from_float
+from exactspline.splines.bernstein import Form, bezier
+from exactspline.verification.conditioning.condition_number import Interval
+
+#: The rounding unit of double precision.
+UNIT = mpq(1, 2**53)
+#: Bisections, from brackets that shrink towards the zero, of which the worst is told.
+STARTS = 3
+
+
+@dataclass(frozen=True)
+class Double:
+    """What double precision makes of a zero: its largest distance from it in the local parameter, over the bisections
+    that could begin.
+
+    `error` is None where none could, with the reason.
+    """
+
+    error: mpq | None
+    reason: str = ""
+
+    @property
+    def units(self) -> mpq | None:
+        """The error in units of 2⁻⁵³."""
+        return None if self.error is None else self.error / UNIT
+
+
+def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Double:
+    """How far off a zero is when the Bézier points are rounded to doubles and the zero is sought by bisection with de
+    Casteljau's algorithm.
+
+    `x` is the zero (or within ``10^−60`` of it), `bracket` an interval with no other zero; all in the local parameter.
+    The bisection begins in the bracket and in two smaller ones. The points are scaled by one power of two, which
+    changes nothing but keeps them in range.
+
+    >>> from exactspline.splines.bernstein import from_bezier
+    >>> double_precision_root(from_bezier([mpq(-1), mpq(2)]), 1, mpq(1, 3), (mpq(0), mpq(1))).units
+    mpq(1,6)
+    """
+    points = _rounded(bezier(form, n))
+    if points is None:
+        return Double(None, "the coefficients span more than the range of doubles")
+    errors = []
+    for j in range(STARTS):
+        low, high = (_double(end + (x - end) * mpq(j, 2 * STARTS)) for end in bracket)
+        found = _bisected(points, low, high)
+        if found is not None:
+            errors.append(abs(from_float(found) - x))
+    return Double(max(errors)) if errors else Double(None, "no change of sign in doubles")
+
+
+def _rounded(points: list[mpq]) -> list[float] | None:
+    """The points to the nearest double, the largest near 2¹⁰⁰⁰; None where one that is not zero would be less than the
+    smallest normal double.
+    """
+    largest = max(abs(b) for b in points)
+    shift = 1000 - int(largest.numerator).bit_length() + int(largest.denominator).bit_length()
+    scale = mpq(2) ** shift
+    doubles = [_double(b * scale) for b in points]
+    return None if any(b and abs(y) < float_info.min for b, y in zip(points, doubles, strict=True)) else doubles
+
+
+def _double(q: mpq) -> float:
+    """The double nearest to an exact number."""
+    return int(q.numerator) / int(q.denominator)
+
+
+def _casteljau(points: list[float], t: float) -> float:
+    u = 1.0 - t
+    while len(points) > 1:
+        points = [u * a + t * b for a, b in pairwise(points)]
+    return points[0]
+
+
+def _bisected(points: list[float], low: float, high: float) -> float | None:
+    """Where bisection ends: neighbouring doubles, or a value of zero."""
+    first, last = _casteljau(points, low), _casteljau(points, high)
+    if first == 0 or last == 0 or (first > 0) == (last > 0):
+        return None
+    while low < (middle := (low + high) / 2) < high:
+        at = _casteljau(points, middle)
+        if at == 0:
+            return middle
+        low, high = (middle, high) if (at > 0) == (first > 0) else (low, middle)
+    return low

@@ -1,0 +1,279 @@
+"""The rows of the degree tables, and derived objects as data."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, partial
+from time import perf_counter
+from typing import Any
+
+from exactspline.errors import FormulaError, ReductionError
+from exactspline.geometry.constructions import MINIMAL, Construction, all_constructions, construction, constructions_for
+from exactspline.language.arguments import DIMENSIONS, Curve, Pair
+from exactspline.language.formula import Formula
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
+from exactspline.papers import find
+from exactspline.readings.degree import Degree, degree_argument, degree_curve
+from exactspline.readings.differential_order import is_polynomial
+from exactspline.readings.printing.text import print_text
+from exactspline.readings.tree import trace
+from exactspline.splines.lowest_terms import control_point_count, lowest_terms, true_degree_or_none
+from exactspline.symbolic.covariants import degree_at, graded, true_degree
+from exactspline.symbolic.reduction import reduction
+from exactspline.symbolic.substitution import substitute
+from exactspline.verification.generic_degree import lowest_degree, symbolic_minimum
+from exactspline.verification.measure import measurable, measure
+from exactspline.verification.minimality import attained, witness
+
+
+@dataclass(frozen=True)
+class DegreeRow:
+    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand, with the time it
+    took.
+
+    ``grading`` is ``k, m, j`` of a homogeneous polynomial, or of the numerator of a quotient in lowest terms (see
+    `exactspline.symbolic.covariants`).
+    """
+
+    formula: str
+    form: str
+    nominal: str
+    represented: int
+    true: int | None
+    control_points: int
+    generic: str
+    text: str
+    grading: str = "–"
+    seconds: float = 0
+
+    def data(self) -> dict[str, Any]:
+        """The row for a program."""
+        return vars(self)
+
+
+@cache
+def minimum(name: str, dimension: int, polynomial: bool) -> Degree:
+    """The degree of the minimal form of a construction on the generic curve, computed once."""
+    return symbolic_minimum(construction(name), dimension, polynomial=polynomial)
+
+
+def construction_table(curve: Any) -> list[Callable[[], DegreeRow]]:
+    """The rows for the constructions of a curve in every form, as calls."""
+    return [partial(_row, c, form, curve) for c in constructions_for(curve.dimension) for form in c.all_variants]
+
+
+def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
+    formula = c.formula(form)
+    lowest = minimum(c.name, curve.dimension, curve.polynomial)
+    if form == MINIMAL:
+        text = (
+            "directrix in lowest terms, the generator without its common factor"
+            if c.ruled
+            else "the lifted form in lowest terms"
+        )
+        nominal = "–"
+    else:
+        text, nominal = (
+            print_text(trace(formula, curve.dimension)),
+            str(formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree),
+        )
+    start = perf_counter()
+    try:
+        value = c.on(curve, form)
+    except ReductionError as error:
+        return DegreeRow(c.name, form, nominal, -1, None, 0, "–", str(error))
+    seconds = perf_counter() - start
+    generic = str(lowest) if form == MINIMAL else "–"
+    counts = value.degree, true_degree_or_none(value), control_point_count(value)
+    return DegreeRow(
+        c.name,
+        form,
+        nominal,
+        *counts,
+        generic,
+        text,
+        _grading(formula, form, curve.dimension, curve.polynomial),
+        seconds,
+    )
+
+
+def _grading(formula: Formula, form: str, dimension: int, polynomial: bool) -> str:
+    """k, m and j of a polynomial formula, and of the numerator of the minimal form."""
+    if not (form == MINIMAL or is_polynomial(formula, dimension)):
+        return "–"
+    try:
+        found = true_degree(reduction(formula.name, dimension, polynomial).main.lowest[0])
+    except FormulaError:
+        return "–"
+    return f"{found.k}, {found.m}, {found.j}"
+
+
+#: Ruled surfaces whose generators are measured: naive, as the paper reduces them, lifted.
+GENERATORS = {
+    name.replace("_", " ") + ", generator": (name, f"{name}_reduced", f"{name}_lifted")
+    for name in ("tangent_developable", "binormal_scroll", "normal_scroll", "rectifying_developable")
+}
+
+
+#: Bisectors, in the parameter of the first curve: naive, polynomial as in §6, lifted.
+BISECTORS = {
+    "bisector of two curves, in s": ("bisector", "bisector_polynomial", "bisector_lifted"),
+    "planar bisector of a curve and a point": ("plane_bisector", "plane_bisector_polynomial", "plane_bisector_lifted"),
+}
+
+
+#: The degrees at which an exact witness is computed.
+WITNESSES = range(2, 7)
+
+
+@dataclass(frozen=True)
+class GenericRow:
+    """One line of the table for the generic curve of degree d: what Table 1 counts for each form, and what the degree
+    theorem proves.
+
+    ``k``, ``m``, ``j`` are those of the reduced form; of a quotient in lowest terms, of its numerator or denominator,
+    whichever has the larger true degree. ``attained`` are the degrees d at which a certified witness attains the true
+    degree, ``absent`` those at which the object does not exist or vanishes, ``differ`` those at which proof and witness
+    disagree.
+    """
+
+    object: str
+    naive: str
+    paper: str
+    k: int
+    m: int
+    nominal: str
+    j: int
+    true: str
+    attained: tuple[int, ...]
+    absent: tuple[int, ...]
+    differ: tuple[int, ...]
+
+
+def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]:
+    """The rows for all constructions and for the generators of ruled surfaces, as calls."""
+    constructions: list[Callable[[], GenericRow]] = [
+        partial(_generic_row, c, polynomial) for c in all_constructions().values() if not c.ruled
+    ]
+    bisectors = [partial(_bisector_row, title, names, polynomial) for title, names in BISECTORS.items()]
+    return [
+        *constructions,
+        *[partial(_generator_row, title, names, polynomial) for title, names in GENERATORS.items()],
+        *bisectors,
+    ]
+
+
+def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
+    naive = "squaring" if "squaring" in c.unlifted else next(iter(c.variants))
+    first, paper = (
+        c.formula(form) for form in (naive, next((f for f in ("paper", "reduced") if f in c.unlifted), MINIMAL))
+    )
+    numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
+    found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))
+    witnesses = [attained(c.name, d, polynomial=polynomial) for d in WITNESSES]
+    operands = degree_curve(c.dimension, polynomial=polynomial)
+    return GenericRow(
+        c.title,
+        str(first(operands).degree),
+        str(paper(operands).degree) if paper.name != c.lifted else "–",
+        found.k,
+        found.m,
+        str(found.nominal),
+        found.j,
+        str(symbolic_minimum(c, c.dimension, polynomial=polynomial)),
+        tuple(w.d for w in witnesses if w.agrees and w.attained is not None),
+        tuple(w.d for w in witnesses if w.agrees and w.attained is None),
+        tuple(w.d for w in witnesses if not w.agrees),
+    )
+
+
+def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
+    naive, paper, lifted = map(find, names)
+    found = true_degree(reduction(lifted.name, 3, polynomial).main.reduced)
+    operands = degree_curve(3, polynomial=polynomial)
+    degrees = {}
+    for d in WITNESSES:
+        value = reduction(lifted.name, 3, polynomial).main.on(witness(3, d, polynomial=polynomial))
+        degrees[d] = max(component.true_degree for component in value)
+    return GenericRow(
+        title,
+        str(naive(operands).generator.degree),
+        str(paper(operands).generator.degree),
+        found.k,
+        found.m,
+        str(found.nominal),
+        found.j,
+        str(found.generic),
+        tuple(d for d, n in degrees.items() if n == found.at(d) >= 0),
+        tuple(d for d, n in degrees.items() if n == found.at(d) == -1),
+        tuple(d for d, n in degrees.items() if n != found.at(d)),
+    )
+
+
+def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
+    naive, paper, lifted = map(find, names)
+    (dimension,) = DIMENSIONS[lifted.curve]
+    numerator, denominator = reduction(lifted.name, dimension, polynomial).main.lowest
+    parts = [part for jet in (*numerator, denominator) for part in graded(jet)]
+    found = max(map(true_degree, parts), key=lambda t: t.at(WITNESSES[-1]))
+    operands = degree_argument(lifted.curve, dimension, polynomial=polynomial)
+    degrees = {}
+    for d in WITNESSES:
+        handed = _bisected(lifted.curve, witness(dimension, d, polynomial=polynomial))
+        value = Rational(Vector(*[substitute(jet, handed) for jet in numerator]), substitute(denominator, handed))
+        degrees[d] = max(n for _, n in lowest_terms(value))
+    return GenericRow(
+        title,
+        str(naive(operands).degree),
+        str(paper(operands).degree),
+        found.k,
+        found.m,
+        str(found.nominal),
+        found.j,
+        str(lowest_degree(lifted, dimension, polynomial=polynomial)),
+        tuple(d for d, n in degrees.items() if n == degree_at(parts, d)),
+        (),
+        tuple(d for d, n in degrees.items() if n != degree_at(parts, d)),
+    )
+
+
+class _Fixed:
+    """An operand of the second curve at one parameter: its derivatives there, each a constant."""
+
+    def __init__(self, values: list[Any]) -> None:
+        self.values = values
+
+    def d(self, order: int) -> Any:
+        """The derivative of that order."""
+        return self.values[order]
+
+
+def _bisected(kind: str, curve: Any) -> Any:
+    """A curve with what it is bisected with: a point, or the derivatives of a second curve at one parameter; primes,
+    for want of accidents.
+    """
+    primes = iter((2, 3, 5, 7, 11, 13, 17, 19))
+    if kind != "pair":
+        return Curve(
+            curve.p, curve.w, polynomial=True, point=Vector(*[curve.w.constant(next(primes)) for _ in curve.p])
+        )
+    second = [_Fixed([curve.w.constant(next(primes)) for _ in range(2)]) for _ in range(4)]
+    return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
+
+
+def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:
+    """The rows for every formula that speaks of such a curve, as calls."""
+    return [partial(_formula_row, f.name, curve) for f in measurable(curve.dimension)]
+
+
+def _formula_row(name: str, curve: Any) -> DegreeRow:
+    formula = find(name)
+    start = perf_counter()
+    m = measure(formula, curve)
+    seconds = perf_counter() - start
+    text = print_text(trace(formula, curve.dimension))
+    return DegreeRow(
+        name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
+    )

@@ -1,0 +1,84 @@
+"""Lowest degrees for all curves, symbolic in d, by the degree theorem."""
+
+from __future__ import annotations
+
+from exactspline.geometry.constructions import LIFTED, Construction
+from exactspline.language.formula import Formula
+from exactspline.readings.degree import Degree
+from exactspline.readings.jet import Jet
+from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
+from exactspline.symbolic.reduction import Reduction, reduction
+
+
+def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = False) -> Degree:
+    """The true degree of the minimal form on the generic curve of degree d, for symbolic d: no curve has a higher one.
+
+    In the jet ring numerator and denominator lose their common factor; the degree theorem
+    (`exactspline.symbolic.covariants`) does the rest.
+
+    >>> from exactspline.geometry.constructions import construction
+    >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
+    (3d − 6, 8d − 12)
+    """
+    found = reduction(c.lifted, dimension, polynomial)
+    if c.ruled:
+        return found.parts[0].generic_lowest.max(found.main.generic)
+    return generic_degree(found.main.lowest[0]) if c.zero_set else found.main.generic_lowest
+
+
+def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
+    """The degree of a formula in lowest terms on the generic argument of its kind, for symbolic d: an upper bound on
+    every one.
+
+    Of two curves the degree in the parameter of the first is meant.
+
+    >>> from exactspline.papers import find
+    >>> lowest_degree(find("plane_bisector"), 2)
+    4d − 2
+    """
+    numerator, denominator = _joined(reduction(formula.name, dimension, polynomial))
+    return generic_degree(
+        [jet for jet in (*numerator, denominator) if not jet.is_zero and jet.polynomial.total_degree() > 0]
+    )
+
+
+def _joined(found: Reduction) -> tuple[list[Jet], Jet]:
+    """All components of all parts over the least common denominator."""
+    denominator = found.parts[0].lowest[1]
+    for part in found.parts[1:]:
+        other = part.lowest[1]
+        denominator = Jet(
+            other.ring, denominator.polynomial * (other.polynomial / denominator.polynomial.gcd(other.polynomial))
+        )
+    lifts = [
+        (part.lowest[0], Jet(denominator.ring, denominator.polynomial / part.lowest[1].polynomial))
+        for part in found.parts
+    ]
+    return [jet * lift for top, lift in lifts for jet in top], denominator
+
+
+def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | None:
+    """The true degree of the minimal form on the generic curve of one degree d, also below the order of the formula: −1
+    for 0, None for 0/0.
+
+    >>> from exactspline.geometry.constructions import construction
+    >>> torsion, focal_curve = construction("torsion"), construction("focal_curve")
+    >>> minimum_at(torsion, 3), minimum_at(torsion, 2), minimum_at(focal_curve, 2)
+    (6, -1, None)
+    """
+    found = reduction(c.lifted, c.dimension, polynomial)
+    numerator, denominator = found.parts[0].lowest
+    top, (bottom,) = truncated(numerator, d), truncated([denominator], d)
+    if bottom.is_zero:
+        return None
+    if c.ruled:
+        generator = truncated(found.main.reduced, d)
+        if all(jet.is_zero for jet in generator):
+            return None
+        return max(degree_at(without_content([*top, bottom]), d), degree_at(without_content(generator), d))
+    if all(jet.is_zero for jet in top):
+        return -1
+    if not c.zero_set:
+        return degree_at(without_content([*top, bottom]), d)
+    shared = bottom.ring.number(1) if polynomial else bottom.ring["w"] ** c.power_of_w(LIFTED)
+    return degree_at(without_content([top[0], shared])[:1], d)

@@ -1,0 +1,46 @@
+"""The degrees and the number of control points of a formula on one curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.language.formula import Formula
+from exactspline.papers import all_formulas
+from exactspline.readings.degree import Degree, degree_curve
+from exactspline.splines.lowest_terms import control_point_count, true_degree_or_none
+
+
+@dataclass(frozen=True)
+class Measure:
+    """What one formula costs on one curve.
+
+    ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for what vanishes identically; no true degree
+    where a denominator vanishes on a whole segment), ``control_points`` of the representation.
+    """
+
+    formula: str
+    nominal: Degree
+    represented: int
+    true: int | None
+    control_points: int
+
+
+def measure(formula: Formula, curve: Any) -> Measure:
+    """The degrees and the number of control points of a formula on a curve.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.papers import find
+    >>> measure(find("f2"), example("ellipse"))
+    Measure(formula='f2', nominal=3d − 3, represented=3, true=0, control_points=16)
+    """
+    value = formula(curve)
+    value = getattr(value, "joined", value)
+    nominal = formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree
+    return Measure(formula.name, nominal, value.degree, true_degree_or_none(value), control_point_count(value))
+
+
+def measurable(dimension: int) -> list[Formula]:
+    """The formulas that speak of curves of this dimension."""
+    kinds = {2: ("plane", "curve"), 3: ("space", "curve")}.get(dimension, ("curve",))
+    return [formula for formula in all_formulas().values() if formula.curve in kinds]

@@ -1,0 +1,203 @@
+"""That a form cannot be lowered, as data to be checked again: no common factor on any segment, no degree to drop.
+
+A quotient is certified segment by segment: modulo a prime, multiples of the components of numerator and denominator add
+up to 1, so they have no common factor, and one of them reaches the full degree at the right end. The form of a zero set
+is certified to have its full degree in the parameter and nothing in common with w; where a prime is found modulo which
+it is irreducible, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
+`exactspline.verification.minimality.checker` reads the data with nothing but the standard library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from random import Random
+from typing import Any
+
+from flint import fmpz_poly, nmod_poly
+
+from exactspline.errors import ReductionError, ShapeError
+from exactspline.exact import text
+from exactspline.geometry.constructions import MINIMAL, Construction, construction
+from exactspline.geometry.derived import Piece, derive
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
+from exactspline.splines.bernstein import divide_u_plus_v
+from exactspline.splines.lowest_terms import lowest_terms
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.generic_degree import minimum_at
+
+FORMAT = "exactspline minimality 1"
+#: Primes near 2⁶¹ for common factors; small ones for irreducibility, where a residue field must be met by chance.
+LARGE_PRIMES = (2305843009213693951, 2305843009213693921, 2305843009213693907, 2305843009213693723)
+SMALL_PRIMES = tuple(p for p in range(101, 2000) if all(p % q for q in range(2, 45)))
+#: Beyond this degree no prime of irreducibility is sought.
+LARGEST = 60
+
+
+def certificate(name: str, curve: Any) -> dict[str, Any]:
+    """The certificate of a construction on a curve, as JSON data.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.verification.minimality.checker import check
+    >>> check(certificate("evolute", example("circle")))
+    0
+    >>> check(certificate("critical_curvature", example("ellipse_skew")))
+    4
+
+    Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
+    """
+    made, found = construction(name), derive(name, curve, MINIMAL)
+    segments = [segment for piece in found.pieces for segment in _segments(made, piece, curve)]
+    if not segments:
+        raise ShapeError(f"{name} vanishes identically", remedy="there is nothing to certify")
+    kind = "zero set" if made.zero_set else "quotient"
+    return {"format": FORMAT, "construction": name, "curve": curve.name, "kind": kind, "segments": segments}
+
+
+def _segments(made: Construction, piece: Piece, curve: Any) -> list[dict[str, Any]]:
+    value = piece.value
+    if not made.zero_set:
+        if not isinstance(value, Rational):
+            value = _over_one(list(value) if isinstance(value, Vector) else [value])
+        if value.is_zero and not value.is_vector:
+            return []
+        breaks = value.denominator.breakpoints
+        rows = lowest_terms(value)
+        return [_quotient([text(t) for t in breaks[i : i + 2]], forms, n) for i, (forms, n) in enumerate(rows)]
+    found = []
+    for i, (c, _) in enumerate(value.forms):
+        if c:
+            a, b = value.breakpoints[i : i + 2]
+            lowest, times = divide_u_plus_v(c, value.degree)
+            weight = curve.w.restrict(a, b)
+            found.append(
+                _zero_form(
+                    [text(a), text(b)],
+                    lowest,
+                    value.degree - times,
+                    divide_u_plus_v(weight.polynomials[0], weight.degree)[0],
+                )
+            )
+    return found
+
+
+def _over_one(components: list[Any]) -> Rational:
+    """A polynomial vector as a quotient, its components over one mesh."""
+    nothing = components[0] * 0
+    for c in components[1:]:
+        nothing = nothing + c * 0
+    return Rational(Vector(*[c + nothing for c in components]), nothing.constant(1))
+
+
+def _coefficients(c: fmpz_poly, n: int) -> list[str]:
+    return [str(c[i]) for i in range(n + 1)]
+
+
+def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, Any]:
+    prime, cofactors = _bezout(forms, [n] * len(forms))
+    return {
+        "interval": interval,
+        "degree": n,
+        "forms": [_coefficients(c, n) for c in forms],
+        "prime": prime,
+        "cofactors": cofactors,
+    }
+
+
+def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[str, Any]:
+    prime, cofactors = _bezout([c, w], [n, w.degree()])
+    segment = {
+        "interval": interval,
+        "degree": n,
+        "forms": [_coefficients(c, n)],
+        "weight": _coefficients(w, w.degree()),
+    }
+    return segment | {"prime": prime, "cofactors": cofactors, "irreducible modulo": _irreducible(c, n)}
+
+
+def _bezout(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
+    """A prime and polynomials modulo it that combine the forms to 1; the prime divides the highest coefficient of none
+    that has its full degree.
+    """
+    for p in LARGE_PRIMES:
+        if all(int(c[n]) % p == 0 for c, n in zip(forms, degrees, strict=True)):
+            continue
+        reduced = [nmod_poly(c.coeffs(), p) for c in forms]
+        common, cofactors = reduced[0], [nmod_poly([1], p)]
+        for other in reduced[1:]:
+            common, s, t = common.xgcd(other)
+            cofactors = [*[a * s for a in cofactors], t]
+        if common.degree() == 0:
+            unit = nmod_poly([1], p) // common
+            return p, [[str(x) for x in (a * unit).coeffs()] for a in cofactors]
+    raise ReductionError("no prime shows that there is no common factor", remedy="the form is not in lowest terms")
+
+
+def _irreducible(c: fmpz_poly, n: int) -> int | None:
+    """A prime modulo which the form is irreducible and of full degree, if one is found."""
+    if not 1 <= n <= LARGEST or c.degree() < n:
+        return None
+    factors = c.factor()[1]
+    if len(factors) > 1 or factors[0][1] > 1:
+        return None
+    for p in SMALL_PRIMES:
+        if int(c[n]) % p and [e for _, e in nmod_poly(c.coeffs(), p).factor()[1]] == [1]:
+            return p
+    return None
+
+
+def witness(dimension: int, degree: int, *, polynomial: bool = False) -> Nurbs:
+    """A Bézier curve with no accident in its data: integers from a generator with a fixed seed.
+
+    >>> witness(2, 3).degree
+    3
+    """
+    numbers = Random(17 * degree + dimension)
+    points = [[numbers.randint(-50, 50) for _ in range(dimension)] for _ in range(degree + 1)]
+    weights = None if polynomial else [numbers.randint(1, 30) for _ in points]
+    kind = "polynomial" if polynomial else "rational"
+    return Nurbs(
+        degree,
+        [0] * (degree + 1) + [1] * (degree + 1),
+        points,
+        weights,
+        name=f"witness: {kind}, degree {degree}, in R{dimension}",
+    )
+
+
+@dataclass(frozen=True)
+class Attained:
+    """Whether the proved degree of a construction is attained at a degree d, with the certificate; both None where the
+    object does not exist.
+    """
+
+    construction: str
+    polynomial: bool
+    d: int
+    proved: int | None
+    attained: int | None
+    certificate: dict[str, Any] | None
+
+    @property
+    def agrees(self) -> bool:
+        """Whether proved and attained degree are one."""
+        return self.proved == self.attained
+
+
+def attained(name: str, d: int, *, polynomial: bool = False) -> Attained:
+    """The construction on the witness of degree d against the degree theorem.
+
+    >>> found = attained("critical_curvature", 2)
+    >>> found.proved, found.attained, found.certificate["segments"][0]["irreducible modulo"] is not None
+    (4, 4, True)
+    """
+    from exactspline.verification.minimality.checker import check
+
+    made = construction(name)
+    proved = minimum_at(made, d, polynomial=polynomial)
+    try:
+        data = certificate(name, witness(made.dimension, d, polynomial=polynomial))
+    except ShapeError:
+        return Attained(name, polynomial, d, proved if proved is not None and proved >= 0 else None, None, None)
+    return Attained(name, polynomial, d, proved, check(data), data)

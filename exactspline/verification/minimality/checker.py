@@ -1,0 +1,129 @@
+"""Checks a certificate of `exactspline.verification.minimality` with the standard library only: polynomials modulo a
+prime are lists of integers here.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+Polynomial = list[int]
+
+
+def check(certificate: dict[str, Any]) -> int:
+    """The largest degree over the segments, of which the certificate proves that it cannot be lowered; a ValueError
+    tells the flaw.
+
+    A common factor over ℚ would be one modulo the prime, of the same degree, because the prime spares the highest
+    coefficient of a form of full degree; but the cofactors combine the forms to 1. A common zero at the right end (u =
+    0) would make all highest coefficients vanish.
+    """
+    _require(certificate["format"] == "exactspline minimality 1", "unknown format")
+    _require(
+        certificate["kind"] in ("zero set", "quotient") and bool(certificate["segments"]),
+        "unknown kind, or nothing to check",
+    )
+    return max(_segment(segment, certificate["kind"]) for segment in certificate["segments"])
+
+
+def _segment(segment: dict[str, Any], kind: str) -> int:
+    n, p = segment["degree"], segment["prime"]
+    forms = [[int(x) for x in form] for form in segment["forms"]]
+    _require(all(len(form) == n + 1 for form in forms) and any(any(form) for form in forms), "a form of another degree")
+    _require(_is_prime(p), "no prime")
+    others = [] if kind == "quotient" else [[int(x) for x in segment["weight"]]]
+    _require(kind == "quotient" or len(forms) == 1, "a zero set has one form")
+    _require(any(form[-1] % p for form in [*forms, *others]), "the prime divides every highest coefficient")
+    cofactors = [[int(x) for x in a] for a in segment["cofactors"]]
+    _require(len(cofactors) == len(forms) + len(others), "cofactors are missing")
+    total: Polynomial = []
+    for a, form in zip(cofactors, [*forms, *others], strict=True):
+        total = _add(total, _times(a, form, p), p)
+    _require(total == [1], "the cofactors do not combine the forms to 1")
+    if kind == "quotient":
+        _require(any(form[-1] for form in forms), "a common zero at the right end")
+    else:
+        _require(sum(x * (-1) ** i for i, x in enumerate(forms[0])) != 0, "the degree in the parameter is lower")
+        q = segment["irreducible modulo"]
+        _require(
+            q is None or (_is_prime(q) and forms[0][-1] % q != 0 and _irreducible(forms[0], q)),
+            "not irreducible modulo the prime named",
+        )
+    return int(n)
+
+
+def _require(condition: bool, flaw: str) -> None:
+    if not condition:
+        raise ValueError(flaw)
+
+
+def _is_prime(n: int) -> bool:
+    """Miller and Rabin's test with bases that decide all n below 3·10²⁴."""
+    if n < 2 or any(n % q == 0 and n != q for q in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)):
+        return False
+    odd, twos = n - 1, 0
+    while odd % 2 == 0:
+        odd, twos = odd // 2, twos + 1
+    for base in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41):
+        x = pow(base, odd, n)
+        if base % n and x not in (1, n - 1) and all((x := x * x % n) != n - 1 for _ in range(twos - 1)):
+            return False
+    return n < 3 * 10**24
+
+
+def _trimmed(a: Polynomial) -> Polynomial:
+    while a and a[-1] == 0:
+        a.pop()
+    return a
+
+
+def _add(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
+    size = max(len(a), len(b))
+    return _trimmed([((a[i] if i < len(a) else 0) + (b[i] if i < len(b) else 0)) % p for i in range(size)])
+
+
+def _times(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
+    product = [0] * max(len(a) + len(b) - 1, 0)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            product[i + j] += x * y
+    return _trimmed([x % p for x in product])
+
+
+def _remainder(a: Polynomial, f: Polynomial, p: int) -> Polynomial:
+    a, inverse = _trimmed([x % p for x in a]), pow(f[-1], -1, p)
+    while len(a) >= len(f):
+        factor, shift = a[-1] * inverse % p, len(a) - len(f)
+        a = _trimmed([(x - factor * f[i - shift]) % p if i >= shift else x for i, x in enumerate(a)])
+    return a
+
+
+def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
+    while b:
+        a, b = b, _remainder(a, b, p)
+    return a
+
+
+def _irreducible(form: Polynomial, p: int) -> bool:
+    """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x has nothing in common with f for every prime q that
+    divides n.
+    """
+    f, n = [x % p for x in form], len(form) - 1
+    if n == 1:
+        return True
+    powers, x = [[0, 1]], [0, 1]
+    for _ in range(n):
+        x = _power(x, p, f, p)
+        powers.append(x)
+    if _add(powers[n], [0, p - 1], p):
+        return False
+    divisors = [n // q for q in range(2, n + 1) if n % q == 0 and all(q % r for r in range(2, q))]
+    return all(len(_gcd(f, _add(powers[m], [0, p - 1], p), p)) == 1 for m in divisors)
+
+
+def _power(a: Polynomial, exponent: int, f: Polynomial, p: int) -> Polynomial:
+    result = [1]
+    while exponent:
+        if exponent % 2:
+            result = _remainder(_times(result, a, p), f, p)
+        a, exponent = _remainder(_times(a, a, p), f, p), exponent // 2
+    return result

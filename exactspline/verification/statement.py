@@ -1,0 +1,234 @@
+"""A claim spelled out: what it says in text and in LaTeX, its naive and its reduced side with their degrees, the
+factor, the verdict.
+
+Nothing is written by hand: formulas come from the tree reading, degrees from the degree reading, the verdict from the
+proof.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.errors import ExactSplineError
+from exactspline.language.arguments import DIMENSIONS
+from exactspline.language.formula import Formula
+from exactspline.language.services import Displayed
+from exactspline.papers import find
+from exactspline.readings.degree import Degree, degree_argument
+from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.tree import Node, trace
+from exactspline.verification.claims import Claim, select
+from exactspline.verification.generic_proof import degree_table, dimensions, prove
+from exactspline.verification.verdict import UNDECIDED, Finding
+
+NAIVE, REDUCED = "naive", "reduced"
+#: What a claim measures, as LaTeX.
+MEASURES = {
+    "nominal": r"\deg",
+    "true": r"\deg_{\mathrm{true}}",
+    "lowest terms": r"\deg_{\mathrm{lowest\ terms}}",
+    "reduced": r"\deg_{\mathrm{reduced}}",
+    "height": r"\mathrm{height}",
+}
+
+
+@dataclass(frozen=True)
+class Side:
+    """One formula of a claim: its role, its name and source, what it is in text and in LaTeX, its degree for a rational
+    and a polynomial curve.
+    """
+
+    role: str
+    name: str
+    source: str
+    text: str
+    latex: str
+    rational: str
+    polynomial: str
+
+    @property
+    def degrees(self) -> str:
+        """Both degrees in one line."""
+        return self.rational if self.rational == self.polynomial else f"{self.rational} (polynomial: {self.polynomial})"
+
+
+@dataclass(frozen=True)
+class Statement(Displayed):
+    """A claim with its sides and its verdict for all curves."""
+
+    claim: Claim
+    latex: str
+    sides: tuple[Side, ...]
+    reading: str
+    finding: Finding
+
+    @property
+    def as_recorded(self) -> bool:
+        """Whether the verdict is the one on record."""
+        return self.finding.verdict == self.claim.expected
+
+    def data(self) -> dict[str, Any]:
+        """The statement for a program."""
+        c, f = self.claim, self.finding
+        head = {
+            "id": c.id,
+            "source": c.source,
+            "kind": c.kind,
+            "statement": c.statement,
+            "as_meant": c.as_meant,
+            "latex": self.latex,
+        }
+        sides = [vars(side) for side in self.sides]
+        verdict = {
+            "claimed": f.claimed,
+            "computed": f.computed,
+            "factor": f.factor,
+            "witness": f.witness,
+            "verdict": f.verdict,
+        }
+        return (
+            head
+            | {"sides": sides, "assumes": c.assumes, "reading": self.reading, "note": c.note, "expected": c.expected}
+            | verdict
+        )
+
+
+def statements(wanted: str) -> Iterator[Statement]:
+    """The statements of the claim with this id (or of all that it begins), each decided anew.
+
+    >>> [(s.sides[0].name, s.sides[-1].name, s.finding.factor) for s in statements("C4.1a")]
+    [('f1', 'f2', 'w'), ('f0', 'f2', 'w⁻³')]
+
+    Raises `ClaimError` with the ids there are.
+    """
+    return (statement(claim) for claim in select([wanted]))
+
+
+def statement(claim: Claim) -> Statement:
+    """A claim spelled out and decided."""
+    try:
+        reading, finding = prove(claim)
+    except ExactSplineError as error:
+        reading, finding = "jet", Finding(UNDECIDED, claim.claimed, witness=str(error))
+    return Statement(claim, latex_of(claim), sides(claim), reading, finding)
+
+
+def sides(claim: Claim) -> tuple[Side, ...]:
+    """The formulas of a claim; where it compares some, the one of the highest degree is the naive side and that of the
+    lowest the reduced one.
+    """
+    names = dict.fromkeys(claim.named)
+    ranked = sorted(names, key=lambda name: -_size(name, claim))
+    first, last = _size(ranked[0], claim), _size(ranked[-1], claim)
+    roles = {ranked[0]: NAIVE, ranked[-1]: REDUCED} if first != last else {}
+    return tuple(_side(name, roles.get(name, "formula"), claim) for name in ranked)
+
+
+def _side(name: str, role: str, claim: Claim) -> Side:
+    formula, tree = find(name), telling_tree(find(name), _dimension(name, claim))
+    shown = symbol_text(formula.symbol) if formula.symbol else name
+    degrees = [str(_degree(name, claim, polynomial)) for polynomial in (False, True)]
+    return Side(
+        role, name, formula.source, f"{shown} = {print_text(tree)}", f"{symbol(name)} = {print_latex(tree)}", *degrees
+    )
+
+
+def _dimension(name: str, claim: Claim) -> int:
+    """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
+    own = DIMENSIONS[find(name).curve]
+    return dimensions(claim)[0] if dimensions(claim)[0] in own else own[0]
+
+
+def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
+    formula = find(name)
+    counted = {"parameter": claim.parameter, "counting": claim.counting}
+    handed = (
+        degree_argument(formula.curve, _dimension(name, claim), polynomial=polynomial, **counted)
+        if formula.curve != "table"
+        else degree_table()
+    )
+    degree: Degree = formula(handed).degree
+    return degree
+
+
+def _size(name: str, claim: Claim) -> int:
+    degree = _degree(name, claim, claim.of == "polynomial")
+    return degree.at(dict.fromkeys(degree.names, 3))
+
+
+def telling_tree(formula: Formula, dimension: int) -> Node:
+    """The tree of a formula; where it would only repeat the symbol (the derivative of something with a name) the names
+    in it are spelled out.
+
+    >>> telling_tree(find("curvature_squared_derivative"), 2)
+    ([γ′ γ″]²/(‖γ′‖²)³)′
+    """
+    tree = trace(formula, dimension)
+    repeats = formula.symbol and print_text(tree) == symbol_text(formula.symbol)
+    return trace(formula, dimension, expand=True) if repeats else tree
+
+
+def symbol(name: str) -> str:
+    r"""The LaTeX name of a formula: its symbol in the paper, its own name where it has none.
+
+    >>> symbol("f2"), symbol("evolute_contact_1")
+    ('f_2', '\\mathrm{evolute\\_contact\\_1}')
+    """
+    return find(name).symbol or rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+
+
+def latex_of(claim: Claim) -> str:
+    r"""What a claim says, as LaTeX.
+
+    >>> latex_of(select(["C4.1a"])[0]), latex_of(select(["C4.2g"])[0])
+    ('f_1 = w\\,f_2', '\\deg g_2 = 9d - 6')
+    """
+    left, right, one = symbol_or_words(claim.left), symbol_or_words(claim.right), symbol_or_words(claim.formula)
+    if claim.kind == "identity":
+        factor = factor_latex(claim.factor)
+        return f"{left} = {factor}{right}" if factor else f"{left} = {right}"
+    if claim.kind == "vanishing":
+        return rf"{left} \equiv 0"
+    if claim.kind == "degree":
+        degree = MEASURES[claim.measure]
+        relation = r"\ge" if claim.relation == "≥" else "="
+        return rf"{degree} {one} {relation} {claimed_latex(claim.claimed)}"
+    if claim.kind == "zero set":
+        return " = ".join(rf"\{{{symbol(name)} = 0\}}" for name in claim.formulas)
+    if claim.kind == "iso-curve":
+        return rf"{left} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {right}"
+    if claim.kind == "same surface":
+        return rf"{left} \;\text{{and}}\; {right} \;\text{{are one surface}}"
+    if claim.kind == "square class":
+        return rf"{one} \,/\, {right} \;\text{{is a square up to a constant}}"
+    words = {"coefficients": "has no vanishing coefficient", "existence": "is not rational", "count": claim.claimed}
+    return rf"{one}{':' if claim.kind == 'count' else ''} \;\text{{{words[claim.kind]}}}"
+
+
+def symbol_or_words(name: str) -> str:
+    """`symbol`, empty for no name."""
+    return symbol(name) if name else ""
+
+
+def claimed_latex(claimed: str) -> str:
+    """A degree as claims write it, as LaTeX."""
+    return re.sub(r"d(\d)", r"d_\1", claimed.replace("−", "-").replace("max", r"\max"))
+
+
+def factor_latex(factor: str) -> str:
+    r"""A factor as claims write it, as LaTeX; empty for 1.
+
+    >>> factor_latex("2 w^16 D1_squared^-4")
+    '2\\,w^{16}\\,(\\|D_1\\|^2)^{-4}\\,'
+    """
+    parts = []
+    for part in factor.split():
+        name, _, exponent = part.partition("^")
+        base = symbol(name) if name[0].isalpha() and name != "w" else name
+        base = f"({base})" if exponent and "^" in base else base
+        parts.append(f"{base}^{{{exponent}}}" if exponent else base)
+    return "" if factor == "1" else r"\,".join([*parts, ""])

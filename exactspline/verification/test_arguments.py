@@ -1,0 +1,58 @@
+"""What claims about two curves, or about a curve and a point, are checked on when one curve is given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.exact import text
+from exactspline.language.arguments import Curve, Pair, with_point
+from exactspline.language.vector import Vector
+from exactspline.splines.tensor import surface_pair
+
+#: Segments of either curve that a pair is made of: more would show nothing new, and the patches grow with their square.
+SEGMENTS = 1
+
+
+def companion_point(curve: Any) -> tuple[mpq, ...]:
+    """A point beside the curve: the mean of its control points, moved by unequal parts of their extent.
+
+    >>> from exactspline.splines.examples import example
+    >>> companion_point(example("circle"))
+    (mpq(1,3), mpq(4,11))
+    """
+    point = []
+    for i, column in enumerate(zip(*curve.control_points, strict=True)):
+        extent = max(column) - min(column)
+        point.append(sum(column) / len(column) + (extent or 1) * mpq(i + 1, 2 * i + 9))
+    return tuple(point)
+
+
+def turned_copy(curve: Any) -> Curve:
+    """The curve with its coordinates exchanged cyclically and moved by the vector of its companion point."""
+    move = companion_point(curve)
+    p = Vector(*[curve.p[(i + 1) % curve.dimension] + curve.w * move[i] for i in range(curve.dimension)])
+    return Curve(p, curve.w, polynomial=curve.polynomial)
+
+
+def beginning(curve: Any, segments: int = SEGMENTS) -> Curve:
+    """The first segments of a curve."""
+    breaks = curve.w.breakpoints
+    a, b = breaks[0], breaks[min(segments, len(breaks) - 1)]
+    return Curve(Vector(*[x.restrict(a, b) for x in curve.p]), curve.w.restrict(a, b), polynomial=curve.polynomial)
+
+
+def pair_with(curve: Any, other: Any = None) -> Pair:
+    """The first segments of two curves, or of a curve and its turned copy."""
+    return surface_pair(beginning(curve), beginning(turned_copy(curve) if other is None else other))
+
+
+def argument(kind: str, curve: Any) -> tuple[Any, str]:
+    """What formulas of a kind are handed on one curve, and what is said of it beside the curve."""
+    if kind == "pair":
+        return pair_with(curve), ", first segment, with its turned copy"
+    if kind.endswith("point"):
+        point = companion_point(curve)
+        return with_point(curve, point), f", with the point ({', '.join(map(text, point))})"
+    return curve, ""
