@@ -194,7 +194,7 @@ class SympyOperand(Operand):
     """
 
     __slots__ = ("poly", "variable")
-    recipe = degree = 0
+    provenance = degree = 0
 
     def __init__(self, poly, variable):
         self.poly, self.variable = poly, variable
@@ -221,7 +221,7 @@ class SympyOperand(Operand):
     def scaled(self, constant):
         return SympyOperand(self.poly * sympy.Rational(str(constant)), self.variable)
 
-    def raised_to(self, other):
+    def elevated_to(self, other):
         return self
 
     def d(self, order=1):

@@ -53,7 +53,7 @@ class SympyOperand(Operand):
     """A sympy polynomial as an operand: the library's own formulas run over it."""
 
     __slots__ = ("poly",)
-    recipe = degree = 0
+    provenance = degree = 0
 
     def __init__(self, poly):
         self.poly = poly
@@ -67,7 +67,7 @@ class SympyOperand(Operand):
     def scaled(self, constant):
         return SympyOperand(self.poly * sympy.Rational(str(constant)))
 
-    def raised_to(self, other):
+    def elevated_to(self, other):
         return self
 
     def d(self, order=1):

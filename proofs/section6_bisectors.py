@@ -17,7 +17,7 @@ from exactspline.geometry.bisectors import curve_bisector, point_bisector
 from exactspline.geometry.trimmed_bisector import trimmed_bisector
 from exactspline.papers import find
 from exactspline.splines.examples import example, example_names
-from exactspline.verification.test_arguments import companion_point
+from exactspline.verification.check_arguments import point_beside
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 TWISTED = [name for name in SPACE if not find("D1_D2_D3")(example(name)).is_zero]
@@ -113,7 +113,7 @@ def test_points_of_the_bisector_of_two_curves(one, other):
 @pytest.mark.parametrize("name", TWISTED)
 def test_points_of_the_bisector_of_a_point_and_a_curve(name):
     curve = example(name)
-    point = companion_point(curve)
+    point = point_beside(curve)
     for piece in point_bisector(curve, point).pieces:
         a, b = piece.interval
         s = a + (b - a) * mpq(2, 5)

@@ -39,11 +39,11 @@ def places(interval, count=3):
     return [a + (b - a) * mpq(2 * k + 1, 2 * count + 1) for k in range(count)]
 
 
-@pytest.mark.parametrize("form", [*CURVE_FORMS, "minimal"])
+@pytest.mark.parametrize("variant", [*CURVE_FORMS, "minimal"])
 @pytest.mark.parametrize(("one", "other"), PAIRS)
-def test_a_bisector_point_lies_in_both_normal_planes_and_is_equidistant(one, other, form):
+def test_a_bisector_point_lies_in_both_normal_planes_and_is_equidistant(one, other, variant):
     first, second = example(one), example(other)
-    for patch in curve_bisector(first, second, form).patches:
+    for patch in curve_bisector(first, second, variant).patches:
         for s, t in product(*map(places, patch.sides)):
             b = patch.value(s, t)
             assert slope(first, s, b) == 0
@@ -53,7 +53,9 @@ def test_a_bisector_point_lies_in_both_normal_planes_and_is_equidistant(one, oth
 
 def test_the_minimal_form_loses_a_degree_in_each_parameter():
     first, second = example("rational_space_cubic"), example("rational_space_cubic_spline")
-    symmetric, minimal = (curve_bisector(first, second, form).patches[0].value for form in ("symmetric", "minimal"))
+    symmetric, minimal = (
+        curve_bisector(first, second, variant).patches[0].value for variant in ("symmetric", "minimal")
+    )
     assert tuple(symmetric.degree) == (11, 11)
     assert tuple(minimal.degree) == (10, 10)
     assert symmetric == minimal
@@ -215,7 +217,7 @@ def test_curves_with_pieces_in_one_plane_lack_these_patches():
 
 
 def test_a_curve_and_itself_meet_on_the_diagonal():
-    """On the diagonal the system is singular; the form in lowest terms goes on to a point of the normal plane."""
+    """On the diagonal the system is singular; the variant in lowest terms goes on to a point of the normal plane."""
     c = example("rational_space_cubic")
     with pytest.raises(ZeroDivisionError):
         curve_bisector(c, c, "symmetric")("1/2", "1/2")
@@ -235,9 +237,9 @@ def test_crossing_curves_have_a_bisector():
 def test_bad_input_is_refused():
     with pytest.raises(ShapeError, match="R2"):
         curve_bisector(example("circle"), example("helix_like"))
-    with pytest.raises(FormulaError, match="no form"):
+    with pytest.raises(FormulaError, match="no variant"):
         curve_bisector(example("helix_like"), example("twisted_cubic"), "best")
-    with pytest.raises(FormulaError, match="no form"):
+    with pytest.raises(FormulaError, match="no variant"):
         point_bisector(example("helix_like"), (0, 0, 0), "best")
     with pytest.raises(ShapeError, match="2 coordinates"):
         point_bisector(example("helix_like"), (0, 0))

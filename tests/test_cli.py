@@ -69,10 +69,10 @@ def test_equal_weights_are_told_to_be_polynomial(tmp_path):
 
 
 def test_degrees_and_curves():
-    assert "3d − 3" in run("degrees", "--curve", "ellipse", "--formulas").stdout
+    assert "3d − 3" in run("degrees", "--curve", "ellipse", "--variantulas").stdout
     found = {
         row["formula"]: row
-        for row in json.loads(run("degrees", "--curve", "ellipse", "--formulas", "--json").stdout)[0]["formulas"]
+        for row in json.loads(run("degrees", "--curve", "ellipse", "--variantulas", "--json").stdout)[0]["formulas"]
     }
     f2 = found["f2"]
     assert (f2["nominal"], f2["represented"], f2["true"], f2["control_points"]) == ("3d − 3", 3, 0, 16)
@@ -91,7 +91,7 @@ def test_degrees_and_curves():
 
 @pytest.mark.parametrize("name", ["straight_line", "planar_in_space", "space_line", "jump", "twisted_cubic"])
 def test_degrees_go_on_where_an_object_does_not_exist(name):
-    for option in ([], ["--formulas"]):
+    for option in ([], ["--variantulas"]):
         rows = json.loads(CliRunner().invoke(app, ["degrees", "--curve", name, "--json", *option]).stdout)[0][
             "formulas"
         ]

@@ -18,7 +18,9 @@ def test_two_curves():
 
 
 def test_the_control_net_is_the_surface():
-    data = json.loads(run("bisector", "rational_space_cubic", "twisted_cubic", "--form", "symmetric", "--json").stdout)
+    data = json.loads(
+        run("bisector", "rational_space_cubic", "twisted_cubic", "--variant", "symmetric", "--json").stdout
+    )
     patch = data["patches"][0]
     assert patch["degree"] == [11, 8]
     net = patch["homogeneous_control_net"]
@@ -56,8 +58,8 @@ def test_a_point_and_a_plane_curve_is_trimmed():
         ("circle", "--point", "1,0"),
         ("circle", "--point", "1,2,3"),
         ("helix_like", "--point", "1,2"),
-        ("helix_like", "--point", "1,2,3", "--form", "best"),
-        ("circle", "--point", "5,5", "--form", "naive"),
+        ("helix_like", "--point", "1,2,3", "--variant", "best"),
+        ("circle", "--point", "5,5", "--variant", "naive"),
         ("no_such_curve", "--point", "1,2"),
         ("space_line", "space_line"),
         ("helix_like", "twisted_cubic", "--point", "0,0,0"),

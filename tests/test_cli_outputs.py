@@ -47,10 +47,10 @@ def test_null_is_no_list(tmp_path, field):
 
 
 def test_a_formula_has_two_forms():
-    done = run("derive", "g2", "circle", "--form", "best")
+    done = run("derive", "g2", "circle", "--variant", "best")
     assert done.returncode == 2
-    assert "no form 'best'" in done.stderr
-    assert json.loads(run("derive", "g2", "ellipse", "--form", "naive").stdout)["pieces"][0]["degree"] == 12
+    assert "no variant 'best'" in done.stderr
+    assert json.loads(run("derive", "g2", "ellipse", "--variant", "naive").stdout)["pieces"][0]["degree"] == 12
 
 
 def test_the_torsion_at_its_zero_is_zero():

@@ -219,9 +219,9 @@ def test_fig_2_has_no_better_condition():
 def test_invented_zeros_and_stretches_are_told_and_not_compared():
     found = compared("rational_cubic_s")
     assert len(found.roots) == 2
-    assert list(found.invented) == ["squaring"]
+    assert list(found.extraneous) == ["squaring"]
     (inflection,) = zeros(example_inflections())
-    assert found.invented["squaring"] == (inflection,)
+    assert found.extraneous["squaring"] == (inflection,)
     assert compared("circle").left_out == ("[0, 4], where the form vanishes identically",)
     assert not compared("circle").verdicts
 

@@ -111,7 +111,7 @@ def test_a_vertex_form_of_the_ellipse_has_degree_four():
     """96 by squaring, 12 in the paper, 4 in lowest terms; and an ellipse has four vertices."""
     ellipse = example("ellipse_skew")
     made = construction("critical_curvature")
-    assert [made.on(ellipse, form).degree for form in ("squaring", "paper", MINIMAL)] == [96, 12, 4]
+    assert [made.on(ellipse, variant).degree for variant in ("squaring", "paper", MINIMAL)] == [96, 12, 4]
 
 
 def test_the_torsion_form_of_a_rational_space_cubic_is_constant():

@@ -117,7 +117,7 @@ def test_roots_jumps_and_stretches_are_all_listed():
     f = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 4, 4, 4], [1, -1, 2, -1, 0, 0, 0, 3, -1, "1/2"])
     found = zeros(f)
     text = text_of(found)
-    assert all(repr(x) in text for x in (*found.jumps, *found.stretches))
+    assert all(repr(x) in text for x in (*found.jumps, *found.intervals))
     golden = zeros(BSpline.bezier([-1, "-1/2", 1]))
     assert latex(golden[0]).startswith(r"$\displaystyle s = 0.618")
     assert latex(zeros(BSpline.bezier([-1, 1]))[0]) == r"$\displaystyle s = \tfrac{1}{2}$"

@@ -61,7 +61,7 @@ def test_the_six_segment_cubic_has_what_figure_1_says():
     assert len(found) == 8
     assert [f.kind for f in inflections(curve)] == ["inflection"] * 2
     by_name = {row.name: row for row in compare_approaches(curve)}
-    assert by_name["squaring"].invented == 2
+    assert by_name["squaring"].extraneous == 2
     squared = zero_form(curve, "critical_curvature", "squaring")[1]
     direct = zero_form(curve, "critical_curvature", "direct")[1]
     assert [root for root in squared if root not in list(direct)] == [f.root for f in inflections(curve)]
@@ -109,7 +109,7 @@ def test_curvature_that_changes_its_sign_by_a_jump():
 def check_agreement(curve):
     rows = {row.name: row for row in compare_approaches(curve)}
     assert not any(row.missing for row in rows.values())
-    assert not any(rows[name].invented for name in ("direct", "reduced"))
+    assert not any(rows[name].extraneous for name in ("direct", "reduced"))
     extra = {f.root for f in (*inflections(curve), *singularities(curve))}
     true = list(zero_form(curve, "critical_curvature")[1])
     assert {root for root in zero_form(curve, "critical_curvature", "squaring")[1] if root not in true} <= extra

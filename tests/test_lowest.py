@@ -173,7 +173,7 @@ def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
 def test_library_functions_use_the_lowest_form_by_default(function):
     c = example("rational_cubic" if function is evolute else "rational_space_cubic")
     lowest, naive = function(c), function(c, "naive")
-    assert lowest.form == MINIMAL
+    assert lowest.variant == MINIMAL
     assert lowest.pieces[0].value == naive.pieces[0].value
     assert lowest.pieces[0].value.degree < naive.pieces[0].value.degree
     proved = symbolic_minimum(construction(lowest.name), c.dimension)

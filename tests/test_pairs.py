@@ -21,7 +21,7 @@ from exactspline.readings.rational_jet import fraction_argument
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import evaluate, trace
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.test_arguments import companion_point, pair_with, turned_copy
+from exactspline.verification.check_arguments import moved_copy, pair_with, point_beside
 
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("pair", "point", "plane point")}
 over_formulas = pytest.mark.parametrize("name", FORMULAS)
@@ -36,8 +36,8 @@ def argument(kind, *, polynomial=False):
     if polynomial:
         curve = Nurbs(curve.degree, curve.knots, curve.control_points)
     if kind == "pair":
-        return pair_with(curve, turned_copy(curve))
-    return with_point(curve, companion_point(curve))
+        return pair_with(curve, moved_copy(curve))
+    return with_point(curve, point_beside(curve))
 
 
 def series(kind, s, t, terms, *, polynomial=False):
@@ -46,9 +46,9 @@ def series(kind, s, t, terms, *, polynomial=False):
     if polynomial:
         curve = Nurbs(curve.degree, curve.knots, curve.control_points)
     if kind == "pair":
-        first, second = Curve(curve.p, curve.w, polynomial=curve.polynomial), turned_copy(curve)
+        first, second = Curve(curve.p, curve.w, polynomial=curve.polynomial), moved_copy(curve)
         return Pair(first.mapped(lambda f: taylor(f, s, terms)), second.mapped(lambda f: taylor(f, t, terms)))
-    return with_point(curve, companion_point(curve)).mapped(lambda f: taylor(f, s, terms))
+    return with_point(curve, point_beside(curve)).mapped(lambda f: taylor(f, s, terms))
 
 
 def dimension(f):

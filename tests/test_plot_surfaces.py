@@ -92,11 +92,11 @@ def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():
 
 
 @pytest.mark.parametrize(
-    "form", ["point_bisector_polynomial", "point_bisector_direct_z", "point_bisector_direct_naive"]
+    "variant", ["point_bisector_polynomial", "point_bisector_direct_z", "point_bisector_direct_naive"]
 )
-def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(form):
+def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
     curve, q = example("helix_like"), (mpq(1, 3), mpq(1, 4), mpq(1))
-    surface = find(form)(with_point(curve, q))
+    surface = find(variant)(with_point(curve, q))
     mesh = ruled_mesh(surface, (0, 1))
     start, end = mesh.patches[0][0][0], mesh.patches[0][0][-1]
     foot = curve(curve.domain[0])
@@ -104,7 +104,7 @@ def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(form):
         assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum(
             (a - b) ** 2 for a, b in zip(p, q, strict=True)
         )
-    ax = plot_bisector(curve, q, form=form)
+    ax = plot_bisector(curve, q, variant=variant)
     assert f"bisector: degree {surface.degree}" in legend(ax)
 
 
@@ -189,7 +189,7 @@ def test_errors_say_what_would_be_right():
     with pytest.raises(ShapeError, match="two curves in space"):
         plot_bisector(example("ellipse"), example("circle"))
     with pytest.raises(FormulaError, match="'point'"):
-        plot_bisector(example("helix_like"), (0, 0, 0), form="plane_bisector")
+        plot_bisector(example("helix_like"), (0, 0, 0), variant="plane_bisector")
 
 
 def test_a_surface_goes_with_the_curve_on_one_pair_of_axes():

@@ -23,10 +23,10 @@ def test_python_blocks_of_the_readme_run():
 
 @pytest.mark.skipif(not README.exists(), reason="the README is in the checkout only")
 def test_the_readme_names_every_command():
-    from exactspline.cli import COMMANDS
+    from exactspline.cli import app
 
     text = README.read_text(encoding="utf-8")
-    assert all(f"`exactspline {command.__name__}" in text for command in COMMANDS)
+    assert all(f"`exactspline {command.callback.__name__}" in text for command in app.registered_commands)
 
 
 def test_every_refuted_claim_is_an_erratum_that_says_what_is_true():

@@ -25,7 +25,7 @@ TWISTED = ["rational_space_cubic", "twisted_cubic", "space_quartic", "flat_point
 @pytest.mark.parametrize("name", RULED)
 def test_all_forms_are_one_surface_point_by_point(name, curve):
     """Through the relation found, and not only by the criterion."""
-    forms = [ruled_surface(name, example(curve), form) for form in ("naive", "paper", "minimal")]
+    forms = [ruled_surface(name, example(curve), variant) for variant in ("naive", "paper", "minimal")]
     a, b = example(curve).domain
     for other in forms[1:]:
         relation = same_surface(forms[0], other)
@@ -53,12 +53,12 @@ def test_the_stretch_on_a_curve_is_the_one_proved_for_all_curves(name):
     assert relation.shift.is_zero
 
 
-@pytest.mark.parametrize("form", ["naive", "paper", "minimal"])
+@pytest.mark.parametrize("variant", ["naive", "paper", "minimal"])
 @pytest.mark.parametrize("curve", ["rational_space_cubic_spline", "twisted_cubic"])
 @pytest.mark.parametrize("name", RULED)
-def test_a_ruled_surface_is_a_tensor_product(name, curve, form):
+def test_a_ruled_surface_is_a_tensor_product(name, curve, variant):
     """The same points, linear in the ruling parameter; the edges of the net are the curves of the bounds."""
-    surface = ruled_surface(name, example(curve), form)
+    surface = ruled_surface(name, example(curve), variant)
     patch = as_tensor_product(surface, "-1/2", 3)
     splines = [
         *(patch.numerator if isinstance(patch, Rational) else patch),

@@ -47,7 +47,7 @@ def test_values_are_those_of_the_recursion(given_spline, s, t):
     expected = sum(
         x * basis(i, m, knots_s, s) * basis(j, n, knots_t, t) for i, row in enumerate(net) for j, x in enumerate(row)
     )
-    assert f(s, t) == f.at_t(t)(s) == f.at_s(s)(t) == f.turned()(t, s) == expected
+    assert f(s, t) == f.at_t(t)(s) == f.at_s(s)(t) == f.transposed()(t, s) == expected
 
 
 @given(tensor_splines(), tensor_splines(), PLACES, PLACES)
@@ -67,7 +67,7 @@ def test_partial_derivatives_obey_the_product_rule(one, other):
     f, g = one[0], other[0]
     for i, j in ((1, 0), (0, 1)):
         assert (f * g).partial(i, j) == f.partial(i, j) * g + f * g.partial(i, j)
-    assert f.partial(1, 1) == f.partial(0, 1).partial(1, 0) == f.turned().partial(1, 1).turned()
+    assert f.partial(1, 1) == f.partial(0, 1).partial(1, 0) == f.transposed().partial(1, 1).transposed()
     assert f.partial(f.degree.s + 1, 0).is_zero
     assert f.partial(0, f.degree.t + 2).is_zero
 

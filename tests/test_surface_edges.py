@@ -54,7 +54,7 @@ def test_zero_forms_of_negative_degree(f):
             assert zero + f == f
             assert zero == f - f
             assert hash(zero) == hash(f - f)
-            assert zero.turned().is_zero
+            assert zero.transposed().is_zero
             assert zero.at_t(1).is_zero
             assert zero.at_s(1).is_zero
             assert repr(zero)

@@ -52,7 +52,7 @@ def test_computed_splines_print_what_they_are(fs):
     assert_surface(f * g, lambda s, t: f(s, t) * g(s, t))
     assert_surface(f * g - h, lambda s, t: f(s, t) * g(s, t) - h(s, t))
     assert_surface(f / 3 - mpq(1, 7), lambda s, t: f(s, t) / 3 - mpq(1, 7))
-    assert_surface(f.turned(), lambda s, t: f(t, s))
+    assert_surface(f.transposed(), lambda s, t: f(t, s))
 
 
 @given(tensor_splines_on_one_rectangle(2))
@@ -122,10 +122,10 @@ def test_what_is_known_to_depend_on_one_parameter_computes_the_same(fs):
         lambda x: x.partial(1, 0),
         lambda x: x.partial(0, 1),
         lambda x: x.partial(2, 1),
-        lambda x: x.turned(),
+        lambda x: x.transposed(),
         lambda x: x.elevate_degree(1, 2),
         lambda x: x.elevate_degree(0, 1),
-        lambda x: x.raised_to(g),
+        lambda x: x.elevated_to(g),
         lambda x: x / 7,
     ):
         assert change(f) == change(plain_f)
@@ -141,7 +141,7 @@ def test_what_depends_on_one_parameter_is_known_to(fs):
     own = (1, 0) if f.profile[0] == 0 else (0, 1)
     results = [
         f * 2,
-        f.turned(),
+        f.transposed(),
         f.elevate_degree(*own),
         f.partial(*own),
         f.partial(0, 0),
@@ -207,7 +207,7 @@ def test_mixed_partials_commute(f, i, j):
     assert mixed == f.partial(i, 0).partial(0, j) == f.partial(0, j).partial(i, 0)
     assert mixed.degree == (f.degree.s - i, f.degree.t - j)
     assert mixed.is_zero or min(mixed.degree) >= 0
-    assert f.turned().partial(j, i).turned() == mixed
+    assert f.transposed().partial(j, i).transposed() == mixed
     assert f.partial(0, 0) == f
 
 
@@ -230,7 +230,7 @@ def test_leibniz_rule(fs):
 @FEWER
 @given(tensor_splines())
 def test_continuity_is_as_it_is_said(f):
-    for x in (f, f * f, f + f.partial(1, 0), f.partial(0, 1), f.turned()):
+    for x in (f, f * f, f + f.partial(1, 0), f.partial(0, 1), f.transposed()):
         for s, t in oracles.surface_places(x):
             for curve, own, breaks, n in zip(
                 (x.at_t(t), x.at_s(s)), x.continuity, (m.breaks[1:-1] for m in x.meshes), x.degree, strict=True
@@ -265,7 +265,13 @@ def test_a_bump_on_one_patch_makes_a_difference(f, data):
 
 @given(tensor_splines(), st.data())
 def test_equal_functions_have_one_hash(f, data):
-    others = [f.elevate_degree(1, 0), f.elevate_degree(0, 2), surface_rebuilt(f), (f + f) / 2, f.turned().turned()]
+    others = [
+        f.elevate_degree(1, 0),
+        f.elevate_degree(0, 2),
+        surface_rebuilt(f),
+        (f + f) / 2,
+        f.transposed().transposed(),
+    ]
     for direction in range(2):
         a, b = f.domain[direction]
         others.append(

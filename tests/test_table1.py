@@ -102,7 +102,7 @@ def assert_row(row, t, degrees):
         assert result.denominator == denominator
         assert result.numerator.degree == counted.numerator.degree.at(degrees)
         assert result.denominator.degree == counted.denominator.degree.at(degrees) == denominator.degree
-        assert max(x.degree for x in result.raised()) == min(x.degree for x in result.raised()) == result.degree
+        assert max(x.degree for x in result.elevated()) == min(x.degree for x in result.elevated()) == result.degree
     a, b = t.w1.domain
     for x in [a, b, *[a + (b - a) * mpq(k, 13) for k in (1, 5, 12)]]:
         at = [called(o, x) for o in (t.p1, t.w1, t.p2, t.w2, t.v1, t.v2, t.p1.d(), t.w1.d())]

@@ -14,7 +14,7 @@ from exactspline.roots.zero_set import zeros
 T = BSpline.identity(0, 1)
 WITH_EVERYTHING = BSpline(
     3, [0] * 4 + [1] * 4 + [2] * 4 + [3] * 4, [1, -2, "-5/3", 1, -1, 2, "-1/3", 0, 0, 0, 0, 0]
-)  # roots, a jump, a one-sided end and a stretch  # fmt: skip
+)  # roots, a jump, a one-sided end and a interval  # fmt: skip
 CASES = {
     "simple": WITH_EVERYTHING,
     "multiple": (T**2 + T - 1) ** 3 * (3 * T - 1) ** 2 * (2 * T - 1) ** 2 * (T**2 + 1),
@@ -31,14 +31,14 @@ def written(name):
 @pytest.mark.parametrize("name", CASES)
 def test_round_trip(name):
     found = zeros(CASES[name])
-    counts = {"roots": len(found), "jumps": len(found.jumps), "stretches": len(found.stretches)}
+    counts = {"roots": len(found), "jumps": len(found.jumps), "intervals": len(found.intervals)}
     assert checker.check(written(name)) == counts
     assert checker.check(written(name), sturm=False) == counts
 
 
 def test_cases_have_what_they_should():
     found = zeros(WITH_EVERYTHING)
-    assert (len(found.roots), len(found.jumps), len(found.stretches)) == (4, 1, 1)
+    assert (len(found.roots), len(found.jumps), len(found.intervals)) == (4, 1, 1)
     multiple = written("multiple")
     assert [[k for _, k in s["factors"]] for s in multiple["segments"]] == [[1, 2, 3]]
     assert written("midpoints")["segments"][0]["points"] == ["1/4", "1/2"]

@@ -1,4 +1,4 @@
-"""Zero sets of splines: knots, stretches, jumps, the seam; and whatever hypothesis finds."""
+"""Zero sets of splines: knots, intervals, jumps, the seam; and whatever hypothesis finds."""
 
 import itertools
 
@@ -23,14 +23,14 @@ def broken(*pieces):
 def test_zero_function():
     for f in (BSpline.bezier([0, 0]), BSpline.bezier([1, 2]).d(3), broken((0, 0, 0), (0, 0, 0))):
         found = zeros(f)
-        assert [(s.low, s.high, s.signs) for s in found.stretches] == [(*f.domain, (None, None))]
+        assert [(s.low, s.high, s.signs) for s in found.intervals] == [(*f.domain, (None, None))]
         assert not found.roots
         assert not found.jumps
 
 
 def test_stretches_are_merged_and_know_their_neighbours():
     found = zeros(broken((1, 1, 0), (0, 0, 0), (0, 0, 0), (0, -1, -2), (0, 0, 0)))
-    assert [(s.low, s.high, s.signs) for s in found.stretches] == [(1, 3, (1, -1)), (4, 5, (-1, None))]
+    assert [(s.low, s.high, s.signs) for s in found.intervals] == [(1, 3, (1, -1)), (4, 5, (-1, None))]
     assert not found.roots
     assert [(j.parameter, j.left.value, j.right.multiplicity) for j in found.jumps] == [(4, -2, None)]
 
@@ -76,7 +76,7 @@ def test_seam():
     assert not zeros(open_ended).jumps
     assert [(j.parameter, j.sign_change) for j in zeros(open_ended, periodic=True).jumps] == [(0, True)]
     across = zeros(broken((0, 0, 0), (0, 1, 0), (0, 0, 0)), periodic=True)
-    assert [(s.low, s.high, s.signs) for s in across.stretches] == [(2, 4, (1, 1))]
+    assert [(s.low, s.high, s.signs) for s in across.intervals] == [(2, 4, (1, 1))]
 
 
 def test_one_periodic_segment():
@@ -145,7 +145,7 @@ def test_roots_of_different_splines_compare_like_the_numbers_they_are(one, other
 def test_every_certificate_holds_and_values_change_sign(f, periodic):
     found = zeros(f, periodic=periodic)
     result = check(found.certificate())
-    assert result == {"roots": len(found), "jumps": len(found.jumps), "stretches": len(found.stretches)}
+    assert result == {"roots": len(found), "jumps": len(found.jumps), "intervals": len(found.intervals)}
     found.refine(30)
     assert check(found.certificate()) == result
     assert all(x < y for x, y in zip(found.roots, found.roots[1:], strict=False))

@@ -6,13 +6,19 @@ import sys
 
 import typer
 
-from exactspline.cli import bisector as bisecting
-from exactspline.cli import conditioning, figures
-from exactspline.cli import derive as objects
-from exactspline.cli import inspect as inspecting
-from exactspline.cli import prove as ledger
-from exactspline.cli import reduce as reducing
-from exactspline.cli import show as showing
+from exactspline.cli import (
+    bisector,
+    conditioning,
+    curves,
+    degrees,
+    derive,
+    errata,
+    figures,
+    inspect,
+    prove,
+    reduce,
+    show,
+)
 from exactspline.errors import ExactSplineError
 
 app = typer.Typer(
@@ -22,20 +28,19 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-COMMANDS = (
-    ledger.prove,
-    showing.show,
-    ledger.errata,
-    objects.degrees,
-    objects.derive,
-    objects.curves,
-    inspecting.inspect,
-    bisecting.bisector,
+for command in (
+    prove.prove,
+    show.show,
+    errata.errata,
+    degrees.degrees,
+    derive.derive,
+    curves.curves,
+    inspect.inspect,
+    bisector.bisector,
     conditioning.conditioning,
     figures.figures,
-    reducing.reduce,
-)
-for command in COMMANDS:
+    reduce.reduce,
+):
     app.command()(command)
 
 

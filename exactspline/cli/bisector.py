@@ -13,10 +13,10 @@ def bisector(
     curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
     other: Annotated[str, typer.Argument(help="A second curve in space; or give a point.")] = "",
     point: Annotated[str, typer.Option("--point", help='A point, "1,1/2" or "0,0,2".')] = "",
-    form: Annotated[
+    variant: Annotated[
         str,
         typer.Option(
-            "--form",
+            "--variant",
             help=(
                 "Two curves: naive, levelled, paper, symmetric, minimal. Point and space curve: naive, "
                 "explicit, direct."
@@ -44,7 +44,9 @@ def bisector(
         )
     check_output(output, curve, other)
     c = load(curve)
-    data, rows, title = _of_two(c, load(other), form) if other else _of_point(c, _coordinates(point), form, digits)
+    data, rows, title = (
+        _of_two(c, load(other), variant) if other else _of_point(c, _coordinates(point), variant, digits)
+    )
     if output:
         write_json(output, data)
     if as_json:
@@ -65,20 +67,20 @@ def _coordinates(point: str) -> list[str]:
     return [x.strip() for x in point.split(",")]
 
 
-def _of_two(c: Any, other: Any, form: str) -> tuple[dict[str, Any], list[tuple[str, ...]], str]:
+def _of_two(c: Any, other: Any, variant: str) -> tuple[dict[str, Any], list[tuple[str, ...]], str]:
     from exactspline.display.serialize import counted, curve_bisector_data, degree_of
     from exactspline.exact import text
     from exactspline.geometry.bisectors import curve_bisector
 
-    found = curve_bisector(c, other, form or "minimal")
+    found = curve_bisector(c, other, variant or "minimal")
     rows: list[tuple[str, ...]] = []
     for patch in found.patches:
         where = " × ".join(f"[{text(a)}, {text(b)}]" for a, b in patch.sides)
         rows.append(("surface", where, degree_of(patch.value), str(counted(patch.value)), ""))
-    return curve_bisector_data(found), rows, f"bisector of {c.name} and {other.name} ({found.form})"
+    return curve_bisector_data(found), rows, f"bisector of {c.name} and {other.name} ({found.variant})"
 
 
-def _of_point(c: Any, point: list[str], form: str, digits: int) -> tuple[dict[str, Any], list[tuple[str, ...]], str]:
+def _of_point(c: Any, point: list[str], variant: str, digits: int) -> tuple[dict[str, Any], list[tuple[str, ...]], str]:
     from exactspline.display.serialize import point_bisector_data, trimmed_data
     from exactspline.errors import FormulaError
     from exactspline.exact import text
@@ -88,9 +90,10 @@ def _of_point(c: Any, point: list[str], form: str, digits: int) -> tuple[dict[st
 
     title = f"bisector of {c.name} and the point ({', '.join(point)})"
     if c.dimension == 2:
-        if form:
+        if variant:
             raise FormulaError(
-                f"the form {form!r} of a planar bisector", remedy="leave the form out: it is trimmed, in lowest terms"
+                f"the variant {variant!r} of a planar bisector",
+                remedy="leave the variant out: it is trimmed, in lowest terms",
             )
         trimmed = trimmed_bisector(c, point)
         data = trimmed_data(trimmed, digits)
@@ -105,7 +108,7 @@ def _of_point(c: Any, point: list[str], form: str, digits: int) -> tuple[dict[st
             for p in data["pieces"]
         ]
         return data, pieces, f"{title}, trimmed"
-    found = point_bisector(c, point, form or "direct")
+    found = point_bisector(c, point, variant or "direct")
     rows: list[tuple[str, ...]] = [
         (
             "ruled surface",
@@ -118,7 +121,7 @@ def _of_point(c: Any, point: list[str], form: str, digits: int) -> tuple[dict[st
     ]
     data = point_bisector_data(found, digits)
     rows += [("singular", root["decimal"], "–", "–", "the generator vanishes") for root in data["singular"]]
-    return data, rows, f"{title} ({found.form})"
+    return data, rows, f"{title} ({found.variant})"
 
 
 def _foot(piece: dict[str, Any]) -> str:
@@ -126,11 +129,11 @@ def _foot(piece: dict[str, Any]) -> str:
 
 
 def _print(c: Any, rows: list[tuple[str, ...]], title: str, missing: list[Any]) -> None:
-    from exactspline.display import console as report
+    from exactspline.display import console
 
-    out = report.console()
+    out = console.console()
     numbers = ("degree", "control points")
-    made = report.table("piece", "parameter", *numbers, "remark", title=f"{title}\n{described(c)}", right=numbers)
+    made = console.table("piece", "parameter", *numbers, "remark", title=f"{title}\n{described(c)}", right=numbers)
     for row in rows:
         made.add_row(*row)
     out.print(made)

@@ -44,12 +44,12 @@ def conditioning(
 
 
 def _print(found: list[tuple[Any, Any]], tallies: list[Any]) -> None:
-    from exactspline.display import console as report
+    from exactspline.display import console
 
-    out = report.console()
+    out = console.console()
     numbers = ("degree", "condition", "minimal / this", "at most", "double error")
     for c, each in found:
-        made = report.table(
+        made = console.table(
             "zero", "form", *numbers, title=f"{c.name}: {described(c)}; {each.construction}", right=numbers
         )
         for row in each.roots:
@@ -61,7 +61,7 @@ def _print(found: list[tuple[Any, Any]], tallies: list[Any]) -> None:
             out.print(f"{c.name}: {each.construction} has no zero inside a segment", markup=False)
         for form, verdict in each.verdicts.items():
             out.print(f"{form}: {verdict}", markup=False)
-        for form, roots in each.invented.items():
+        for form, roots in each.extraneous.items():
             out.print(f"{form} invents {', '.join(map(_place, roots))} (not compared)", markup=False)
         for text in each.left_out:
             out.print(f"left out: {text}", markup=False)
@@ -91,10 +91,10 @@ def _place(root: Any) -> str:
 
 
 def _search_table(tallies: list[Any]) -> Any:
-    from exactspline.display import console as report
+    from exactspline.display import console
 
     numbers = ("worse", "better", "proved not better", "smallest ratio", "largest ratio")
-    made = report.table(
+    made = console.table(
         "curves with",
         "construction",
         "against",
@@ -103,7 +103,7 @@ def _search_table(tallies: list[Any]) -> Any:
         right=numbers,
     )
     for t in tallies:
-        ratios = [report.decimal(extreme[0], 3) for extreme in (t.smallest, t.largest)]
+        ratios = [console.decimal(extreme[0], 3) for extreme in (t.smallest, t.largest)]
         made.add_row(t.family, t.construction, t.form, str(t.worse), str(t.better), str(t.proved), *ratios)
     return made
 
@@ -117,8 +117,8 @@ def _data(each: Any) -> dict[str, Any]:
             for r in each.roots
         ],
         "verdicts": each.verdicts,
-        "invented": {
-            form: [[str(end) for end in r.refine(20)] for r in roots] for form, roots in each.invented.items()
+        "extraneous": {
+            form: [[str(end) for end in r.refine(20)] for r in roots] for form, roots in each.extraneous.items()
         },
         "left_out": list(each.left_out),
     }

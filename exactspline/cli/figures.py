@@ -21,7 +21,7 @@ def figures(
     """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions come out of the
     objects.
     """
-    from exactspline.display import console as report
+    from exactspline.display import console
     from exactspline.display.figures import FIGURES, folder, make
 
     place = folder(out)
@@ -29,7 +29,7 @@ def figures(
     if as_json:
         print_json([vars(m) for m in made])
         return
-    shown = report.console()
+    shown = console.console()
     for m in made:
         shown.print(m.caption, markup=False)
         shown.print(f"  {', '.join(m.files)}\n", markup=False, soft_wrap=True)

@@ -78,14 +78,14 @@ def _ticking(count: int) -> Any:
 
 
 def _print(c: Any, data: dict[str, Any]) -> None:
-    from exactspline.display import console as report
+    from exactspline.display import console
     from exactspline.display.serialize import groups_of
 
-    out = report.console()
+    out = console.console()
     closed = ", closed" if c.closed else ""
     in_space = c.dimension == 3
     columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
-    made = report.table(*columns, title=f"{c.name}: {described(c)}{closed}")
+    made = console.table(*columns, title=f"{c.name}: {described(c)}{closed}")
     for group in groups_of(c):
         for f in data[group]:
             remark = " at a knot, by a jump" if f["by_jump"] else " at a knot" if f["at_knot"] else ""
@@ -113,12 +113,14 @@ def _print(c: Any, data: dict[str, Any]) -> None:
             markup=False,
         )
     if "approaches" in data:
-        out.print(_approaches(report, data["approaches"]))
+        out.print(_approaches(data["approaches"]))
 
 
-def _approaches(report: Any, rows: list[dict[str, Any]]) -> Any:
-    numbers = ("degree", "control points", "roots", "invented", "missing", "seconds")
-    made = report.table("approach", *numbers, title="\nApproaches to critical curvature", right=numbers)
+def _approaches(rows: list[dict[str, Any]]) -> Any:
+    from exactspline.display import console
+
+    numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
+    made = console.table("approach", *numbers, title="\nApproaches to critical curvature", right=numbers)
     for row in rows:
         made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
     return made

@@ -1,4 +1,4 @@
-"""``prove`` and ``errata``: the ledger."""
+"""``exactspline prove``: the ledger."""
 
 from __future__ import annotations
 
@@ -49,37 +49,22 @@ def prove(
 
 
 def _print_ledger(rows: list[Any], claims: Sequence[Any], curves: list[Any] | None, digits: int) -> None:
-    from exactspline.display import console as report
+    from exactspline.display import console
 
-    out = report.console()
+    out = console.console()
     if curves is None:
-        out.print(report.ledger([row for row in rows if not row.curve], "For all curves", digits))
+        out.print(console.ledger([row for row in rows if not row.curve], "For all curves", digits))
         concrete = [row for row in rows if row.curve]
         if concrete:
             out.print("\n[bold]On the example curves[/bold], exactly (each in full with --curve NAME)")
-            out.print(report.summary(concrete))
+            out.print(console.summary(concrete))
         differing = [row for row in concrete if not row.as_recorded]
         if differing:
-            out.print(report.ledger(differing, "Not as recorded", digits))
+            out.print(console.ledger(differing, "Not as recorded", digits))
     for c in curves or []:
         own = [row for row in rows if row.curve == c.name]
-        out.print(report.ledger(own, f"{c.name}: {described(c)}", digits))
+        out.print(console.ledger(own, f"{c.name}: {described(c)}", digits))
         if silent := [claim for claim in claims if not claim.speaks_of(c.dimension, c.polynomial)]:
-            out.print(f"{len(silent)} claims say nothing of this curve: {report.reasons(silent, c)}", markup=False)
+            out.print(f"{len(silent)} claims say nothing of this curve: {console.reasons(silent, c)}", markup=False)
     if rows:
-        out.print("\n" + report.closing(rows), markup=False)
-
-
-def errata(as_json: AsJson = False) -> None:
-    """List the errors of the paper: where, what is printed, what is true, how to check it in three lines."""
-    from exactspline.display import console as report
-    from exactspline.verification.errata import errata as found
-
-    entries = list(found())
-    if as_json:
-        print_json([vars(entry) for entry in entries])
-        return
-    out = report.console()
-    for entry in entries:
-        out.print(report.erratum(entry))
-    out.print(f"{len(entries)} errors", markup=False)
+        out.print("\n" + console.closing(rows), markup=False)

@@ -99,11 +99,11 @@ def _guarded(name: str, call: Any) -> Any:
 
 
 def _print(found: list[Any], *, explain: bool) -> None:
-    from exactspline.display import console as report
+    from exactspline.display import console
 
-    out = report.console()
+    out = console.console()
     numbers = ("naive", "k, m, j", "nominal", "true", "in lowest terms")
-    made = report.table("formula", "factors cancelled", "reduced form", *numbers, right=numbers)
+    made = console.table("formula", "factors cancelled", "reduced form", *numbers, right=numbers)
     for r in found:
         for part in r.parts:
             row = part.data()

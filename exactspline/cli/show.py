@@ -32,10 +32,10 @@ def show(
 
 
 def _print(found: list[Any], latex: bool) -> None:
-    from exactspline.display import console as report
+    from exactspline.display import console
 
-    out = report.console()
+    out = console.console()
     for s in found:
-        made = report.spelled_out(s, latex)
+        made = console.spelled_out(s, latex)
         # LaTeX is for copying: no line of it is broken
-        out.print(report.plain(made, LONG) + "\n" if latex else made, soft_wrap=latex, markup=False)
+        out.print(console.plain(made, LONG) + "\n" if latex else made, soft_wrap=latex, markup=False)

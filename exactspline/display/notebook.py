@@ -133,7 +133,7 @@ def _(found: ZeroSet) -> str:
                 "knot" if root.at_knot else "",
             )
         )
-    extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*found.jumps, *found.stretches))
+    extra = "".join(f"<div>{escape(repr(x))}</div>" for x in (*found.jumps, *found.intervals))
     return Grid(["root", "multiplicity", "sign", "isolating interval", "where"], rows, repr(found)[1:-1]).html() + extra
 
 
@@ -151,7 +151,7 @@ def _(r: Row) -> str:
 def _(d: Derived) -> str:
     lines = [(f"on [{text(a)}, {text(b)}]", escape(_piece(p.value))) for p in d.pieces for a, b in [p.interval]]
     return facts(
-        f"{d.name}, {d.form}",
+        f"{d.name}, {d.variant}",
         lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason)) for (a, b), reason in d.missing],
     )
 

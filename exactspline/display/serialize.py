@@ -25,12 +25,12 @@ def curve_bisector_data(found: CurveBisector) -> dict[str, Any]:
     """
     patches = []
     for patch in found.patches:
-        numerator, w = patch.value.raised()
+        numerator, w = patch.value.elevated()
         patches.append({"sides": [[text(x) for x in side] for side in patch.sides]} | _control_net([*numerator, w]))
     missing = [
         {"sides": [[text(x) for x in side] for side in sides], "reason": reason} for sides, reason in found.missing
     ]
-    return {"kind": "bisector of two curves", "form": found.form, "patches": patches, "missing": missing}
+    return {"kind": "bisector of two curves", "variant": found.variant, "patches": patches, "missing": missing}
 
 
 def _control_net(splines: list[TensorSpline]) -> dict[str, Any]:
@@ -63,7 +63,13 @@ def point_bisector_data(found: PointBisector, digits: int) -> dict[str, Any]:
     ]
     missing = [{"interval": [text(a), text(b)], "reason": reason} for (a, b), reason in found.missing]
     singular = [parameter_data(root, digits) for root in found.singular]
-    return {"kind": "ruled bisector", "form": found.form, "pieces": pieces, "singular": singular, "missing": missing}
+    return {
+        "kind": "ruled bisector",
+        "variant": found.variant,
+        "pieces": pieces,
+        "singular": singular,
+        "missing": missing,
+    }
 
 
 def trimmed_data(found: TrimmedBisector, digits: int) -> dict[str, Any]:
@@ -103,7 +109,7 @@ def degree_of(value: Any) -> str:
 def counted(value: Any) -> int:
     """The number of control points of a patch."""
     top = value.numerator[0] if isinstance(value.numerator, Vector) else value.numerator
-    m, n = top.raised_to(value.denominator).control_point_counts
+    m, n = top.elevated_to(value.denominator).control_point_counts
     return int(m * n)
 
 
@@ -193,7 +199,7 @@ def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
     """
     return {
         "name": derived.name,
-        "form": derived.form,
+        "variant": derived.variant,
         "curve": curve,
         "layout": "directrix, generator" if derived.ruled else "",
         "pieces": [piece_data(piece.interval, piece.value) for piece in derived.pieces],
@@ -205,7 +211,7 @@ def piece_data(interval: Any, value: Any) -> dict[str, Any]:
     """A spline, a vector of them or a `Rational` over an interval, by its control points."""
     head = {"interval": [str(t) for t in interval]}
     if isinstance(value, Rational):
-        numerator, denominator = value.raised()
+        numerator, denominator = value.elevated()
         components = [*(numerator if isinstance(numerator, Vector) else [numerator]), denominator]
         return head | {"kind": "rational"} | _net(components, "homogeneous_control_points")
     if isinstance(value, Vector):

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
 
-from exactspline.display import console as report
+from exactspline.display import console
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
@@ -49,10 +49,10 @@ class Grid(Displayed):
         return [row[i] for row in self.rows]
 
     def __repr__(self) -> str:
-        made = report.table(*self.columns, title=self.title)
+        made = console.table(*self.columns, title=self.title)
         for row in self.rows:
             made.add_row(*row)
-        return report.plain(made)
+        return console.plain(made)
 
     def html(self) -> str:
         """The table as HTML."""
@@ -103,7 +103,7 @@ def remark(row: Row) -> str:
     >>> remark(row(claim, "jet", "", prove(claim)[1], 0))
     'w'
     """
-    text = report.decimals(row.witness or row.factor)
+    text = console.decimals(row.witness or row.factor)
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
 
 
@@ -131,19 +131,19 @@ def degree_table(curve: Any) -> Grid:
     cells = [
         (
             r.formula,
-            r.form,
+            r.variant,
             r.nominal,
             r.represented,
             "–" if r.true is None else r.true,
             r.control_points,
             r.generic,
-            report.decimal_milliseconds(r.seconds),
+            console.decimal_milliseconds(r.seconds),
         )
         for r in rows
     ]
     columns = [
         "construction",
-        "form",
+        "variant",
         "degree in d",
         "degree here",
         "true degree",
@@ -242,11 +242,11 @@ def approaches_table(curve: Any) -> Grid:
     """The approaches to critical curvature side by side on one curve.
 
     >>> from exactspline.splines.examples import example
-    >>> approaches_table(example("six_segment_cubic"))["invented"]
+    >>> approaches_table(example("six_segment_cubic"))["extraneous"]
     ['2', '0', '0', '0', '0']
     """
     rows = [
-        (a.name, a.degree, a.control_points, a.roots, a.invented, a.missing, report.decimal_milliseconds(a.seconds))
+        (a.name, a.degree, a.control_points, a.roots, a.extraneous, a.missing, console.decimal_milliseconds(a.seconds))
         for a in compare_approaches(curve)
     ]
-    return Grid(["approach", "degree", "control points", "roots", "invented", "missing", "ms"], rows, curve.name)
+    return Grid(["approach", "degree", "control points", "roots", "extraneous", "missing", "ms"], rows, curve.name)

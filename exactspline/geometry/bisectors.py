@@ -55,7 +55,7 @@ class CurveBisector:
     reason.
     """
 
-    form: str
+    variant: str
     patches: tuple[BisectorPatch, ...]
     missing: tuple[tuple[tuple[Interval, Interval], str], ...]
 
@@ -70,11 +70,11 @@ class CurveBisector:
         )
 
 
-def curve_bisector(first: Any, second: Any, form: str = "minimal") -> CurveBisector:
+def curve_bisector(first: Any, second: Any, variant: str = "minimal") -> CurveBisector:
     """The bisector of two space curves.
 
-    `form` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal`` (that
-    in lowest terms).
+    `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
+    (that in lowest terms).
 
     >>> from exactspline.splines.examples import example
     >>> surface = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
@@ -82,10 +82,10 @@ def curve_bisector(first: Any, second: Any, form: str = "minimal") -> CurveBisec
     Degrees(s=10, t=8)
 
     Raises `ShapeError` for curves that are not in space, or have no bisector surface anywhere; `FormulaError` for an
-    unknown form.
+    unknown variant.
     """
-    if form not in (*CURVE_FORMS, "minimal"):
-        raise FormulaError(f"no form is called {form!r}", remedy=f"there are {', '.join(CURVE_FORMS)}, minimal")
+    if variant not in (*CURVE_FORMS, "minimal"):
+        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(CURVE_FORMS)}, minimal")
     for c in (first, second):
         if c.dimension != 3:
             raise ShapeError(
@@ -115,10 +115,12 @@ def curve_bisector(first: Any, second: Any, form: str = "minimal") -> CurveBisec
         if not missing
         else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in found]
     )
-    name = CURVE_FORMS.get(form, "bisector_symmetric")
+    name = CURVE_FORMS.get(variant, "bisector_symmetric")
     values = [(r, find(name)(p)) for r, p in patches]
     return CurveBisector(
-        form, tuple(BisectorPatch(r, in_lowest_terms(v) if form == "minimal" else v) for r, v in values), tuple(missing)
+        variant,
+        tuple(BisectorPatch(r, in_lowest_terms(v) if variant == "minimal" else v) for r, v in values),
+        tuple(missing),
     )
 
 
@@ -152,7 +154,7 @@ class PointBisector:
     with the reason.
     """
 
-    form: str
+    variant: str
     pieces: tuple[RuledPiece, ...]
     singular: tuple[Root, ...]
     missing: tuple[tuple[Interval, str], ...]
@@ -161,12 +163,12 @@ class PointBisector:
 THROUGH = "the curve is straight here and its line passes through the point"
 
 
-def point_bisector(curve: Any, point: Any, form: str = "direct") -> PointBisector:
+def point_bisector(curve: Any, point: Any, variant: str = "direct") -> PointBisector:
     """The bisector of a point and a space curve.
 
-    `form` is ``naive`` (31), ``explicit`` (34) or ``direct``: the 2×2 system with a component moved that is solvable on
-    the whole piece. Which one is decided exactly: a component may be moved where its determinant, the same component of
-    ``D1 × (p − wQ)``, has no zero; the curve is split so that the pieces cover all but the singular parameters, at
+    `variant` is ``naive`` (31), ``explicit`` (34) or ``direct``: the 2×2 system with a component moved that is solvable
+    on the whole piece. Which one is decided exactly: a component may be moved where its determinant, the same component
+    of ``D1 × (p − wQ)``, has no zero; the curve is split so that the pieces cover all but the singular parameters, at
     which none can be moved.
 
     >>> from exactspline.splines.examples import example
@@ -175,10 +177,10 @@ def point_bisector(curve: Any, point: Any, form: str = "direct") -> PointBisecto
     [('x', (mpq(0,1), mpq(1,2))), ('y', (mpq(1,2), mpq(3,2)))]
 
     Raises `ShapeError` for a curve or a point that is not in space, or where there is no surface at all; `FormulaError`
-    for an unknown form.
+    for an unknown variant.
     """
-    if form not in (*POINT_FORMS, "direct"):
-        raise FormulaError(f"no form is called {form!r}", remedy=f"there are {', '.join(POINT_FORMS)}, direct")
+    if variant not in (*POINT_FORMS, "direct"):
+        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(POINT_FORMS)}, direct")
     c = with_point(curve, exact_point(curve, point, 3))
     generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
     missing, good = [], []
@@ -191,16 +193,16 @@ def point_bisector(curve: Any, point: Any, form: str = "direct") -> PointBisecto
         raise ShapeError(
             "there is no bisector surface: " + missing[0][1], remedy="choose another point, or another curve"
         )
-    parts = [found for a, b in good for found in (_cover(generator, a, b) if form == "direct" else [(a, b, -1)])]
+    parts = [found for a, b in good for found in (_cover(generator, a, b) if variant == "direct" else [(a, b, -1)])]
     pieces = [
         RuledPiece(
             (a, b),
             AXES[k] if k >= 0 else "",
-            find(f"point_bisector_direct_{AXES[k]}" if k >= 0 else POINT_FORMS[form])(_cut(c, a, b)),
+            find(f"point_bisector_direct_{AXES[k]}" if k >= 0 else POINT_FORMS[variant])(_cut(c, a, b)),
         )
         for a, b, k in _merged(parts)
     ]
-    return PointBisector(form, tuple(pieces), _singular(generator, good), tuple(missing))
+    return PointBisector(variant, tuple(pieces), _singular(generator, good), tuple(missing))
 
 
 def _singular(generator: Vector, segments: list[Interval]) -> tuple[Root, ...]:

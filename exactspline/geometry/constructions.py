@@ -2,7 +2,7 @@
 
 A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it,
 others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by
-whatever the curve at hand allows: the naive form in lowest terms.
+whatever the curve at hand allows: the naive variant in lowest terms.
 """
 
 from __future__ import annotations
@@ -56,47 +56,49 @@ class Construction:
         """The name of the lifted variant's formula."""
         return self.variants[LIFTED]
 
-    def formula(self, form: str) -> Formula:
-        """The formula of a form; the minimal one is made from the lifted one."""
-        if form not in self.all_variants:
-            raise FormulaError(f"{self.name} has no form {form!r}", remedy=f"forms are {', '.join(self.all_variants)}")
-        return find(self.variants.get(form, self.lifted))
+    def formula(self, variant: str) -> Formula:
+        """The formula of a variant; the minimal one is made from the lifted one."""
+        if variant not in self.all_variants:
+            raise FormulaError(
+                f"{self.name} has no variant {variant!r}", remedy=f"variants are {', '.join(self.all_variants)}"
+            )
+        return find(self.variants.get(variant, self.lifted))
 
     @property
     def dimension(self) -> int:
         """That of the curves it speaks of."""
         return {"plane": 2, "space": 3}[self.curve]
 
-    def on(self, curve: Any, form: str) -> Any:
+    def on(self, curve: Any, variant: str) -> Any:
         """The object on a curve; of a zero-set problem the numerator alone.
 
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
         factors it shares with w; where there are none it is as continuous as the lifted form. A quotient is reduced
         segment by segment.
         """
-        if form != MINIMAL:
-            value = self.formula(form)(curve)
+        if variant != MINIMAL:
+            value = self.formula(variant)(curve)
             return numerator(value) if self.zero_set else joined(value)
         if not self.zero_set:
-            return joined(in_lowest_terms(self.formula(form)(curve)))
+            return joined(in_lowest_terms(self.formula(variant)(curve)))
         at_once = self.wronskian_of and not curve.polynomial
-        value = lowest_wronskian(find(self.wronskian_of)(curve)) if at_once else self.formula(form)(curve)
+        value = lowest_wronskian(find(self.wronskian_of)(curve)) if at_once else self.formula(variant)(curve)
         power = self.power_of_w(LIFTED)
         return primitive(in_lowest_terms(without_factor(value.scaled(self.sign(curve, LIFTED)), curve.w, power)))
 
-    def power_of_w(self, form: str) -> int:
+    def power_of_w(self, variant: str) -> int:
         """The e with ``form = constant · wᵉ · first form`` and a positive constant, of a zero-set problem."""
-        factor = _factor(self.formula(form).name, next(iter(self.variants.values())), self.dimension)
+        factor = _factor(self.formula(variant).name, next(iter(self.variants.values())), self.dimension)
         if factor is None or not factor.names <= {"w"} or factor.constant < 0:
             raise FormulaError(
-                f"the form {form!r} of {self.name} is no power of w away from the first",
+                f"the form {variant!r} of {self.name} is no power of w away from the first",
                 remedy="its sign is another one",
             )
         return next((e for _, _, e in factor.powers), 0)
 
-    def sign(self, curve: Any, form: str) -> int:
+    def sign(self, curve: Any, variant: str) -> int:
         """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
-        return -1 if self.power_of_w(form) % 2 and curve.w(curve.w.domain[0]) < 0 else 1
+        return -1 if self.power_of_w(variant) % 2 and curve.w(curve.w.domain[0]) < 0 else 1
 
 
 @cache

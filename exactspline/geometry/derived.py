@@ -1,4 +1,5 @@
-"""What a user calls: the derived objects of a curve, in whatever form, with the places where they do not exist named.
+"""What a user calls: the derived objects of a curve, in whatever variant, with the places where they do not exist
+named.
 
 Parameters and coordinates are unitless exact numbers.
 """
@@ -34,7 +35,7 @@ class Derived(Displayed):
     """A derived object in pieces, and the intervals on which it does not exist, each with the reason."""
 
     name: str
-    form: str
+    variant: str
     pieces: tuple[Piece, ...]
     missing: tuple[tuple[Interval, str], ...]
     #: Whether it is a ruled surface: then the values are directrix and generator side by side.
@@ -52,10 +53,10 @@ class Derived(Displayed):
         )
 
 
-def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
+def derive(name: str, curve: Any, variant: str = MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `form` is
+    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `variant` is
     ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the evolute of a straight
     piece) the other pieces are returned and the missing ones named.
 
@@ -63,21 +64,24 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
     >>> derive("evolute", example("circle"))("1/2")
     (mpq(0,1), mpq(0,1))
 
-    Raises `FormulaError` for an unknown name or form, `ShapeError` for a curve of the wrong dimension or where nothing
-    is left.
+    Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where
+    nothing is left.
     """
     if name in all_constructions():
         made = construction(name)
-        needed, compute = made.curve, lambda c: made.on(c, form)
-        formula = made.formula(form)
+        needed, compute = made.curve, lambda c: made.on(c, variant)
+        formula = made.formula(variant)
     else:
         formula = find(name)
-        if form not in (MINIMAL, "naive"):
+        if variant not in (MINIMAL, "naive"):
             raise FormulaError(
-                f"{name} has no form {form!r}", remedy=f"a formula has the forms {MINIMAL} and naive (as it stands)"
+                f"{name} has no variant {variant!r}",
+                remedy=f"a formula has the variants {MINIMAL} and naive (as it stands)",
             )
         needed = formula.curve
-        compute = (lambda c: joined(in_lowest_terms(formula(c)))) if form == MINIMAL else (lambda c: joined(formula(c)))
+        compute = (
+            (lambda c: joined(in_lowest_terms(formula(c)))) if variant == MINIMAL else (lambda c: joined(formula(c)))
+        )
     if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
     found = formula(curve)
@@ -92,10 +96,10 @@ def derive(name: str, curve: Any, form: str = MINIMAL) -> Derived:
             f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain",
             remedy="choose another curve",
         )
-    return Derived(name, form, pieces, missing, ruled)
+    return Derived(name, variant, pieces, missing, ruled)
 
 
-def evolute(curve: Any, form: str = MINIMAL) -> Derived:
+def evolute(curve: Any, variant: str = MINIMAL) -> Derived:
     """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -104,10 +108,10 @@ def evolute(curve: Any, form: str = MINIMAL) -> Derived:
 
     Raises `ShapeError` for a curve that is not in the plane or is straight.
     """
-    return derive("evolute", curve, form)
+    return derive("evolute", curve, variant)
 
 
-def focal_curve(curve: Any, form: str = MINIMAL) -> Derived:
+def focal_curve(curve: Any, variant: str = MINIMAL) -> Derived:
     """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` tells
     the degree for all curves).
 
@@ -117,10 +121,10 @@ def focal_curve(curve: Any, form: str = MINIMAL) -> Derived:
 
     Raises `ShapeError` for a curve that is not in space or is planar.
     """
-    return derive("focal_curve", curve, form)
+    return derive("focal_curve", curve, variant)
 
 
-def torsion(curve: Any, form: str = MINIMAL) -> Derived:
+def torsion(curve: Any, variant: str = MINIMAL) -> Derived:
     """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -129,10 +133,10 @@ def torsion(curve: Any, form: str = MINIMAL) -> Derived:
 
     Raises `ShapeError` for a curve that is not in space or is straight.
     """
-    return derive("torsion", curve, form)
+    return derive("torsion", curve, variant)
 
 
-def circle_centres(curve: Any, form: str = MINIMAL) -> Derived:
+def circle_centres(curve: Any, variant: str = MINIMAL) -> Derived:
     """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` tells
     the degree for all curves).
 
@@ -142,7 +146,7 @@ def circle_centres(curve: Any, form: str = MINIMAL) -> Derived:
 
     Raises `ShapeError` for a curve that is not in space or is straight.
     """
-    return derive("circle_centres", curve, form)
+    return derive("circle_centres", curve, variant)
 
 
 def _exists(value: Any) -> list[bool]:

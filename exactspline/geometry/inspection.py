@@ -100,15 +100,15 @@ def solved(curve: Any, approach: str) -> list[tuple[str, str, Any, ZeroSet]]:
 class Approach:
     """What one approach to critical curvature costs and finds.
 
-    ``invented`` are roots that the minimal form does not have (the inflections of a plane curve that squaring adds, and
-    singular points).
+    ``extraneous`` are roots that the minimal form does not have (the inflections of a plane curve that squaring adds,
+    and singular points).
     """
 
     name: str
     degree: int
     control_points: int
     roots: int
-    invented: int
+    extraneous: int
     missing: int
     seconds: float
 
@@ -117,7 +117,7 @@ def compare_approaches(curve: Any) -> list[Approach]:
     """All approaches on one curve, their roots held exactly against those of the minimal form.
 
     >>> from exactspline.splines.examples import example
-    >>> [(a.name, a.degree, a.roots, a.invented) for a in compare_approaches(example("six_segment_cubic"))]
+    >>> [(a.name, a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
     [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
     found: dict[str, tuple[Any, ZeroSet, float]] = {}
@@ -130,6 +130,6 @@ def compare_approaches(curve: Any) -> list[Approach]:
     rows = []
     for name, (f, zero_set, seconds) in found.items():
         own = list(zero_set)
-        invented, missing = sum(root not in true for root in own), sum(root not in own for root in true)
-        rows.append(Approach(name, f.degree, control_point_count(f), len(own), invented, missing, seconds))
+        extraneous, missing = sum(root not in true for root in own), sum(root not in own for root in true)
+        rows.append(Approach(name, f.degree, control_point_count(f), len(own), extraneous, missing, seconds))
     return rows

@@ -112,7 +112,7 @@ def _longest(rows: list[Rows]) -> tuple[Rows, int]:
 
 def _rows(curve: Any) -> list[Rows]:
     """The homogeneous Bézier points (p, w) segment by segment."""
-    columns = [s.raised_to(curve.p[0]).segments for s in (*curve.p, curve.w)]
+    columns = [s.elevated_to(curve.p[0]).segments for s in (*curve.p, curve.w)]
     return [list(zip(*parts, strict=True)) for parts in zip(*columns, strict=True)]
 
 

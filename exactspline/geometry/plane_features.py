@@ -70,7 +70,7 @@ def joint(curve: Any, t: mpq) -> str:
     return CONTINUOUS if same else CURVATURE_JUMP
 
 
-def inflections(curve: Any, form: str = MINIMAL) -> list[Feature]:
+def inflections(curve: Any, variant: str = MINIMAL) -> list[Feature]:
     """The zeros of the curvature at regular points: inflections, and undulations where its sign stays.
 
     At a knot with a common tangent the curvature may change its sign by a jump. Pieces that are straight are not listed
@@ -83,11 +83,13 @@ def inflections(curve: Any, form: str = MINIMAL) -> list[Feature]:
     Raises `ShapeError` for a curve that is not in the plane.
     """
     singular = {f.root for f in singularities(curve)}
-    _, found = zero_form(curve, "zero_curvature", form)
-    features = [Feature(_flat(root), root, form) for root in found if root not in singular and _tangent_at(curve, root)]
+    _, found = zero_form(curve, "zero_curvature", variant)
+    features = [
+        Feature(_flat(root), root, variant) for root in found if root not in singular and _tangent_at(curve, root)
+    ]
     for jump in found.jumps:
         if jump.sign_change and joint(curve, jump.parameter) in (CURVATURE_JUMP, CONTINUOUS):
-            features.append(Feature("inflection", jump_root(jump), form, by_jump=True))
+            features.append(Feature("inflection", jump_root(jump), variant, by_jump=True))
     return sorted(features, key=lambda f: f.root)
 
 
@@ -117,7 +119,7 @@ def constant_pieces(curve: Any) -> list[tuple[mpq, mpq]]:
     return split_at_joints(curve, zero_form(curve, "critical_curvature")[1], lambda t: joint(curve, t) == CONTINUOUS)
 
 
-def curvature_extrema(curve: Any, form: str = MINIMAL) -> list[Feature]:
+def curvature_extrema(curve: Any, variant: str = MINIMAL) -> list[Feature]:
     """The extrema of the curvature: inside segments, and at knots where κ is continuous and κ′ changes its sign, with
     or without a jump.
 
@@ -130,44 +132,46 @@ def curvature_extrema(curve: Any, form: str = MINIMAL) -> list[Feature]:
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    return [f for f in critical_points(curve, form) if f.kind != "stationary"]
+    return [f for f in critical_points(curve, variant) if f.kind != "stationary"]
 
 
-def critical_points(curve: Any, form: str = MINIMAL) -> list[Feature]:
+def critical_points(curve: Any, variant: str = MINIMAL) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``)."""
     singular = {f.root for f in singularities(curve)}
-    _, found = zero_form(curve, "critical_curvature", form)
-    true = list(zero_form(curve, "critical_curvature")[1]) if form == SQUARING else []
+    _, found = zero_form(curve, "critical_curvature", variant)
+    true = list(zero_form(curve, "critical_curvature")[1]) if variant == SQUARING else []
     features = []
     for solved in found:
         # squaring adds roots where κ = 0; what remains is judged by κ′ itself
-        root = next((r for r in true if r == solved), None) if form == SQUARING else solved
+        root = next((r for r in true if r == solved), None) if variant == SQUARING else solved
         if (
             root is None
             or root in singular
             or (root.at_knot and inside(curve, root.low) and joint(curve, root.low) != CONTINUOUS)
         ):
             continue
-        features.append(_extremum(curve, root, form, by_jump=False))
+        features.append(_extremum(curve, root, variant, by_jump=False))
     for jump in found.jumps:
         if jump.sign_change and joint(curve, jump.parameter) == CONTINUOUS:
-            features.append(_extremum(curve, jump_root(jump), form, by_jump=True))
+            features.append(_extremum(curve, jump_root(jump), variant, by_jump=True))
     return sorted(features, key=lambda f: f.root)
 
 
-def _extremum(curve: Any, root: Root, form: str, *, by_jump: bool) -> Feature:
+def _extremum(curve: Any, root: Root, variant: str, *, by_jump: bool) -> Feature:
     left, right = root.signs
     if left is None or right is None or left * right >= 0:
-        return Feature("stationary", root, form)
+        return Feature("stationary", root, variant)
     sign = curvature_sign(curve, root)
-    if form == SQUARING and by_jump:
+    if variant == SQUARING and by_jump:
         left *= sign
     if left == 0:
-        return Feature("stationary", root, form)
+        return Feature("stationary", root, variant)
     kind = "maximum" if left > 0 else "minimum"
     if sign == 0:
-        return Feature(kind, root, form, by_jump, "minimum")
-    return Feature(kind, root, form, by_jump, kind if sign > 0 else {"maximum": "minimum", "minimum": "maximum"}[kind])
+        return Feature(kind, root, variant, by_jump, "minimum")
+    return Feature(
+        kind, root, variant, by_jump, kind if sign > 0 else {"maximum": "minimum", "minimum": "maximum"}[kind]
+    )
 
 
 def curvature_sign(curve: Any, root: Root) -> int:

@@ -41,22 +41,22 @@ class RulingRelation:
         return self.shift(s, side) + self.stretch(s, side) * rational(ruling)
 
 
-def ruled_surface(name: str, curve: Any, form: str = MINIMAL) -> RuledSurface:
+def ruled_surface(name: str, curve: Any, variant: str = MINIMAL) -> RuledSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
     >>> from exactspline.splines.examples import example
     >>> curve = example("rational_space_cubic")
-    >>> [ruled_surface("tangent_developable", curve, form).degree for form in ("naive", "paper", "minimal")]
+    >>> [ruled_surface("tangent_developable", curve, variant).degree for variant in ("naive", "paper", "minimal")]
     [9, 5, 4]
 
     Raises `ShapeError` for a curve that is not in space, and where the construction is no ruled surface;
     `ReductionError` where it does not exist on a whole segment.
     """
-    value = construction(name).formula(form)(space(curve))
+    value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: RuledSurface = in_lowest_terms(value) if form == MINIMAL else value
+    found: RuledSurface = in_lowest_terms(value) if variant == MINIMAL else value
     return found
 
 
@@ -148,7 +148,7 @@ def same_surface(a: RuledSurface, b: RuledSurface) -> RulingRelation | None:
 
     >>> from exactspline.splines.examples import example
     >>> curve = example("rational_space_cubic")
-    >>> naive, paper = (ruled_surface("binormal_scroll", curve, form) for form in ("naive", "paper"))
+    >>> naive, paper = (ruled_surface("binormal_scroll", curve, variant) for variant in ("naive", "paper"))
     >>> relation = same_surface(naive, paper)
     >>> relation.stretch == Rational(curve.w**3, curve.w.constant(1)), relation.shift.is_zero
     (True, True)

@@ -1,5 +1,5 @@
 """Points of interest of a space curve: zeros of the torsion, extrema and zeros of the curvature, singular points, and
-stretches that are special.
+intervals that are special.
 
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it is smallest: these points are listed as inflections,
 undulations and flat points (`flat_points`) and not once more among the extrema. The form [D1 D2 D3] of the torsion
@@ -152,7 +152,7 @@ def flat_points(curve: Any) -> list[Feature]:
 
     ``inflection``: the direction of κN is turned round; ``undulation``: it is kept; ``flat end``: the domain ends
     there; ``flat point``: at a knot, the osculating planes of the two sides differ. At a knot κN may also be turned
-    round by a jump. Straight stretches are not listed here.
+    round by a jump. Straight intervals are not listed here.
 
     >>> from exactspline.splines.examples import example
     >>> [(f.kind, f.root.exact) for f in flat_points(example("flat_point"))]
@@ -208,7 +208,7 @@ def torsion_zeros(curve: Any) -> list[Feature]:
     """The zeros of the torsion at regular points.
 
     ``torsion zero``: τ changes its sign; ``torsion touch``: it does not; ``torsion end``: the domain ends there. At a
-    knot with one osculating plane the sign may change by a jump. Planar stretches are not listed here
+    knot with one osculating plane the sign may change by a jump. Planar intervals are not listed here
     (`planar_pieces`).
 
     >>> from exactspline.splines.examples import example
@@ -259,7 +259,7 @@ def _torsion_at_knot(shape: Shape, root: Root, changes: bool) -> list[Feature]:
     return [Feature("torsion zero", root, "D1_D2_D3", by_jump=True)] if changes else []
 
 
-def space_critical_points(curve: Any, form: str = MINIMAL) -> list[Feature]:
+def space_critical_points(curve: Any, variant: str = MINIMAL) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``), but for those
     where κ = 0.
 
@@ -272,26 +272,26 @@ def space_critical_points(curve: Any, form: str = MINIMAL) -> list[Feature]:
     Raises `ShapeError` for a curve that is not in space.
     """
     shape = _shape(curve)
-    _, found = zero_form(curve, "space_critical_curvature", form)
+    _, found = zero_form(curve, "space_critical_curvature", variant)
     features = []
     for root in found:
         if shape.is_singular(root) or shape.is_flat(root):
             continue
         if not root.at_knot or not inside(curve, root.low) or shape.same_curvature(root.low):
-            features.append(_extremum(root, form, by_jump=False))
+            features.append(_extremum(root, variant, by_jump=False))
     for jump in found.jumps:
         root = jump_root(jump)
         if jump.sign_change and shape.same_curvature(jump.parameter) and not shape.is_flat(root):
-            features.append(_extremum(root, form, by_jump=True))
+            features.append(_extremum(root, variant, by_jump=True))
     return sorted(features, key=lambda f: f.root)
 
 
-def _extremum(root: Root, form: str, *, by_jump: bool) -> Feature:
+def _extremum(root: Root, variant: str, *, by_jump: bool) -> Feature:
     left, right = root.signs
     if left is None or right is None or left * right >= 0:
-        return Feature("stationary", root, form)
+        return Feature("stationary", root, variant)
     kind = "maximum" if left > 0 else "minimum"
-    return Feature(kind, root, form, by_jump, kind)
+    return Feature(kind, root, variant, by_jump, kind)
 
 
 def space_straight_pieces(curve: Any) -> list[Interval]:

@@ -31,7 +31,7 @@ from exactspline.language.vector import Vector, norm2, perp
 from exactspline.papers import find
 from exactspline.roots.root import Root, between
 from exactspline.roots.zero_set import zeros
-from exactspline.splines import tensor_bernstein as patch
+from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import ONE, is_nonnegative
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -160,7 +160,7 @@ class _Conditions:
         square, twice = norm2(c.p), [x * c.w * 2 for x in c.p]
         self.degree = square.degree
         self.rows = []
-        for forms in zip(square.forms, *[x.raised_to(square).forms for x in twice], strict=True):
+        for forms in zip(square.forms, *[x.elevated_to(square).forms for x in twice], strict=True):
             common = ONE
             for _, m in forms:
                 common = common.lcm(m)
@@ -172,12 +172,12 @@ class _Conditions:
         """
         x, y, e = forms
         found: list[tuple[Parameter, Parameter]] = [segment]
-        stride = patch.stride_for(n)
+        stride = tensor_bernstein.stride_for(n)
         for square, cx, cy in self.rows:
             family = e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride)
             if _of_one_sign(e, family):
                 continue
-            rows = patch.rows(family, stride, self.degree)
+            rows = tensor_bernstein.rows(family, stride, self.degree)
             candidates, holds = (
                 _candidates(as_mpoly(family, stride), segment),
                 partial(self._holds, rows, e, n, segment),

@@ -15,7 +15,7 @@ from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
 
 
-def zero_form(curve: Any, name: str, form: str = MINIMAL) -> tuple[BSpline, ZeroSet]:
+def zero_form(curve: Any, name: str, variant: str = MINIMAL) -> tuple[BSpline, ZeroSet]:
     """The form of a zero-set construction on a curve, with the sign it has for a positive weight function, and its
     certified zeros.
 
@@ -23,7 +23,7 @@ def zero_form(curve: Any, name: str, form: str = MINIMAL) -> tuple[BSpline, Zero
     """
     made = construction(name)
     {"plane": plane, "space": space}[made.curve](curve)
-    f = made.on(_with_positive_weight(curve), form)
+    f = made.on(_with_positive_weight(curve), variant)
     return f, zeros(f, periodic=curve.closed)
 
 
@@ -35,9 +35,9 @@ def _with_positive_weight(curve: Any) -> Any:
 
 
 def split_at_joints(curve: Any, found: ZeroSet, smooth: Callable[[mpq], bool]) -> list[tuple[mpq, mpq]]:
-    """The stretches of a zero set, cut at the inner knots that are not smooth."""
+    """The intervals of a zero set, cut at the inner knots that are not smooth."""
     pieces: list[tuple[mpq, mpq]] = []
-    for stretch in found.stretches:
-        cuts = [t for t in curve.breakpoints[1:-1] if stretch.low < t < stretch.high and not smooth(t)]
-        pieces += pairwise([stretch.low, *cuts, stretch.high])
+    for interval in found.intervals:
+        cuts = [t for t in curve.breakpoints[1:-1] if interval.low < t < interval.high and not smooth(t)]
+        pieces += pairwise([interval.low, *cuts, interval.high])
     return pieces

@@ -17,9 +17,9 @@ CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
 class Operand(Displayed):
     """What every scalar of every reading has in common.
 
-    A reading supplies ``__add__``, ``__mul__``, ``scaled`` (by an exact constant), ``d``, ``raised_to`` (the same
-    thing, of at least another's degree), ``degree`` and ``recipe`` (see `exactspline.language.provenance`); the rest
-    follows. ``/`` by an operand makes a `Rational`, which is Table 1's row T3.
+    A reading supplies ``__add__``, ``__mul__``, ``scaled`` (by an exact constant), ``d``, ``elevated_to`` (the same
+    thing, of at least another's degree), ``degree`` and ``provenance`` (see `exactspline.language.provenance`); the
+    rest follows. ``/`` by an operand makes a `Rational`, which is Table 1's row T3.
     """
 
     __slots__ = ()

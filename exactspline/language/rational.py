@@ -11,8 +11,8 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.language import provenance as structure
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
 
 
@@ -63,7 +63,7 @@ class Product:
 
 def _agree(a: Any, b: Any) -> bool:
     """Equal structure, and (cheaply seen beforehand and made sure of afterwards) equal degree and value."""
-    return a is b or bool(a.degree == b.degree and structure.number(a.recipe) == structure.number(b.recipe) and a == b)
+    return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
 class Rational(Operand):
@@ -182,7 +182,7 @@ class Rational(Operand):
         for _ in range(order):
             p, w = result.numerator, result.denominator
             product = Product(w, w, factors=result.product.factors * 2)
-            result = Rational((p.d(1) * w - p * w.d(1)).raised_to(product.value), product)
+            result = Rational((p.d(1) * w - p * w.d(1)).elevated_to(product.value), product)
         return result
 
     def levelled(self, other: Any) -> tuple[Rational, Any]:
@@ -205,16 +205,16 @@ class Rational(Operand):
             first = first * product
         return Rational(function(*numerators), first)
 
-    def raised(self) -> tuple[Any, Any]:
+    def elevated(self) -> tuple[Any, Any]:
         """Numerator and denominator raised to one degree: control points and weights of a NURBS."""
         w = highest = self.denominator
         for x in self.numerator if self.is_vector else [self.numerator]:
-            highest = highest.raised_to(x)
-        return self.numerator.raised_to(highest), w.raised_to(highest)
+            highest = highest.elevated_to(x)
+        return self.numerator.elevated_to(highest), w.elevated_to(highest)
 
-    def raised_to(self, other: Any) -> Rational:
+    def elevated_to(self, other: Any) -> Rational:
         """The same rational, its numerator at least of the degree of `other`."""
-        return Rational(self.numerator.raised_to(other), self.product)
+        return Rational(self.numerator.elevated_to(other), self.product)
 
 
 def _scalar(r: Rational) -> Any:

@@ -123,9 +123,9 @@ class Vector(Displayed):
         """The vector times an exact constant."""
         return Vector(*[a * constant for a in self.components])
 
-    def raised_to(self, other: Any) -> Vector:
+    def elevated_to(self, other: Any) -> Vector:
         """The same vector, every component at least of the degree of `other`."""
-        return Vector(*[a.raised_to(other) for a in self.components])
+        return Vector(*[a.elevated_to(other) for a in self.components])
 
     @property
     def degree(self) -> Any:

@@ -23,7 +23,7 @@ class Monomials(Operand):
     """``Σ c_ij u^(U − i) v^(V − j)``: the exponents U and V and the c_ij are polynomials in d, a and b."""
 
     __slots__ = ("exponents", "terms")
-    degree = recipe = 0
+    degree = provenance = 0
 
     def __init__(self, exponents: tuple[fmpq_mpoly, fmpq_mpoly], terms: dict[tuple[int, int], fmpq_mpoly]) -> None:
         self.exponents, self.terms = exponents, {shift: c for shift, c in terms.items() if c}
@@ -64,7 +64,7 @@ class Monomials(Operand):
         q = to_fmpq(rational(constant))
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
-    def raised_to(self, other: Any) -> Monomials:
+    def elevated_to(self, other: Any) -> Monomials:
         """Itself: what this reading is for needs no degree elevation."""
         return self
 

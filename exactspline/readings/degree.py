@@ -14,9 +14,9 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.language import provenance as structure
 from exactspline.language.arguments import BARRED, COORDINATES, Curve, assemble
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
@@ -40,15 +40,15 @@ class Degree(Operand):
     """A maximum of affine forms in named degrees, which are at least 1.
 
     >>> d = Degree.named("d")
-    >>> (d + d).raised_to(d), d * d, (d * d).d(3)
+    >>> (d + d).elevated_to(d), d * d, (d * d).d(3)
     (d, 2d, 2d − 3)
     """
 
-    __slots__ = ("recipe", "terms")
+    __slots__ = ("provenance", "terms")
 
-    def __init__(self, terms: Iterable[Term], recipe: structure.Recipe = None) -> None:
+    def __init__(self, terms: Iterable[Term], provenance: Provenance = None) -> None:
         terms = set(terms)
-        self.recipe = structure.leaf() if recipe is None else recipe
+        self.provenance = leaf() if provenance is None else provenance
         self.terms = frozenset(t for t in terms if not any(s != t and _dominates(s, t) for s in terms))
 
     @classmethod
@@ -70,16 +70,16 @@ class Degree(Operand):
         """The larger of two degrees."""
         return Degree(self.terms | other.terms)
 
-    def raised_to(self, other: Degree) -> Degree:
+    def elevated_to(self, other: Degree) -> Degree:
         """The degree after elevation: the larger of the two."""
-        return Degree(self.terms | other.terms, self.recipe)
+        return Degree(self.terms | other.terms, self.provenance)
 
     def __add__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Degree):
             return NotImplemented
-        return Degree(self.terms | other.terms, (structure.SUM, self.recipe, other.recipe))
+        return Degree(self.terms | other.terms, (SUM, self.provenance, other.provenance))
 
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
@@ -87,23 +87,23 @@ class Degree(Operand):
         if not isinstance(other, Degree):
             return NotImplemented
         return Degree(
-            (_plus(a, b) for a in self.terms for b in other.terms), (structure.PRODUCT, self.recipe, other.recipe)
+            (_plus(a, b) for a in self.terms for b in other.terms), (PRODUCT, self.provenance, other.provenance)
         )
 
     def scaled(self, constant: Any) -> Degree:
         """A constant factor leaves the degree."""
-        return Degree(self.terms, (structure.MULTIPLE, self.recipe, mpq(constant)))
+        return Degree(self.terms, (MULTIPLE, self.provenance, mpq(constant)))
 
     def constant(self, value: Any) -> Degree:
         """A constant has degree 0."""
-        return Degree([((), 0)], (structure.MULTIPLE, 1, mpq(value)))
+        return Degree([((), 0)], (MULTIPLE, UNIT, mpq(value)))
 
     def d(self, order: int = 1) -> Degree:
         """One less for every derivative, below 0 if need be."""
-        recipe = self.recipe
+        provenance = self.provenance
         for _ in range(order):
-            recipe = (structure.DERIVATIVE, recipe)
-        return Degree(((coefficients, constant - order) for coefficients, constant in self.terms), recipe)
+            provenance = (DERIVATIVE, provenance)
+        return Degree(((coefficients, constant - order) for coefficients, constant in self.terms), provenance)
 
     @property
     def is_zero(self) -> bool:
@@ -246,10 +246,10 @@ class Still(Degree):
 
     def d(self, order: int = 1) -> Degree:
         """Itself: it is no derivative by the parameter that is counted."""
-        recipe = self.recipe
+        provenance = self.provenance
         for _ in range(order):
-            recipe = (structure.DERIVATIVE, recipe)
-        return Still(self.terms, recipe)
+            provenance = (DERIVATIVE, provenance)
+        return Still(self.terms, provenance)
 
     def __add__(self, other: Any) -> Any:
         return _still(super().__add__(other), other)
@@ -260,18 +260,18 @@ class Still(Degree):
     def scaled(self, constant: Any) -> Degree:
         """A constant factor leaves it still."""
         result = super().scaled(constant)
-        return Still(result.terms, result.recipe)
+        return Still(result.terms, result.provenance)
 
     def constant(self, value: Any) -> Degree:
         """A constant is still too."""
         result = super().constant(value)
-        return Still(result.terms, result.recipe)
+        return Still(result.terms, result.provenance)
 
 
 def _still(result: Any, other: Any) -> Any:
     """A sum or a product of what is still and constants is still."""
     return (
-        Still(result.terms, result.recipe)
+        Still(result.terms, result.provenance)
         if isinstance(result, Degree) and isinstance(other, (Still, *CONSTANTS))
         else result
     )

@@ -18,7 +18,7 @@ class Order(Operand):
 
     __slots__ = ("order",)
     degree = 0
-    recipe = 0
+    provenance = 0
     is_zero = False
 
     def __init__(self, order: int) -> None:
@@ -41,7 +41,7 @@ class Order(Operand):
         """A constant needs no derivative."""
         return Order(0)
 
-    def raised_to(self, other: Any) -> Order:
+    def elevated_to(self, other: Any) -> Order:
         """Raising a degree needs no derivative."""
         return self
 

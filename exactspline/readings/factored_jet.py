@@ -12,8 +12,8 @@ from typing import Any
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import provenance as structure
 from exactspline.language.operand import Operand
+from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.readings.jet import Jet, JetRing, jet_argument
 
 #: Sums of more terms than this are tried for the factors that were met before; those have fewer.
@@ -30,21 +30,21 @@ class FactoredJet(Operand):
     ((w0, 1), (x0*w0 + y0, 1))
     """
 
-    __slots__ = ("powers", "recipe", "ring", "unit")
+    __slots__ = ("powers", "provenance", "ring", "unit")
     degree = 0
 
-    def __init__(self, ring: JetRing, unit: fmpq, powers: Powers, recipe: structure.Recipe = None) -> None:
+    def __init__(self, ring: JetRing, unit: fmpq, powers: Powers, provenance: Provenance = None) -> None:
         self.ring, self.unit, self.powers = ring, unit, powers
-        self.recipe = structure.leaf() if recipe is None else recipe
+        self.provenance = leaf() if provenance is None else provenance
 
     @classmethod
     def of(cls, jet: Jet) -> FactoredJet:
         """A differential polynomial as one base."""
-        return _product(jet.ring, jet.polynomial, (), jet.recipe)
+        return _product(jet.ring, jet.polynomial, (), jet.provenance)
 
     def constant(self, value: Any) -> FactoredJet:
         """An exact constant."""
-        return FactoredJet(self.ring, to_fmpq(rational(value)), (), (structure.MULTIPLE, 1, rational(value)))
+        return FactoredJet(self.ring, to_fmpq(rational(value)), (), (MULTIPLE, UNIT, rational(value)))
 
     @property
     def is_zero(self) -> bool:
@@ -59,40 +59,40 @@ class FactoredJet(Operand):
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        recipe = (structure.PRODUCT, self.recipe, right.recipe)
+        provenance = (PRODUCT, self.provenance, right.provenance)
         if self.is_zero or right.is_zero:
-            return FactoredJet(self.ring, fmpq(0), (), recipe)
+            return FactoredJet(self.ring, fmpq(0), (), provenance)
         powers = merged(self.powers, right.powers)
         _remember(self.ring, powers)
-        return FactoredJet(self.ring, self.unit * right.unit, powers, recipe)
+        return FactoredJet(self.ring, self.unit * right.unit, powers, provenance)
 
     def __add__(self, other: Any) -> Any:
-        return self._sum(other, 1, structure.SUM)
+        return self._sum(other, 1, SUM)
 
     def __sub__(self, other: Any) -> Any:
-        return self._sum(other, -1, structure.DIFFERENCE)
+        return self._sum(other, -1, DIFFERENCE)
 
     def _sum(self, other: Any, sign: int, name: int) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        recipe = (name, self.recipe, right.recipe)
+        provenance = (name, self.provenance, right.provenance)
         if self.is_zero or right.is_zero:
             left = self if right.is_zero else right
-            return FactoredJet(self.ring, left.unit * (sign if left is right else 1), left.powers, recipe)
+            return FactoredJet(self.ring, left.unit * (sign if left is right else 1), left.powers, provenance)
         common = shared(self.powers, right.powers)
         a = multiplied(self.ring, without(self.powers, common)) * self.unit
         b = multiplied(self.ring, without(right.powers, common)) * right.unit
-        return _product(self.ring, a + sign * b, common, recipe)
+        return _product(self.ring, a + sign * b, common, provenance)
 
     def scaled(self, constant: Any) -> FactoredJet:
         """The polynomial times an exact constant."""
         unit = self.unit * to_fmpq(rational(constant))
         return FactoredJet(
-            self.ring, unit, self.powers if unit else (), (structure.MULTIPLE, self.recipe, rational(constant))
+            self.ring, unit, self.powers if unit else (), (MULTIPLE, self.provenance, rational(constant))
         )
 
-    def raised_to(self, other: Any) -> FactoredJet:
+    def elevated_to(self, other: Any) -> FactoredJet:
         """Itself: degree elevation does not change a function."""
         return self
 
@@ -100,13 +100,13 @@ class FactoredJet(Operand):
         """The total derivative, by the product rule for all factors at once."""
         result = self
         for _ in range(order):
-            ring, recipe = result.ring, (structure.DERIVATIVE, result.recipe)
+            ring, provenance = result.ring, (DERIVATIVE, result.provenance)
             total = ring.context.constant(0)
             for i, (p, e) in enumerate(result.powers):
                 others = [q for j, (q, _) in enumerate(result.powers) if j != i]
                 total += e * Jet(ring, p).d().polynomial * multiplied(ring, [(q, 1) for q in others])
             lowered = tuple((p, e - 1) for p, e in result.powers if e > 1)
-            result = _product(ring, total * result.unit, lowered, recipe)
+            result = _product(ring, total * result.unit, lowered, provenance)
         return result
 
     def __eq__(self, other: object) -> bool:
@@ -123,10 +123,10 @@ class FactoredJet(Operand):
         return repr(Jet(self.ring, self.expanded()))
 
 
-def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, recipe: structure.Recipe) -> FactoredJet:
+def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenance) -> FactoredJet:
     """A polynomial times powers: made monic, the variables that divide it taken out."""
     if not p:
-        return FactoredJet(ring, fmpq(0), (), recipe)
+        return FactoredJet(ring, fmpq(0), (), provenance)
     unit = p.leading_coefficient()
     p = p / unit
     content = p.term_content()
@@ -137,7 +137,7 @@ def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, recipe: structure.Rec
         for q in ring.repeated:
             times, rest = divided_out(rest, q)
             found = merged(found, ((q, times),)) if times else found
-    return FactoredJet(ring, unit, merged(found, ((rest, 1),)) if rest.total_degree() > 0 else found, recipe)
+    return FactoredJet(ring, unit, merged(found, ((rest, 1),)) if rest.total_degree() > 0 else found, provenance)
 
 
 def _remember(ring: JetRing, powers: Powers) -> None:

@@ -21,7 +21,7 @@ class Generic(Operand):
     """Scaled Bernstein coefficients ``c_i = C(n, i) b_i``, n+1 of them."""
 
     __slots__ = ("coefficients", "context")
-    recipe = 0
+    provenance = 0
 
     def __init__(self, context: Any, coefficients: list[fmpq_mpoly]) -> None:
         self.context, self.coefficients = context, coefficients
@@ -45,7 +45,7 @@ class Generic(Operand):
         """A constant of degree 0."""
         return Generic(self.context, [self.context.constant(to_fmpq(rational(value)))])
 
-    def raised_to(self, other: Generic) -> Generic:
+    def elevated_to(self, other: Generic) -> Generic:
         """The same function, at least of the degree of `other`."""
         by = other.degree - self.degree
         return (
@@ -59,7 +59,7 @@ class Generic(Operand):
             other = self.constant(other)
         if not isinstance(other, Generic):
             return NotImplemented
-        a, b = self.raised_to(other), other.raised_to(self)
+        a, b = self.elevated_to(other), other.elevated_to(self)
         return Generic(self.context, [x + y for x, y in zip(a.coefficients, b.coefficients, strict=True)])
 
     def __mul__(self, other: Any) -> Any:

@@ -14,9 +14,9 @@ from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import provenance as structure
 from exactspline.language.arguments import BARRED, COORDINATES, POINT, Curve, assemble
 from exactspline.language.operand import Operand
+from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 
 PRIMES = ("", "′", "″", "‴")
 
@@ -54,7 +54,7 @@ class JetRing:
 
     def number(self, value: Any) -> Jet:
         """An exact constant."""
-        return Jet(self, self.context.constant(to_fmpq(rational(value))), (structure.MULTIPLE, 1, rational(value)))
+        return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
@@ -73,10 +73,10 @@ SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 class Jet(Operand):
     """A differential polynomial."""
 
-    __slots__ = ("polynomial", "recipe", "ring")
+    __slots__ = ("polynomial", "provenance", "ring")
 
-    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, recipe: structure.Recipe = None) -> None:
-        self.ring, self.polynomial, self.recipe = ring, polynomial, structure.leaf() if recipe is None else recipe
+    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, provenance: Provenance = None) -> None:
+        self.ring, self.polynomial, self.provenance = ring, polynomial, leaf() if provenance is None else provenance
 
     def constant(self, value: Any) -> Jet:
         """An exact constant of the ring."""
@@ -86,33 +86,31 @@ class Jet(Operand):
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial + right.polynomial, (structure.SUM, self.recipe, right.recipe))
+        return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
     def __sub__(self, other: Any) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial - right.polynomial, (structure.DIFFERENCE, self.recipe, right.recipe))
+        return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
     def __mul__(self, other: Any) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial * right.polynomial, (structure.PRODUCT, self.recipe, right.recipe))
+        return Jet(self.ring, self.polynomial * right.polynomial, (PRODUCT, self.provenance, right.provenance))
 
     def scaled(self, constant: Any) -> Jet:
         """The polynomial times an exact constant."""
-        return Jet(
-            self.ring, self.polynomial * to_fmpq(rational(constant)), (structure.MULTIPLE, self.recipe, mpq(constant))
-        )
+        return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (MULTIPLE, self.provenance, mpq(constant)))
 
-    def raised_to(self, other: Any) -> Jet:
+    def elevated_to(self, other: Any) -> Jet:
         """Itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1) -> Jet:
         """The total derivative; `FormulaError` when the ring lacks the variable it leads to."""
-        ring, result, recipe = self.ring, self.polynomial, self.recipe
+        ring, result, provenance = self.ring, self.polynomial, self.provenance
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):
@@ -125,8 +123,8 @@ class Jet(Operand):
                             f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}"
                         )
                     total += result.derivative(i) * ring.gens[i + 1]
-            result, recipe = total, (structure.DERIVATIVE, recipe)
-        return Jet(ring, result, recipe)
+            result, provenance = total, (DERIVATIVE, provenance)
+        return Jet(ring, result, provenance)
 
     @property
     def degree(self) -> int:

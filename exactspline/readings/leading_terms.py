@@ -27,7 +27,7 @@ class Expansion(Operand):
     """``t^(k d − m) (c_0 + c_1/t + …)``: the polynomial c_i in d and the coefficients of the curve."""
 
     __slots__ = ("context", "k", "m", "terms")
-    recipe = 0
+    provenance = 0
 
     def __init__(self, context: Any, k: int, m: int, terms: list[fmpq_mpoly]) -> None:
         self.context, self.k, self.m, self.terms = context, k, m, terms
@@ -74,7 +74,7 @@ class Expansion(Operand):
         q = to_fmpq(rational(constant))
         return Expansion(self.context, self.k, self.m, [q * a for a in self.terms])
 
-    def raised_to(self, other: Any) -> Expansion:
+    def elevated_to(self, other: Any) -> Expansion:
         """Itself: degree elevation does not change a function."""
         return self
 

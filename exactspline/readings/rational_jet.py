@@ -26,7 +26,7 @@ class JetFraction(FieldOperand):
     """
 
     __slots__ = ("bottom", "ring", "top")
-    degree = recipe = 0
+    degree = provenance = 0
 
     def __init__(self, ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> None:
         self.ring, self.top, self.bottom = ring, top, bottom
@@ -64,7 +64,7 @@ class JetFraction(FieldOperand):
         result: JetFraction = self * self.constant(constant)
         return result
 
-    def raised_to(self, other: Any) -> JetFraction:
+    def elevated_to(self, other: Any) -> JetFraction:
         """Itself: degree elevation does not change a function."""
         return self
 

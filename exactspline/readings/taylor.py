@@ -64,7 +64,7 @@ class Series(FieldOperand):
         """The series times an exact constant."""
         return Series(a * constant for a in self.coefficients)
 
-    def raised_to(self, other: Any) -> Series:
+    def elevated_to(self, other: Any) -> Series:
         """Itself: degree elevation does not change a function."""
         return self
 

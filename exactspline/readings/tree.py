@@ -10,9 +10,10 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from exactspline.errors import FormulaError
-from exactspline.language import arguments as language
 from exactspline.language.formula import Formula
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.ruled import ruled
+from exactspline.language.vector import cross, det, dot, generalized_cross, join, perp
 
 #: Products of vectors whose value is again a vector.
 VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross", "join"}
@@ -180,6 +181,9 @@ def evaluate(node: Node, c: Any) -> Any:
 
 _BINARY = {"+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "/": lambda a, b: a / b}
 
+#: The functions of vectors by their names, which are the operations of their nodes.
+_PRODUCTS = {f.__name__: f for f in (dot, cross, det, perp, generalized_cross, join, ruled)}
+
 
 def _apply(n: Node, args: list[Any], c: Any) -> Any:
     if n.op == "leaf":
@@ -198,7 +202,7 @@ def _apply(n: Node, args: list[Any], c: Any) -> Any:
         return args[0] ** n.value
     if n.op == "[]":
         return args[0][n.value]
-    return getattr(language, n.op)(*args)
+    return _PRODUCTS[n.op](*args)
 
 
 def operation_counts(node: Node) -> Counter[str]:

@@ -1,4 +1,4 @@
-"""Certified zero sets: every root, none invented, to any number of digits.
+"""Certified zero sets: every root, none extraneous, to any number of digits.
 
 >>> from exactspline import BSpline
 >>> zeros(BSpline.bezier([1, -2, 1])).roots
@@ -6,6 +6,6 @@
 """
 
 from exactspline.roots.root import Root, between
-from exactspline.roots.zero_set import Jump, Stretch, ZeroSet, zeros
+from exactspline.roots.zero_set import Jump, ZeroInterval, ZeroSet, zeros
 
-__all__ = ["Jump", "Root", "Stretch", "ZeroSet", "between", "zeros"]
+__all__ = ["Jump", "Root", "ZeroInterval", "ZeroSet", "between", "zeros"]

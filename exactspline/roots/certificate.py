@@ -50,7 +50,7 @@ def certificate(found: ZeroSet) -> dict[str, Any]:
             for root in found.roots
         ],
         "jumps": [{"at": text(jump.parameter), "signs": [jump.left.sign, jump.right.sign]} for jump in found.jumps],
-        "stretches": [[text(stretch.low), text(stretch.high)] for stretch in found.stretches],
+        "intervals": [[text(interval.low), text(interval.high)] for interval in found.intervals],
     }
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 
 def check(certificate: dict[str, Any], sturm: bool = True) -> dict[str, int]:
-    """Number of roots, jumps and stretches that the certificate proves; any exception means that it proves nothing, and
+    """Number of roots, jumps and intervals that the certificate proves; any exception means that it proves nothing, and
     a ValueError tells the flaw.
 
     With `sturm` false the second route is left out (it takes time for degrees beyond 100).
@@ -27,7 +27,7 @@ def check(certificate: dict[str, Any], sturm: bool = True) -> dict[str, int]:
         c = [int(x) for x in segment["coefficients"]]
         _require(len(c) == max(n, -1) + 1, "wrong number of coefficients")
         parts.append(_segment(c, segment, sturm) if any(c) else None)
-    roots, jumps, stretches = _whole(breaks, parts, certificate["periodic"])
+    roots, jumps, intervals = _whole(breaks, parts, certificate["periodic"])
     _require(len(certificate["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
     for claim, (low, high, where, facts) in zip(certificate["roots"], roots, strict=True):
         a, b = Fraction(claim["low"]), Fraction(claim["high"])
@@ -37,8 +37,8 @@ def check(certificate: dict[str, Any], sturm: bool = True) -> dict[str, int]:
             f"wrong multiplicity or sign at [{a}, {b}]",
         )
     _require([(Fraction(j["at"]), tuple(j["signs"])) for j in certificate["jumps"]] == jumps, "wrong jumps")
-    _require([tuple(map(Fraction, s)) for s in certificate["stretches"]] == stretches, "wrong stretches")
-    return {"roots": len(roots), "jumps": len(jumps), "stretches": len(stretches)}
+    _require([tuple(map(Fraction, s)) for s in certificate["intervals"]] == intervals, "wrong intervals")
+    return {"roots": len(roots), "jumps": len(jumps), "intervals": len(intervals)}
 
 
 def _require(condition: bool, flaw: str) -> None:
@@ -54,7 +54,7 @@ def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fractio
 
 
 def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[list[Any], list[Any], list[Any]]:
-    """Roots (with a test of an interval), jumps and stretches, from what is known of every segment."""
+    """Roots (with a test of an interval), jumps and intervals, from what is known of every segment."""
     roots, jumps, runs, count = list[Any](), list[Any](), list[list[int]](), len(parts)
     for i in range(count + (not periodic)):
         left = None if i == 0 and not periodic else (parts[i - 1][1] if parts[i - 1] else (None, 0))

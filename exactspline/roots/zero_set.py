@@ -1,4 +1,4 @@
-"""The zero set of a spline on its domain: roots, stretches on which it vanishes, and changes of sign by a jump."""
+"""The zero set of a spline on its domain: roots, intervals on which it vanishes, and changes of sign by a jump."""
 
 from __future__ import annotations
 
@@ -48,12 +48,12 @@ class Jump:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class ZeroInterval:
     """An interval [low, high] on which the spline vanishes, with its sign before and behind (None where the domain
     ends).
 
-    On a periodic spline a stretch across the seam begins before the end of the domain, and `high` lies beyond the end
-    by as much as the stretch goes on behind the start.
+    On a periodic spline a interval across the seam begins before the end of the domain, and `high` lies beyond the end
+    by as much as the interval goes on behind the start.
     """
 
     low: mpq
@@ -61,20 +61,20 @@ class Stretch:
     signs: tuple[int | None, int | None]
 
     def __repr__(self) -> str:
-        return f"<Stretch [{text(self.low)}, {text(self.high)}]>"
+        return f"<ZeroInterval [{text(self.low)}, {text(self.high)}]>"
 
 
 class ZeroSet(Displayed):
     """All zeros of a spline; a sequence of its roots, in order, each parameter once.
 
-    `roots`, `stretches` and `jumps` are complete and disjoint: a root at an end of a stretch belongs to the stretch.
+    `roots`, `intervals` and `jumps` are complete and disjoint: a root at an end of a interval belongs to the interval.
     """
 
     def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
         self.spline, self.periodic, self.isolations = spline, periodic, isolations
         self.roots: list[Root] = []
         self.jumps: list[Jump] = []
-        self.stretches = _stretches(spline, isolations, periodic)
+        self.intervals = _zero_intervals(spline, isolations, periodic)
         breaks = spline.mesh.breaks
         for i, isolation in enumerate(isolations):
             self._judge(breaks[i], self._left_of(i), _sides(spline, i, isolation)[0])
@@ -125,7 +125,7 @@ class ZeroSet(Displayed):
         return self.roots[i]
 
     def __repr__(self) -> str:
-        return f"<ZeroSet: {len(self.roots)} roots, {len(self.stretches)} stretches, {len(self.jumps)} jumps>"
+        return f"<ZeroSet: {len(self.roots)} roots, {len(self.intervals)} intervals, {len(self.jumps)} jumps>"
 
     def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[tuple[mpq, mpq]]:
         """Every root in an interval at most ``10^−digits`` wide; `progress` is called after each with how many are
@@ -154,8 +154,8 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)
-    >>> found, found.roots, found.stretches
-    (<ZeroSet: 1 roots, 1 stretches, 0 jumps>, [<Root 1/2: multiplicity 1, sign + to −>], [<Stretch [2, 3]>])
+    >>> found, found.roots, found.intervals
+    (<ZeroSet: 1 roots, 1 intervals, 0 jumps>, [<Root 1/2: multiplicity 1, sign + to −>], [<ZeroInterval [2, 3]>])
 
     Raises `ShapeError` for anything but a `BSpline`.
     """
@@ -176,11 +176,11 @@ def _sides(f: BSpline, i: int, isolation: Isolation | None) -> tuple[Side, Side]
     return Side(ratio(c[0], m), isolation.at_left, left), Side(ratio(c[n], m), isolation.at_right, right)
 
 
-def _stretches(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[Stretch]:
+def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:
     """The segments without isolation, adjacent ones merged."""
     breaks, count = f.mesh.breaks, len(isolations)
     if not any(isolations):
-        return [Stretch(breaks[0], breaks[-1], (None, None))]
+        return [ZeroInterval(breaks[0], breaks[-1], (None, None))]
     runs: list[list[int]] = []
     for i, isolation in enumerate(isolations):
         if isolation is None and runs and runs[-1][1] == i:
@@ -195,7 +195,9 @@ def _stretches(f: BSpline, isolations: list[Isolation | None], periodic: bool) -
         before = isolations[first - 1] if first or periodic else None
         behind = isolations[last % count] if last < count or periodic else None
         signs = (before and before.signs[1], behind and behind.signs[0])
-        result.append(Stretch(breaks[first], breaks[last] if last <= count else breaks[last - count] + period, signs))
+        result.append(
+            ZeroInterval(breaks[first], breaks[last] if last <= count else breaks[last - count] + period, signs)
+        )
     return result
 
 

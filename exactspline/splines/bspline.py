@@ -18,10 +18,9 @@ from gmpy2 import mpq
 
 from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
 from exactspline.exact import rational, text, to_fmpz
-from exactspline.language import provenance as structure
 from exactspline.language.operand import CONSTANTS, Operand
-from exactspline.splines import blossom as bezier_points
-from exactspline.splines import refinement
+from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
+from exactspline.splines import blossom, refinement
 from exactspline.splines.bernstein import (
     ONE,
     Form,
@@ -62,7 +61,7 @@ class BSpline(Operand):
         "denominators",
         "mesh",
         "polynomials",
-        "recipe",
+        "provenance",
     )
 
     degree: int
@@ -71,7 +70,7 @@ class BSpline(Operand):
     #: The forms, their polynomials and denominators apart: never changed in place.
     polynomials: list[fmpz_poly]
     denominators: list[fmpz]
-    recipe: structure.Recipe
+    provenance: Provenance
     _derivative: BSpline | None
     _knots: KnotVector | None
     _points: tuple[mpq, ...] | None
@@ -89,23 +88,18 @@ class BSpline(Operand):
             )
         mesh, continuity, spans = mesh_of(vector, degree)
         self.degree, self.mesh, self.continuity = degree, mesh, continuity
-        forms = [from_bezier(bezier_points.of_span(vector.knots, degree, points, j)) for j in spans]
+        forms = [from_bezier(blossom.of_span(vector.knots, degree, points, j)) for j in spans]
         self.polynomials, self.denominators = [c for c, _ in forms], [m for _, m in forms]
-        self.recipe, self._derivative, self._knots, self._points = structure.leaf(), None, vector, points
+        self.provenance, self._derivative, self._knots, self._points = leaf(), None, vector, points
 
     @classmethod
     def from_forms(
-        cls,
-        degree: int,
-        mesh: Mesh,
-        continuity: tuple[int, ...],
-        forms: Iterable[Form],
-        recipe: structure.Recipe = None,
+        cls, degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: Iterable[Form], provenance: Provenance = None
     ) -> BSpline:
         """The spline with these forms; the caller vouches for the continuity."""
         forms = list(forms)
-        recipe = structure.leaf() if recipe is None else recipe
-        return _make(degree, mesh, continuity, [c for c, _ in forms], [m for _, m in forms], recipe)
+        provenance = leaf() if provenance is None else provenance
+        return _make(degree, mesh, continuity, [c for c, _ in forms], [m for _, m in forms], provenance)
 
     @classmethod
     def bezier(cls, points: Sequence[Any], a: Any = 0, b: Any = 1) -> BSpline:
@@ -145,7 +139,7 @@ class BSpline(Operand):
         """The control points over `knots`."""
         if self._points is None:
             known = (self.knots.knots, self.degree, self.mesh.breaks, self.segments)
-            self._points = bezier_points.to_control_points(*known) if self.degree >= 0 else ()
+            self._points = blossom.to_control_points(*known) if self.degree >= 0 else ()
         return self._points
 
     @property
@@ -182,15 +176,13 @@ class BSpline(Operand):
         """The constant spline of degree 0 on this domain."""
         q, segments = rational(number), len(self.mesh)
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
-        return _make(
-            0, self.mesh, (SMOOTH,) * (segments - 1), [c] * segments, [m] * segments, (structure.MULTIPLE, 1, q)
-        )
+        return _make(0, self.mesh, (SMOOTH,) * (segments - 1), [c] * segments, [m] * segments, (MULTIPLE, UNIT, q))
 
     def __add__(self, other: Any) -> Any:
-        return self._sum(other, plus, structure.SUM)
+        return self._sum(other, plus, SUM)
 
     def __sub__(self, other: Any) -> Any:
-        return self._sum(other, minus, structure.DIFFERENCE)
+        return self._sum(other, minus, DIFFERENCE)
 
     def _sum(self, other: Any, operation: Any, name: int) -> Any:
         if type(other) is not BSpline:
@@ -209,7 +201,9 @@ class BSpline(Operand):
         if denominators != b.denominators:
             p, q, denominators = common_denominators(p, denominators, q, b.denominators)
         continuity = a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity))
-        return _make(n, a.mesh, continuity, list(map(operation, p, q)), denominators, (name, self.recipe, other.recipe))
+        return _make(
+            n, a.mesh, continuity, list(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
+        )
 
     def __mul__(self, other: Any) -> Any:
         if type(other) is not BSpline:
@@ -221,26 +215,28 @@ class BSpline(Operand):
             a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
             list(map(times, a.polynomials, b.polynomials)),
             list(map(times, a.denominators, b.denominators)),
-            (structure.PRODUCT, self.recipe, other.recipe),
+            (PRODUCT, self.provenance, other.provenance),
         )
 
     def scaled(self, constant: Any) -> BSpline:
         """The spline times an exact constant."""
         if type(constant) is int:
-            factor, recipe = fmpz(constant), (structure.MULTIPLE, self.recipe, constant)
+            factor, provenance = fmpz(constant), (MULTIPLE, self.provenance, constant)
             return _make(
                 self.degree,
                 self.mesh,
                 self.continuity,
                 [c * factor for c in self.polynomials],
                 self.denominators,
-                recipe,
+                provenance,
             )
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
         denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
-        recipe = (structure.MULTIPLE, self.recipe, q)
-        return _make(self.degree, self.mesh, self.continuity, [c * top for c in self.polynomials], denominators, recipe)
+        provenance = (MULTIPLE, self.provenance, q)
+        return _make(
+            self.degree, self.mesh, self.continuity, [c * top for c in self.polynomials], denominators, provenance
+        )
 
     def d(self, order: int = 1) -> BSpline:
         """The derivative of the given order.
@@ -260,7 +256,7 @@ class BSpline(Operand):
             result = result._derivative
         return result
 
-    def raised_to(self, other: BSpline) -> BSpline:
+    def elevated_to(self, other: BSpline) -> BSpline:
         """The same function, at least of the degree of `other`."""
         return self if self.degree >= other.degree else refinement.elevate(self, other.degree - self.degree)
 
@@ -363,24 +359,24 @@ def _make(
     continuity: tuple[int, ...],
     polynomials: list[fmpz_poly],
     denominators: list[fmpz],
-    recipe: structure.Recipe,
+    provenance: Provenance,
 ) -> BSpline:
     spline = _new(BSpline)
-    spline.degree, spline.mesh, spline.continuity, spline.recipe = degree, mesh, continuity, recipe
+    spline.degree, spline.mesh, spline.continuity, spline.provenance = degree, mesh, continuity, provenance
     spline.polynomials, spline.denominators = polynomials, denominators
     spline._derivative = spline._knots = spline._points = None
     return spline
 
 
 def _differentiated(f: BSpline) -> BSpline:
-    n, recipe = f.degree, (structure.DERIVATIVE, f.recipe)
+    n, provenance = f.degree, (DERIVATIVE, f.provenance)
     continuity = tuple([max(c - 1, -1) for c in f.continuity]) if f.continuity else ()
     if n <= 0:
-        return _make(n - 1, f.mesh, continuity, [fmpz_poly([])] * len(f.mesh), [ONE] * len(f.mesh), recipe)
+        return _make(n - 1, f.mesh, continuity, [fmpz_poly([])] * len(f.mesh), [ONE] * len(f.mesh), provenance)
     order = fmpz(n)
     polynomials = [derivative(c, order) for c in f.polynomials]
     if f.mesh.unit:
-        return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, recipe)
+        return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, provenance)
     widths = f.mesh.widths
     return _make(
         n - 1,
@@ -388,7 +384,7 @@ def _differentiated(f: BSpline) -> BSpline:
         continuity,
         [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)],
         [m * top for m, (top, _) in zip(f.denominators, widths, strict=True)],
-        recipe,
+        provenance,
     )
 
 

@@ -8,7 +8,7 @@ from gmpy2 import mpq
 
 from exactspline.errors import DomainError, ReductionError
 from exactspline.exact import text, to_fmpz
-from exactspline.splines import bernstein as forms
+from exactspline.splines import bernstein
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
@@ -32,10 +32,12 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
     parts = []
     for low, high in pairwise(mesh.breaks):
         i = inner.mesh.locate(low)
-        piece = forms.restrict(inner.forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
+        piece = bernstein.restrict(inner.forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
         j = outer.mesh.locate(_typical(inner, outer, low, high))
         parts.append(
-            forms.compose(outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree)
+            bernstein.compose(
+                outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree
+            )
         )
     return BSpline.from_forms(outer.degree * inner.degree, mesh, tuple(continuity[t] for t in mesh.breaks[1:-1]), parts)
 
@@ -48,24 +50,24 @@ def _typical(inner: BSpline, outer: BSpline, low: mpq, high: mpq) -> mpq:
     return next((x for x in values if x not in outer.mesh.breaks), values[0])
 
 
-def _localized(piece: forms.Form, degree: int, mesh: Mesh, j: int) -> forms.Form:
+def _localized(piece: bernstein.Form, degree: int, mesh: Mesh, j: int) -> bernstein.Form:
     """The inner form in the local parameter of segment j of the outer mesh."""
     start, width = mesh.breaks[j], mesh.breaks[j + 1] - mesh.breaks[j]
-    c, m = forms.add(piece, _constant(-start, degree))
+    c, m = bernstein.add(piece, _constant(-start, degree))
     return c * to_fmpz(width.denominator), m * to_fmpz(width.numerator)
 
 
-def _constant(value: mpq, degree: int) -> forms.Form:
-    return int(value.numerator) * forms.raiser(degree), to_fmpz(value.denominator)
+def _constant(value: mpq, degree: int) -> bernstein.Form:
+    return int(value.numerator) * bernstein.raiser(degree), to_fmpz(value.denominator)
 
 
 def _check_range(outer: BSpline, inner: BSpline) -> None:
     low, high = outer.domain
     for i, piece in enumerate(inner.forms):
-        below = forms.add(piece, _constant(-low, inner.degree))[0]
-        above = forms.add((-piece[0], piece[1]), _constant(high, inner.degree))[0]
+        below = bernstein.add(piece, _constant(-low, inner.degree))[0]
+        above = bernstein.add((-piece[0], piece[1]), _constant(high, inner.degree))[0]
         for c in (below, above):
-            if not forms.is_nonnegative(c, inner.degree):
+            if not bernstein.is_nonnegative(c, inner.degree):
                 a, b = inner.mesh.breaks[i : i + 2]
                 raise DomainError(
                     f"the inner spline leaves the outer domain [{text(low)}, {text(high)}] on [{text(a)}, {text(b)}]",
@@ -78,15 +80,15 @@ def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
     """Parameters strictly inside segments where `inner` crosses `knot`; all rational, or an error."""
     found = []
     for i, piece in enumerate(inner.forms):
-        c, _ = forms.add(piece, _constant(-knot, inner.degree))
+        c, _ = bernstein.add(piece, _constant(-knot, inner.degree))
         if not c:
             continue
-        for p in forms.odd_factors(c):
+        for p in bernstein.odd_factors(c):
             for q, _ in p.factor()[1]:
                 if q.degree() == 1:
                     a, b = inner.mesh.breaks[i : i + 2]
-                    found += [a + (b - a) * t for t in forms.rational_roots(q)]
-                elif forms.crosses(q):
+                    found += [a + (b - a) * t for t in bernstein.rational_roots(q)]
+                elif bernstein.crosses(q):
                     a, b = inner.mesh.breaks[i : i + 2]
                     raise ReductionError(
                         (

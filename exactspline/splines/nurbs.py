@@ -180,7 +180,7 @@ def _shared(splines: Iterable[BSpline]) -> list[BSpline]:
         columns.append([rescaled(form, common) for form in forms])
     shared = []
     for s, forms in zip(splines, zip(*columns, strict=True), strict=True):
-        one = BSpline.from_forms(s.degree, mesh, continuity, forms, s.recipe)
+        one = BSpline.from_forms(s.degree, mesh, continuity, forms, s.provenance)
         one._knots, one._points = s._knots, s._points
         shared.append(one)
     return shared

@@ -11,7 +11,7 @@ from gmpy2 import mpq
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
 from exactspline.exact import text
-from exactspline.splines import bernstein as forms
+from exactspline.splines import bernstein
 from exactspline.splines.knots import SMOOTH, Mesh
 
 if TYPE_CHECKING:
@@ -27,24 +27,24 @@ def aligned(f: BSpline, g: BSpline) -> tuple[BSpline, BSpline]:
 def over(f: BSpline, mesh: Mesh) -> BSpline:
     """The spline over a finer mesh of the same domain."""
     if mesh is f.mesh or mesh.breaks == f.mesh.breaks:
-        return type(f).from_forms(f.degree, mesh, f.continuity, f.forms, f.recipe)
+        return type(f).from_forms(f.degree, mesh, f.continuity, f.forms, f.provenance)
     known = dict(zip(f.mesh.breaks[1:-1], f.continuity, strict=True))
     continuity = tuple(known.get(t, SMOOTH) for t in mesh.breaks[1:-1])
-    return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.recipe)
+    return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.provenance)
 
 
-def _parts(f: BSpline, mesh: Mesh) -> Iterator[forms.Form]:
+def _parts(f: BSpline, mesh: Mesh) -> Iterator[bernstein.Form]:
     for a, b in zip(mesh.breaks, mesh.breaks[1:], strict=False):
         i = f.mesh.locate(a)
-        yield forms.restrict(f.forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
+        yield bernstein.restrict(f.forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
 
 
 def elevate(f: BSpline, by: int) -> BSpline:
     """Degree raised by multiplying every form with a power of u + v."""
     if type(by) is not int or by < 0:
         raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 0 (use reduce_degree to lower a degree)")
-    lift = forms.raiser(by)
-    return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.recipe)
+    lift = bernstein.raiser(by)
+    return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.provenance)
 
 
 def reduce(f: BSpline, by: int) -> BSpline:
@@ -53,13 +53,13 @@ def reduce(f: BSpline, by: int) -> BSpline:
         raise ShapeError(f"degree reduction by {by}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)")
     if by > f.degree:
         raise ReductionError(f"degree {f.degree} cannot be lowered by {by}", remedy=f"at most by {f.degree}")
-    lower, divisor = [], forms.raiser(by)
+    lower, divisor = [], bernstein.raiser(by)
     for i, (p, k) in enumerate(f.forms):
         whole, rest = divmod(p, divisor)
         if not rest:
             lower.append((whole, k))
             continue
-        quotient, times = forms.divide_u_plus_v(p, by)
+        quotient, times = bernstein.divide_u_plus_v(p, by)
         if times < by:
             a, b = f.mesh.breaks[i : i + 2]
             raise ReductionError(
@@ -83,7 +83,7 @@ def _without_smooth_knots(f: BSpline) -> BSpline:
     starts = [0, *[i + 1 for i in keep]]
     breaks = [f.mesh.breaks[i] for i in starts] + [f.mesh.breaks[-1]]
     merged = [
-        forms.restrict(f.forms[i], f.degree, mpq(0), f.mesh.local(i, b))
+        bernstein.restrict(f.forms[i], f.degree, mpq(0), f.mesh.local(i, b))
         for i, b in zip(starts, breaks[1:], strict=True)
     ]
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
@@ -176,7 +176,7 @@ def reversed_(f: BSpline) -> BSpline:
     a, b = f.domain
     mesh = Mesh([a + b - t for t in reversed(f.mesh.breaks)])
     return type(f).from_forms(
-        f.degree, mesh, f.continuity[::-1], [forms.reverse(p, f.degree) for p in reversed(f.forms)]
+        f.degree, mesh, f.continuity[::-1], [bernstein.reverse(p, f.degree) for p in reversed(f.forms)]
     )
 
 

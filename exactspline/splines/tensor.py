@@ -18,11 +18,10 @@ from gmpy2 import lcm, mpq
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import rational, text, to_fmpz
-from exactspline.language import provenance as structure
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.operand import CONSTANTS, Operand
-from exactspline.splines import refinement
-from exactspline.splines import tensor_bernstein as patch
+from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
+from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, Mesh, clamped
@@ -52,7 +51,17 @@ class TensorSpline(Operand):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
 
-    __slots__ = ("_denominators", "_packed", "_points", "continuity", "degree", "meshes", "profile", "recipe", "stride")
+    __slots__ = (
+        "_denominators",
+        "_packed",
+        "_points",
+        "continuity",
+        "degree",
+        "meshes",
+        "profile",
+        "provenance",
+        "stride",
+    )
 
     degree: Degrees
     #: The breakpoints in each direction, and the continuity at the interior ones.
@@ -60,7 +69,7 @@ class TensorSpline(Operand):
     continuity: tuple[tuple[int, ...], tuple[int, ...]]
     #: Where it depends on one parameter only: which (0 for s), and the spline.
     profile: Profile | None
-    recipe: structure.Recipe
+    provenance: Provenance
     #: The stride of `polynomials` (see `exactspline.splines.tensor_bernstein`); results keep it while it has room,
     #: since packing anew costs more than a product.
     stride: int
@@ -83,12 +92,12 @@ class TensorSpline(Operand):
         along_t = [BSpline(degree.t, vectors[1], row) for row in checked_net(control_points, rows, columns)]
         bezier = zip(*[[x for part in row.segments for x in part] for row in along_t], strict=True)
         along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
-        stride = patch.stride_for(degree.s)
-        forms = [patch.from_net(net, stride) for net in bezier_nets(degree, along_s)]
-        self.degree, self.meshes, self.recipe, self.stride = (
+        stride = tensor_bernstein.stride_for(degree.s)
+        forms = [tensor_bernstein.from_net(net, stride) for net in bezier_nets(degree, along_s)]
+        self.degree, self.meshes, self.provenance, self.stride = (
             degree,
             (along_s[0].mesh, along_t[0].mesh),
-            structure.leaf(),
+            leaf(),
             stride,
         )
         self.continuity = along_s[0].continuity, along_t[0].continuity
@@ -102,7 +111,7 @@ class TensorSpline(Operand):
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
-                found = [patch.repacked(c, self.stride, stride) for c in self.polynomials]
+                found = [tensor_bernstein.repacked(c, self.stride, stride) for c in self.polynomials]
             else:
                 found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
             self._packed[stride] = found
@@ -150,7 +159,7 @@ class TensorSpline(Operand):
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
-        return patch.bezier_net((self.polynomials[at], self.denominators[at]), self.degree, self.stride)
+        return tensor_bernstein.bezier_net((self.polynomials[at], self.denominators[at]), self.degree, self.stride)
 
     def __repr__(self) -> str:
         (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
@@ -164,10 +173,10 @@ class TensorSpline(Operand):
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
 
     def __add__(self, other: Any) -> Any:
-        return self._sum(other, plus, structure.SUM)
+        return self._sum(other, plus, SUM)
 
     def __sub__(self, other: Any) -> Any:
-        return self._sum(other, minus, structure.DIFFERENCE)
+        return self._sum(other, minus, DIFFERENCE)
 
     def _sum(self, other: Any, operation: Any, name: int) -> Any:
         right = other if type(other) is TensorSpline else self.beside(other)
@@ -198,7 +207,7 @@ class TensorSpline(Operand):
             stride,
             list(map(operation, p, q)),
             denominators,
-            (name, self.recipe, right.recipe),
+            (name, self.provenance, right.provenance),
         )
 
     def __mul__(self, other: Any) -> Any:
@@ -214,7 +223,7 @@ class TensorSpline(Operand):
             return lifted(shared[1] * shared[2], a.meshes, shared[0], stride)
         (m, n), (k, h) = a.degree, b.degree
         if m + k >= stride:
-            stride = patch.stride_for(m + k)
+            stride = tensor_bernstein.stride_for(m + k)
         return make(
             _tuple(Degrees, (m + k, n + h)),
             a.meshes,
@@ -222,7 +231,7 @@ class TensorSpline(Operand):
             stride,
             list(map(times, a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride))),
             list(map(times, a.denominators, b.denominators)),
-            (structure.PRODUCT, self.recipe, other.recipe),
+            (PRODUCT, self.provenance, other.provenance),
         )
 
     def scaled(self, constant: Any) -> TensorSpline:
@@ -233,8 +242,8 @@ class TensorSpline(Operand):
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
         denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
         polynomials = self.polynomials if top == 1 else [c * top for c in self.polynomials]
-        recipe = (structure.MULTIPLE, self.recipe, q)
-        return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, recipe)
+        provenance = (MULTIPLE, self.provenance, q)
+        return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
     def d(self, order: int = 1) -> TensorSpline:
         """The derivative of what depends on one parameter only; `FormulaError` for anything else (see `partial`)."""
@@ -254,7 +263,7 @@ class TensorSpline(Operand):
         first = self.along(0, lambda f: f.d(i)) if i else self
         return first.along(1, lambda f: f.d(j)) if j else first
 
-    def raised_to(self, other: TensorSpline) -> TensorSpline:
+    def elevated_to(self, other: TensorSpline) -> TensorSpline:
         """The same function, in each direction at least of the degree of `other`."""
         return self.elevate_degree(
             *[max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
@@ -271,7 +280,7 @@ class TensorSpline(Operand):
         i, j = self.meshes[0].locate(s), self.meshes[1].locate(t)
         at = i * len(self.meshes[1]) + j
         place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
-        return patch.evaluated(self.polynomials[at], self.denominators[at], self.degree, self.stride, *place)
+        return tensor_bernstein.evaluated(self.polynomials[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Any) -> BSpline:
         """The iso-curve of constant t, a spline in s."""
@@ -286,7 +295,7 @@ class TensorSpline(Operand):
 
     def at_s(self, s: Any) -> BSpline:
         """The iso-curve of constant s, a spline in t."""
-        return self.turned().at_t(s)
+        return self.transposed().at_t(s)
 
     @property
     def is_zero(self) -> bool:
@@ -310,7 +319,7 @@ class TensorSpline(Operand):
         """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for the zero
         function).
         """
-        s, t = (max(line.true_degree for own in lines(f) for line in own) for f in (self.turned(), self))
+        s, t = (max(line.true_degree for own in lines(f) for line in own) for f in (self.transposed(), self))
         return Degrees(s, t)
 
     # ---- other representations and parts: what `BSpline` can do, in either direction
@@ -329,8 +338,8 @@ class TensorSpline(Operand):
             spline = change(spline)
             return lifted(spline, replaced(self.meshes, direction, spline.mesh), direction, self.stride)
         if direction == 0:
-            return self.turned().along(1, change).turned()
-        return make(*joined([[change(line) for line in own] for own in lines(self)], self), structure.leaf())
+            return self.transposed().along(1, change).transposed()
+        return make(*joined([[change(line) for line in own] for own in lines(self)], self), leaf())
 
     def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """The same function, its degrees raised."""
@@ -349,17 +358,17 @@ class TensorSpline(Operand):
         """The part over a smaller rectangle."""
         return self.along(0, lambda f: f.restrict(*side_s)).along(1, lambda f: f.restrict(*side_t))
 
-    def turned(self) -> TensorSpline:
+    def transposed(self) -> TensorSpline:
         """The spline with its parameters exchanged."""
         meshes, continuity = (self.meshes[1], self.meshes[0]), (self.continuity[1], self.continuity[0])
         if self.profile is not None:
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
-        degree, stride = Degrees(self.degree.t, self.degree.s), patch.stride_for(self.degree.t)
+        degree, stride = Degrees(self.degree.t, self.degree.s), tensor_bernstein.stride_for(self.degree.t)
         order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
-        polynomials = [patch.turned(self.polynomials[k], self.stride, self.degree.t, stride) for k in order]
-        return make(
-            degree, meshes, continuity, stride, polynomials, [self.denominators[k] for k in order], structure.leaf()
-        )
+        polynomials = [
+            tensor_bernstein.transposed(self.polynomials[k], self.stride, self.degree.t, stride) for k in order
+        ]
+        return make(degree, meshes, continuity, stride, polynomials, [self.denominators[k] for k in order], leaf())
 
 
 _new, _tuple = object.__new__, tuple.__new__
@@ -372,16 +381,16 @@ def make(
     stride: int,
     polynomials: list[fmpz_poly],
     denominators: list[fmpz],
-    recipe: Any,
+    provenance: Any,
 ) -> TensorSpline:
     """The spline with these packed polynomials; the caller vouches for the continuity."""
     spline = _new(TensorSpline)
-    spline.degree, spline.meshes, spline.continuity, spline.stride, spline.recipe = (
+    spline.degree, spline.meshes, spline.continuity, spline.stride, spline.provenance = (
         degree,
         meshes,
         continuity,
         stride,
-        recipe,
+        provenance,
     )
     spline._packed, spline._denominators = {stride: polynomials}, denominators
     spline.profile = spline._points = None
@@ -433,16 +442,16 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
     result, n = _new(TensorSpline), spline.degree
     if direction == 0:
         result.degree, result.continuity = _tuple(Degrees, (n, 0)), (spline.continuity, smooth(len(meshes[1].widths)))
-        result.stride = stride if n < stride else patch.stride_for(n)
+        result.stride = stride if n < stride else tensor_bernstein.stride_for(n)
     else:
         result.degree, result.continuity, result.stride = (
             _tuple(Degrees, (0, n)),
             (smooth(len(meshes[0].widths)), spline.continuity),
             stride,
         )
-    result.meshes, result.recipe, result.profile, result._packed, result._points = (
+    result.meshes, result.provenance, result.profile, result._packed, result._points = (
         meshes,
-        spline.recipe,
+        spline.provenance,
         (direction, spline),
         {},
         None,

@@ -57,7 +57,7 @@ def repacked(c: fmpz_poly, old: int, new: int) -> fmpz_poly:
     return c.inflate(new) if old == 1 else packed(rows(c, old, c.degree() // old), new)
 
 
-def turned(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
+def transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
     """The patch with its parameters exchanged: n is the degree in what was the second one, `new` the stride of the
     result.
     """

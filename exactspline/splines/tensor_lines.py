@@ -10,7 +10,7 @@ from flint import fmpz_poly
 from gmpy2 import lcm
 
 from exactspline.exact import to_fmpz
-from exactspline.splines import tensor_bernstein as patch
+from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import primitive
 from exactspline.splines.bspline import BSpline
 
@@ -35,7 +35,7 @@ def lines(f: TensorSpline) -> list[list[BSpline]]:
     found = []
     for i in range(len(f.meshes[0])):
         patches = range(i * columns, (i + 1) * columns)
-        nets = [patch.rows(own[k], f.stride, f.degree.t) for k in patches]
+        nets = [tensor_bernstein.rows(own[k], f.stride, f.degree.t) for k in patches]
         lines = []
         for h in range(max(f.degree.s, 0) + 1):  # below degree 0 a line of zeros, so that there is one to change
             forms = [
@@ -51,14 +51,14 @@ def joined(found: list[list[BSpline]], old: TensorSpline) -> tuple[Degrees, Any,
     """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
     it is as the old one.
     """
-    first, stride = found[0][0], patch.stride_for(old.degree.s)
+    first, stride = found[0][0], tensor_bernstein.stride_for(old.degree.s)
     polynomials, denominators = [], []
     for own in found:
         for j in range(len(first.mesh)):
             common = lcm(*[int(line.denominators[j]) for line in own])
             rows = [line.polynomials[j] * (int(common) // int(line.denominators[j])) for line in own]
             polynomials.append(
-                patch.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
+                tensor_bernstein.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
             )
             denominators.append(to_fmpz(common))
     continuity = (old.continuity[0], first.continuity)

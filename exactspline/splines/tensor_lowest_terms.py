@@ -6,10 +6,10 @@ from flint import Ordering, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.errors import ReductionError
 from exactspline.exact import text
-from exactspline.language import provenance as structure
+from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.splines import tensor_bernstein as patch
+from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import ONE, raiser
 from exactspline.splines.tensor import TensorSpline, aligned, make
 from exactspline.splines.tensor_lines import Degrees
@@ -46,7 +46,7 @@ def in_lowest_terms(value: Rational) -> Rational:
 
     Raises `ReductionError` where the denominator vanishes on a whole patch.
     """
-    top, w = value.raised()
+    top, w = value.elevated()
     scalars = aligned(*top, w) if isinstance(top, Vector) else aligned(top, w)
     w = scalars[-1]
     stride = max(s.stride for s in scalars)
@@ -81,7 +81,7 @@ def _lowest(forms: list[fmpz_mpoly]) -> tuple[list[fmpz_mpoly], Degrees]:
 def _joined(value: Rational, w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly], Degrees]]) -> Rational:
     """The patches over one degree."""
     degree = Degrees(max(d.s for _, d in lowest), max(d.t for _, d in lowest))
-    stride = patch.stride_for(degree.s)
+    stride = tensor_bernstein.stride_for(degree.s)
     rough = tuple((-1,) * (len(mesh) - 1) for mesh in w.meshes)
     columns = []
     for forms, own in lowest:
@@ -89,8 +89,7 @@ def _joined(value: Rational, w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly
         columns.append([as_packed(form, stride) * lift for form in forms])
     ones = [ONE] * len(lowest)
     *top, bottom = [
-        make(degree, w.meshes, rough, stride, list(column), ones, structure.leaf())
-        for column in zip(*columns, strict=True)
+        make(degree, w.meshes, rough, stride, list(column), ones, leaf()) for column in zip(*columns, strict=True)
     ]
     return Rational(Vector(*top) if value.is_vector else top[0], bottom)
 

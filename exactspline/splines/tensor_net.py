@@ -9,7 +9,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
-from exactspline.splines import blossom as bezier_points
+from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline, checked_degree, exact_points
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.tensor_lines import Degrees
@@ -97,9 +97,7 @@ def control_net(
     for j in range(len(meshes[1])):
         for k in range(n):
             segments = [[row[k] for row in patches[j]] for patches in nets]
-            columns.append(bezier_points.to_control_points(knots[0].knots, degrees.s, meshes[0].breaks, segments))
+            columns.append(blossom.to_control_points(knots[0].knots, degrees.s, meshes[0].breaks, segments))
     rows = zip(*columns, strict=True)
     segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in rows)
-    return tuple(
-        bezier_points.to_control_points(knots[1].knots, degrees.t, meshes[1].breaks, parts) for parts in segmented
-    )
+    return tuple(blossom.to_control_points(knots[1].knots, degrees.t, meshes[1].breaks, parts) for parts in segmented)

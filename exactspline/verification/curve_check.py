@@ -27,9 +27,9 @@ from exactspline.splines.lowest_terms import control_point_count, in_lowest_term
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lines import Degrees
 from exactspline.symbolic.reduction import reduction
+from exactspline.verification.check_arguments import argument
 from exactspline.verification.claim_factor import factor_of_text
 from exactspline.verification.claims import Claim
-from exactspline.verification.test_arguments import argument
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
 
 

@@ -38,7 +38,7 @@ class DegreeRow:
     """
 
     formula: str
-    form: str
+    variant: str
     nominal: str
     represented: int
     true: int | None
@@ -55,23 +55,23 @@ class DegreeRow:
 
 @cache
 def minimum(name: str, dimension: int, polynomial: bool) -> Degree:
-    """The degree of the minimal form of a construction on the generic curve, computed once."""
+    """The degree of the minimal variant of a construction on the generic curve, computed once."""
     return symbolic_minimum(construction(name), dimension, polynomial=polynomial)
 
 
 def construction_table(curve: Any) -> list[Callable[[], DegreeRow]]:
-    """The rows for the constructions of a curve in every form, as calls."""
-    return [partial(_row, c, form, curve) for c in constructions_for(curve.dimension) for form in c.all_variants]
+    """The rows for the constructions of a curve in every variant, as calls."""
+    return [partial(_row, c, variant, curve) for c in constructions_for(curve.dimension) for variant in c.all_variants]
 
 
-def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
-    formula = c.formula(form)
+def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
+    formula = c.formula(variant)
     lowest = minimum(c.name, curve.dimension, curve.polynomial)
-    if form == MINIMAL:
+    if variant == MINIMAL:
         text = (
             "directrix in lowest terms, the generator without its common factor"
             if c.ruled
-            else "the lifted form in lowest terms"
+            else "the lifted variant in lowest terms"
         )
         nominal = "–"
     else:
@@ -81,27 +81,27 @@ def _row(c: Construction, form: str, curve: Any) -> DegreeRow:
         )
     start = perf_counter()
     try:
-        value = c.on(curve, form)
+        value = c.on(curve, variant)
     except ReductionError as error:
-        return DegreeRow(c.name, form, nominal, -1, None, 0, "–", str(error))
+        return DegreeRow(c.name, variant, nominal, -1, None, 0, "–", str(error))
     seconds = perf_counter() - start
-    generic = str(lowest) if form == MINIMAL else "–"
+    generic = str(lowest) if variant == MINIMAL else "–"
     counts = value.degree, true_degree_or_none(value), control_point_count(value)
     return DegreeRow(
         c.name,
-        form,
+        variant,
         nominal,
         *counts,
         generic,
         text,
-        _grading(formula, form, curve.dimension, curve.polynomial),
+        _grading(formula, variant, curve.dimension, curve.polynomial),
         seconds,
     )
 
 
-def _grading(formula: Formula, form: str, dimension: int, polynomial: bool) -> str:
+def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:
     """k, m and j of a polynomial formula, and of the numerator of the minimal form."""
-    if not (form == MINIMAL or is_polynomial(formula, dimension)):
+    if not (variant == MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
         found = true_degree(reduction(formula.name, dimension, polynomial).main.lowest[0])
@@ -130,8 +130,8 @@ WITNESSES = range(2, 7)
 
 @dataclass(frozen=True)
 class GenericRow:
-    """One line of the table for the generic curve of degree d: what Table 1 counts for each form, and what the degree
-    theorem proves.
+    """One line of the table for the generic curve of degree d: what Table 1 counts for each variant, and what the
+    degree theorem proves.
 
     ``k``, ``m``, ``j`` are those of the reduced form; of a quotient in lowest terms, of its numerator or denominator,
     whichever has the larger true degree. ``attained`` are the degrees d at which a certified witness attains the true
@@ -168,7 +168,7 @@ def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]
 def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
     naive = "squaring" if "squaring" in c.unlifted else next(iter(c.variants))
     first, paper = (
-        c.formula(form) for form in (naive, next((f for f in ("paper", "reduced") if f in c.unlifted), MINIMAL))
+        c.formula(variant) for variant in (naive, next((f for f in ("paper", "reduced") if f in c.unlifted), MINIMAL))
     )
     numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
     found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))

@@ -21,7 +21,7 @@ from exactspline.readings.rational_jet import JetFraction, fraction_argument
 from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification import curve_check as on_one_curve
+from exactspline.verification import curve_check
 from exactspline.verification.claim_factor import factor_of_text
 from exactspline.verification.claims import Claim
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
@@ -50,7 +50,7 @@ def prove(claim: Claim) -> tuple[str, Finding]:
             else ("spline", refute_on_examples(claim))
         )
     if claim.kind == "count":
-        return "spline", on_one_curve.count(claim, example(claim.example))
+        return "spline", curve_check.count(claim, example(claim.example))
     decide = {
         "identity": identity,
         "vanishing": vanishing,
@@ -278,7 +278,7 @@ def refute_on_examples(claim: Claim) -> Finding:
     for name in sorted(example_names(), key=lambda name: name != claim.witness):
         curve = example(name)
         if claim.speaks_of(curve.dimension, curve.polynomial):
-            finding = on_one_curve.check(claim, curve)
+            finding = curve_check.check(claim, curve)
             if finding.verdict == REFUTED:
                 finding.witness = f"on the example curve {name}: {finding.witness}"
                 return finding

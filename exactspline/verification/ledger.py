@@ -8,10 +8,9 @@ from typing import Any
 
 from exactspline.errors import ExactSplineError
 from exactspline.splines.examples import example, example_names
-from exactspline.verification import curve_check as on_one_curve
-from exactspline.verification import generic_proof as on_all_curves
+from exactspline.verification import curve_check, generic_proof
+from exactspline.verification.check_arguments import argument
 from exactspline.verification.claims import Claim
-from exactspline.verification.test_arguments import argument
 from exactspline.verification.verdict import UNDECIDED, Finding, Row, row
 
 UNNAMED = "(unnamed curve)"
@@ -40,7 +39,7 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[
     if curves is None:
         calls += [lambda claim=claim: proved(claim) for claim in chosen]
         calls += [
-            lambda claim=claim: _checked(claim, on_one_curve.spline_table(), TABLE)
+            lambda claim=claim: _checked(claim, curve_check.spline_table(), TABLE)
             for claim in chosen
             if claim.curve == "table"
         ]
@@ -59,7 +58,7 @@ def proved(claim: Claim) -> Row:
     """A claim decided for all curves."""
     start = perf_counter()
     try:
-        reading, finding = on_all_curves.prove(claim)
+        reading, finding = generic_proof.prove(claim)
     except ExactSplineError as error:
         reading, finding = "jet", Finding(UNDECIDED, claim.claimed, witness=str(error))
     return row(claim, reading, "", finding, perf_counter() - start)
@@ -68,7 +67,7 @@ def proved(claim: Claim) -> Row:
 def _checked(claim: Claim, curve: Any, name: str, beside: str = "") -> Row:
     start = perf_counter()
     try:
-        finding = on_one_curve.check(claim, curve)
+        finding = curve_check.check(claim, curve)
     except ExactSplineError as error:
         finding = Finding(UNDECIDED, claim.claimed, witness=str(error))
     return row(claim, f"spline{beside}", name, finding, perf_counter() - start)

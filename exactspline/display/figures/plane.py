@@ -157,12 +157,12 @@ def figure_3() -> Drawn:
     curve = example("ellipse")
     figure = new_figure(13, 7)
     made, costs = construction("evolute"), []
-    for i, form in enumerate(made.unlifted):
-        value = made.on(curve, form)
+    for i, variant in enumerate(made.unlifted):
+        value = made.on(curve, variant)
         ax = plot_curve(curve, figure.add_subplot(1, 2, i + 1), control_polygon=False, knots=False)
         plot_quotient(value, ax, label="evolute", color=ORANGE, polygon_color=GREEN)
         costs.append(cost(value))
-        ax.set_title(f"({'ab'[i]}) $E = {print_latex(trace(find(made.variants[form]), 2))}$\n{costs[-1]}")
+        ax.set_title(f"({'ab'[i]}) $E = {print_latex(trace(find(made.variants[variant]), 2))}$\n{costs[-1]}")
     return captioned(
         figure, 3, f"Evolute of an ellipse: (a) naive, {costs[0]}; (b) reduced, {costs[1]}. Control polygons in green."
     )

@@ -88,10 +88,10 @@ def plot_approaches(
     made = construction(name)
     ax = axes_for(ax)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
-    for i, form in enumerate(forms or made.all_variants):
-        f = made.on(curve, form)
+    for i, variant in enumerate(forms or made.all_variants):
+        f = made.on(curve, variant)
         color, dashes = LINES[i % len(LINES)]
-        label = f"{form}: degree {f.degree}, {control_point_count(f)} control points"
+        label = f"{variant}: degree {f.degree}, {control_point_count(f)} control points"
         for j, run in enumerate(_normalized(f)):
             draw(ax, run, color=color, linestyle=dashes, linewidth=1.6, label="_form" if j else label, zorder=3 + i)
     roots = zeros(f, periodic=curve.closed)

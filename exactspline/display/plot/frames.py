@@ -67,7 +67,7 @@ def homogeneous(value: Any) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
     """Homogeneous control points ``(w x, …, w)`` of a vector or quotient over the knots that carry all components, the
     knots, and the degree.
     """
-    numerator, w = value.raised() if isinstance(value, Rational) else (value, value[0].constant(1))
+    numerator, w = value.elevated() if isinstance(value, Rational) else (value, value[0].constant(1))
     scalars = [*numerator, w]
     common = scalars[0] * 0
     for c in scalars[1:]:

@@ -63,7 +63,7 @@ def plot_function(
 ) -> Any:
     """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
 
-    `roots` are parameters (as in `plot_features`) or a whole `ZeroSet`, whose jumps and stretches are marked too. Where
+    `roots` are parameters (as in `plot_features`) or a whole `ZeroSet`, whose jumps and intervals are marked too. Where
     the function jumps, graph and polygon have a gap. `scale` is ``linear``, ``symlog`` (linear around zero, logarithmic
     outside) or ``clip`` (the graph fills the axes, the polygon may leave them); by default ``symlog`` where control
     points or graph are of very different sizes, else ``linear``. Where all is beyond 1e100 or below 1e-100, values are
@@ -148,7 +148,7 @@ def _scale(ax: Any, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | N
 
 
 def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root") -> None:
-    """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its stretches, thick."""
+    """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its intervals, thick."""
     single, jumps = marked(roots)
     for points, what, face, edge in (
         (single, name + "{}", color, "white"),
@@ -168,8 +168,8 @@ def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color:
                 label=counted,
                 zorder=5,
             )
-    for i, stretch in enumerate(getattr(roots, "stretches", [])):
-        ends = [(stretch.low, mpq(0)), (min(stretch.high, domain[1]), mpq(0))]
+    for i, interval in enumerate(getattr(roots, "intervals", [])):
+        ends = [(interval.low, mpq(0)), (min(interval.high, domain[1]), mpq(0))]
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
 
 
@@ -211,10 +211,10 @@ def plot_roots(roots: Any, ax: Any = None, *, color: str = GREEN) -> Any:
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
-    for i, stretch in enumerate(getattr(roots, "stretches", [])):
+    for i, interval in enumerate(getattr(roots, "intervals", [])):
         draw(
             ax,
-            [(stretch.low, mpq(-1)), (stretch.high, mpq(-1))],
+            [(interval.low, mpq(-1)), (interval.high, mpq(-1))],
             color=color,
             linewidth=6,
             label="_stretch" if i else "zero throughout",

@@ -155,7 +155,7 @@ def plot_bisector(
     other: Any,
     ax: Any = None,
     *,
-    form: str = "",
+    variant: str = "",
     rulings: tuple[Any, Any] = (-1, 1),
     control_net: bool = True,
     box: Box | None = None,
@@ -175,11 +175,11 @@ def plot_bisector(
     `plot_quotient`.
     """
     kind, default, handed = _argument(curve, other)
-    formula = find(form or default)
+    formula = find(variant or default)
     if formula.curve != kind:
         raise FormulaError(
             f"{formula.name} is no bisector of these",
-            where="form",
+            where="variant",
             remedy=f"its argument is of the kind {formula.curve!r}, not {kind!r}",
         )
     value = formula(handed)

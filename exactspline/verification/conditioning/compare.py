@@ -68,7 +68,7 @@ class Conditioning:
     curve: str
     construction: str
     roots: tuple[RootConditions, ...]
-    invented: dict[str, tuple[Root, ...]]
+    extraneous: dict[str, tuple[Root, ...]]
     left_out: tuple[str, ...]
 
     @property
@@ -88,7 +88,7 @@ class Conditioning:
 def conditioning(curve: Any, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
     """The condition of every zero of a zero-set construction in every form.
 
-    Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or a stretch of
+    Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or a interval of
     zeros is listed in `left_out`. With `doubles` the error of double precision is measured too.
 
     >>> from exactspline.splines.examples import example
@@ -117,12 +117,12 @@ def conditioning(curve: Any, name: str = "critical_curvature", *, doubles: bool 
             for form, f in splines.items()
         ]
         rows.append(RootConditions(root, tuple(forms)))
-    invented = {form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in found.items()}
+    extraneous = {form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in found.items()}
     left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
     left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
-    left_out += [f"[{text(s.low)}, {text(s.high)}], where the form vanishes identically" for s in minimal.stretches]
+    left_out += [f"[{text(s.low)}, {text(s.high)}], where the form vanishes identically" for s in minimal.intervals]
     return Conditioning(
-        curve.name, made.name, tuple(rows), {form: rs for form, rs in invented.items() if rs}, tuple(left_out)
+        curve.name, made.name, tuple(rows), {form: rs for form, rs in extraneous.items() if rs}, tuple(left_out)
     )
 
 

@@ -15,11 +15,11 @@ from exactspline.splines.tensor import surface_pair
 SEGMENTS = 1
 
 
-def companion_point(curve: Any) -> tuple[mpq, ...]:
+def point_beside(curve: Any) -> tuple[mpq, ...]:
     """A point beside the curve: the mean of its control points, moved by unequal parts of their extent.
 
     >>> from exactspline.splines.examples import example
-    >>> companion_point(example("circle"))
+    >>> point_beside(example("circle"))
     (mpq(1,3), mpq(4,11))
     """
     point = []
@@ -29,9 +29,9 @@ def companion_point(curve: Any) -> tuple[mpq, ...]:
     return tuple(point)
 
 
-def turned_copy(curve: Any) -> Curve:
-    """The curve with its coordinates exchanged cyclically and moved by the vector of its companion point."""
-    move = companion_point(curve)
+def moved_copy(curve: Any) -> Curve:
+    """The curve with its coordinates exchanged cyclically and moved by the vector of its test point."""
+    move = point_beside(curve)
     p = Vector(*[curve.p[(i + 1) % curve.dimension] + curve.w * move[i] for i in range(curve.dimension)])
     return Curve(p, curve.w, polynomial=curve.polynomial)
 
@@ -44,15 +44,15 @@ def beginning(curve: Any, segments: int = SEGMENTS) -> Curve:
 
 
 def pair_with(curve: Any, other: Any = None) -> Pair:
-    """The first segments of two curves, or of a curve and its turned copy."""
-    return surface_pair(beginning(curve), beginning(turned_copy(curve) if other is None else other))
+    """The first segments of two curves, or of a curve and its moved copy."""
+    return surface_pair(beginning(curve), beginning(moved_copy(curve) if other is None else other))
 
 
 def argument(kind: str, curve: Any) -> tuple[Any, str]:
     """What formulas of a kind are handed on one curve, and what is said of it beside the curve."""
     if kind == "pair":
-        return pair_with(curve), ", first segment, with its turned copy"
+        return pair_with(curve), ", first segment, with its moved copy"
     if kind.endswith("point"):
-        point = companion_point(curve)
+        point = point_beside(curve)
         return with_point(curve, point), f", with the point ({', '.join(map(text, point))})"
     return curve, ""

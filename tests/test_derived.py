@@ -34,8 +34,8 @@ def test_a_curve_with_one_straight_segment_has_an_evolute_on_the_others():
 
 def test_cusps_and_doubled_points_are_no_obstacle():
     for name in ("cusp", "doubled_points", "jump", "unclamped"):
-        for form in ("naive", "paper", "minimal"):
-            assert derive("evolute", example(name), form).pieces
+        for variant in ("naive", "paper", "minimal"):
+            assert derive("evolute", example(name), variant).pieces
         assert derive("critical_curvature", example(name)).pieces[0].value.degree <= 5
 
 
@@ -71,7 +71,7 @@ def test_a_curve_that_is_no_pythagorean_hodograph_says_so():
 def test_names_forms_and_dimensions_are_checked():
     with pytest.raises(FormulaError, match="no formula is called"):
         derive("involute", example("circle"))
-    with pytest.raises(FormulaError, match="forms are naive, paper, lifted, minimal"):
+    with pytest.raises(FormulaError, match="variants are naive, paper, lifted, minimal"):
         derive("evolute", example("circle"), "best")
     with pytest.raises(ShapeError, match="plane curve"):
         derive("evolute", example("twisted_cubic"))
@@ -79,9 +79,9 @@ def test_names_forms_and_dimensions_are_checked():
         curvature(example("twisted_cubic"))
 
 
-@pytest.mark.parametrize("form", ["naive", "paper", "minimal"])
+@pytest.mark.parametrize("variant", ["naive", "paper", "minimal"])
 @pytest.mark.parametrize("name", ["ellipse_skew", "rational_cubic_spline", "rational_quartic", "six_segment_cubic"])
-def test_all_forms_of_the_evolute_are_one_curve(name, form):
-    a, b = (derive("evolute", example(name), f).pieces[0].value for f in ("naive", form))
+def test_all_forms_of_the_evolute_are_one_curve(name, variant):
+    a, b = (derive("evolute", example(name), f).pieces[0].value for f in ("naive", variant))
     for x, y in zip(a.numerator, b.numerator, strict=True):
         assert x * b.denominator == y * a.denominator
