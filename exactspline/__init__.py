@@ -14,6 +14,8 @@ from exactspline.language.services import register
 __version__ = "0.1.0"
 
 _SERVICES = {
+    "quotient": "exactspline.language.rational:Rational",
+    "formula_text": "exactspline.readings.printing.text:print_text",
     "html": "exactspline.display.notebook:html",
     "latex": "exactspline.display.latex:latex",
     "short": "exactspline.display.notebook:short",

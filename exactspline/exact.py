@@ -18,6 +18,8 @@ from gmpy2 import mpq, mpz
 
 from exactspline.errors import NumberError, shown
 
+__all__ = ["MAX_EXPONENT", "MAX_TEXT", "from_float", "mpq", "mpz", "ratio", "rational", "text", "to_fmpq", "to_fmpz"]
+
 _TYPES = {type(mpq()), type(mpz()), int, Fraction}
 #: Largest decimal or binary exponent read from text: beyond it a few characters would fill the memory.
 MAX_EXPONENT = 100_000

@@ -238,7 +238,8 @@ def exact_point(curve: Any, point: Any, dimension: int) -> tuple[mpq, ...]:
 
 def _cut(c: Curve, a: mpq, b: mpq) -> Curve:
     """The curve and the point over a part of the domain."""
-    return c.mapped(lambda f: f.restrict(a, b))
+    part: Curve = c.mapped(lambda f: f.restrict(a, b))
+    return part
 
 
 def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
@@ -256,7 +257,8 @@ def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
         free = next((k for k in order if ahead[k] is None), None)
         if free is not None:
             return [*pieces, (low, b, free)]
-        stop, best = max((root, k) for k, root in ahead.items() if root is not None)
+        stops: list[tuple[Root, int]] = [(root, k) for k, root in ahead.items() if isinstance(root, Root)]
+        stop, best = max(stops)
         after = next(k for k in order if all(r != stop for r in roots[k]))
         cut = between(max([low, *(r for r in roots[after] if r < stop)]), stop)
         pieces.append((low, cut, best))

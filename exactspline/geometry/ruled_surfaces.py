@@ -38,7 +38,8 @@ class RulingRelation:
 
     def __call__(self, s: Any, ruling: Any, side: str = "right") -> mpq:
         """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
-        return self.shift(s, side) + self.stretch(s, side) * rational(ruling)
+        value: mpq = self.shift(s, side) + self.stretch(s, side) * rational(ruling)
+        return value
 
 
 def ruled_surface(name: str, curve: Any, variant: str = MINIMAL) -> RuledSurface:

@@ -219,7 +219,7 @@ def torsion_zeros(curve: Any) -> list[Feature]:
     """
     shape = _shape(curve)
     _, found = zero_form(curve, "zero_torsion")
-    true = list(zeros(shape.torsion.numerator))
+    true = list(zeros(shape.torsion.scalar))
     features = []
     for root in found:
         if shape.is_singular(root):

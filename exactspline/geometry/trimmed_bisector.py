@@ -17,7 +17,7 @@ from itertools import pairwise
 from math import lcm
 from typing import Any
 
-from flint import fmpz_mpoly, fmpz_poly
+from flint import fmpz, fmpz_mpoly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
@@ -239,7 +239,7 @@ def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
 
 
 def _in_z(p: fmpz_mpoly) -> fmpz_poly:
-    coefficients = [0] * (int(p.degrees()[0]) + 1) if p else []
+    coefficients = [fmpz(0)] * (int(p.degrees()[0]) + 1) if p else []
     for (i, _), x in p.terms():
         coefficients[int(i)] = x
     return fmpz_poly(coefficients)

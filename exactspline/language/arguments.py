@@ -1,4 +1,4 @@
-"""The language in which formulas are written: operands, vectors and their products, curves, ruled surfaces, formulas.
+"""The arguments of formulas: a curve, a curve and a point, two curves, or operands by name.
 
 A formula is a plain function over operands that know ``+ - * /``, ``**`` with a small integer, and ``.d(k)``, the k-th
 derivative. What an operand *is* depends on the reading: a spline, a polynomial in jets, a degree, a node of an
@@ -8,102 +8,44 @@ expression tree, a Taylor series. Nothing in this room knows which.
 from __future__ import annotations
 
 from collections.abc import Callable
-from copy import copy
-from typing import Any
+from typing import Any, Generic, TypeVar
 
-from exactspline.language.formula import Formula, formula
-from exactspline.language.linear_system import cramer, level
-from exactspline.language.operand import CONSTANTS, Operand
-from exactspline.language.ruled import RuledSurface, ruled
-from exactspline.language.services import Displayed
-from exactspline.language.vector import (
-    FieldOperand,
-    Vector,
-    cross,
-    det,
-    dot,
-    generalized_cross,
-    join,
-    norm2,
-    perp,
-    triple,
-    wronskian,
-)
+from exactspline.language.formula import Evaluated
+from exactspline.language.operand import Operand
+from exactspline.language.vector import Vector
+
+T = TypeVar("T", bound=Operand)
 
 
-def with_point(curve: Any, point: Any) -> Curve:
-    """A curve and a point as the argument of formulas."""
-    return Curve(curve.p, curve.w, polynomial=curve.polynomial, point=Vector(*[curve.w.constant(x) for x in point]))
+class Operands(Evaluated):
+    """Operands by name, as the operands of Table 1 are.
+
+    >>> Operands(p1=1, w1=2).operands()
+    {'p1': 1, 'w1': 2}
+    """
+
+    def __init__(self, **named: Any) -> None:
+        self.__dict__.update(named)
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(name)
+
+    def operands(self) -> dict[str, Any]:
+        """The operands by name."""
+        return {name: value for name, value in vars(self).items() if name != "_values"}
+
+    def copied(self) -> Operands:
+        """The same operands in an argument of its own."""
+        return Operands(**self.operands())
+
+    def mapped(self, change: Callable[[Any], Any]) -> Operands:
+        """The argument with every operand changed."""
+        return Operands(
+            **{name: x.mapped(change) if isinstance(x, Vector) else change(x) for name, x in self.operands().items()}
+        )
 
 
-__all__ = [
-    "BARRED",
-    "CONSTANTS",
-    "COORDINATES",
-    "DIMENSIONS",
-    "POINT",
-    "Argument",
-    "Curve",
-    "FieldOperand",
-    "Formula",
-    "Operand",
-    "Pair",
-    "RuledSurface",
-    "Vector",
-    "assemble",
-    "cramer",
-    "cross",
-    "det",
-    "dot",
-    "embedded",
-    "formula",
-    "generalized_cross",
-    "join",
-    "level",
-    "norm2",
-    "operands",
-    "perp",
-    "ruled",
-    "triple",
-    "wronskian",
-]
-
-
-class Argument(Displayed):
-    """What formulas are handed; it remembers what they call while one of them is being evaluated."""
-
-    #: Values of the formulas called while one formula is being evaluated.
-    _values: dict[Formula, Any] | None = None
-
-    def calls(self, formula: Formula) -> Any:
-        """The value of a formula; what several parts of it call is computed once and forgotten when it is done."""
-        if self._values is None:
-            for argument in self.together():
-                argument._values = {}
-            try:
-                return formula.function(self)
-            finally:
-                for argument in self.together():
-                    argument._values = None
-        if formula not in self._values:
-            self._values[formula] = formula.function(self)
-        return self._values[formula]
-
-    def together(self) -> tuple[Argument, ...]:
-        """The arguments that remember together."""
-        return (self,)
-
-    def remembering(self) -> Argument:
-        """A copy that remembers every value as long as it lives: for many formulas of one argument, one after the
-        other.
-        """
-        kept = copy(self)
-        for argument in kept.together():
-            argument._values = {}
-        return kept
-
-
-class Curve(Argument):
+class Curve(Evaluated, Generic[T]):
     """A curve as named operands of one reading.
 
     ``p`` the vector of numerators, ``w`` the denominator, ``gamma`` the curve itself: the `Rational` ``p/w``, or ``p``
@@ -111,7 +53,15 @@ class Curve(Argument):
     bisector, a vector of constants.
     """
 
-    def __init__(self, p: Any, w: Any, *, polynomial: bool = False, gamma: Any = None, point: Any = None) -> None:
+    p: Vector[T]
+    w: T
+    gamma: Any
+    polynomial: bool
+    point: Vector[T] | None
+
+    def __init__(
+        self, p: Vector[T], w: T, *, polynomial: bool = False, gamma: Any = None, point: Vector[T] | None = None
+    ) -> None:
         self.p, self.w, self.polynomial, self.point = p, w, polynomial, point
         self.gamma = gamma if gamma is not None else (p if polynomial else p / w)
 
@@ -121,35 +71,46 @@ class Curve(Argument):
         return len(self.p)
 
     @property
-    def axis_x(self) -> Vector:
+    def axis_x(self) -> Vector[int]:
         """The unit vector of the first coordinate."""
         return Vector(1, *[0] * (self.dimension - 1))
 
     @property
-    def axis_y(self) -> Vector:
+    def axis_y(self) -> Vector[int]:
         """The unit vector of the second coordinate."""
         return Vector(0, 1, *[0] * (self.dimension - 2))
 
     @property
-    def axis_z(self) -> Vector:
+    def axis_z(self) -> Vector[int]:
         """The unit vector of the third coordinate."""
         return Vector(0, 0, 1, *[0] * (self.dimension - 3))
 
-    def mapped(self, change: Callable[[Any], Any]) -> Curve:
+    def operands(self) -> dict[str, T]:
+        """Coordinates, denominator and the coordinates of the point by name."""
+        named = dict(zip(COORDINATES, self.p, strict=False)) | {"w": self.w}
+        return named if self.point is None else named | dict(zip(POINT, self.point, strict=False))
+
+    def copied(self) -> Curve[T]:
+        """The same operands in a plain curve of its own."""
+        return Curve(self.p, self.w, polynomial=self.polynomial, gamma=self.gamma, point=self.point)
+
+    def mapped(self, change: Callable[[T], Any]) -> Any:
         """The curve with every operand changed: into another reading, or onto another domain."""
-        p, w = Vector(*map(change, self.p)), change(self.w)
-        return Curve(
-            p, w, polynomial=self.polynomial, point=None if self.point is None else Vector(*map(change, self.point))
-        )
+        point = None if self.point is None else self.point.mapped(change)
+        return Curve(self.p.mapped(change), change(self.w), polynomial=self.polynomial, point=point)
+
+    def with_point(self, point: Any) -> Curve[T]:
+        """The curve with a point, whose coordinates are exact constants, beside it."""
+        return Curve(self.p, self.w, polynomial=self.polynomial, point=Vector(*[self.w.constant(x) for x in point]))
 
 
-class Pair(Argument):
+class Pair(Evaluated, Generic[T]):
     """Two curves, ``first`` of the parameter s and ``second`` of the parameter s̄: what a formula of §6.1 is handed.
 
     Operands of the two may be mixed; only those of one curve are differentiated, each by its own parameter.
     """
 
-    def __init__(self, first: Curve, second: Curve) -> None:
+    def __init__(self, first: Curve[T], second: Curve[T]) -> None:
         self.first, self.second = first, second
 
     @property
@@ -157,15 +118,27 @@ class Pair(Argument):
         """Number of coordinates."""
         return self.first.dimension
 
-    def together(self) -> tuple[Argument, ...]:
-        """The two curves remember with the pair."""
+    def operands(self) -> dict[str, T]:
+        """Those of the first curve, and those of the second in capitals."""
+        return self.first.operands() | {name.upper(): x for name, x in self.second.operands().items()}
+
+    def copied(self) -> Pair[T]:
+        """A pair of its own, of curves that remember what is called on them."""
+        pair = Pair(self.first.copied(), self.second.copied())
+        pair.first._values, pair.second._values = {}, {}
+        return pair
+
+    def together(self) -> tuple[Evaluated, ...]:
+        """The pair and its curves."""
         return self, self.first, self.second
 
-    def mapped(self, change: Callable[[Any], Any]) -> Pair:
+    def mapped(self, change: Callable[[T], Any]) -> Any:
         """The pair with every operand changed."""
         return Pair(self.first.mapped(change), self.second.mapped(change))
 
 
+#: The parameters of two curves.
+PARAMETERS = ("s", "s̄")
 #: Coordinates, denominator and point by name: of the first curve, of the second curve, of the point.
 COORDINATES, BARRED, POINT = "xyzuvst", "XYZUVST", "abcefgh"
 
@@ -182,16 +155,17 @@ DIMENSIONS = {
 }
 
 
-def operands(argument: Any) -> dict[str, Any]:
-    """The operands of a curve or a pair by name: what `assemble` puts together."""
-    if isinstance(argument, Pair):
-        second = operands(argument.second)
-        return operands(argument.first) | {name.upper(): x for name, x in second.items()}
-    named = dict(zip(COORDINATES, argument.p, strict=False)) | {"w": argument.w}
-    return named if argument.point is None else named | dict(zip(POINT, argument.point, strict=False))
+def operands(argument: Evaluated) -> dict[str, Any]:
+    """The operands of an argument by name: what `assemble` puts together."""
+    return argument.operands()
 
 
-def embedded(c: Curve) -> Curve:
+def with_point(curve: Curve[T], point: Any) -> Curve[T]:
+    """A curve and a point as the argument of formulas."""
+    return curve.with_point(point)
+
+
+def embedded(c: Curve[T]) -> Curve[T]:
     """A plane curve (and its point) in the plane z = 0 of space."""
     zero = c.w.constant(0)
     point = None if c.point is None else Vector(*c.point, zero)
@@ -205,7 +179,7 @@ def assemble(kind: str, dimension: int, operand: Callable[[str], Any], one: Any,
     the curves are polynomial.
     """
 
-    def curve(names: str, w: str) -> Curve:
+    def curve(names: str, w: str) -> Curve[Any]:
         p = Vector(*map(operand, names[:dimension]))
         point = Vector(*map(operand, POINT[:dimension])) if kind.endswith("point") else None
         return Curve(p, one if polynomial else operand(w), polynomial=polynomial, point=point)

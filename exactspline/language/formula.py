@@ -1,11 +1,63 @@
-"""Formulas: a function with its name, its symbol and where it stands in its source."""
+"""Formulas, and what they are handed: a formula is a function with its name, its symbol and where it stands in its
+source.
+"""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import Any
 
 from exactspline.language.services import Displayed
+
+
+class Argument(Displayed, ABC):
+    """What formulas are handed."""
+
+    @abstractmethod
+    def calls(self, formula: Formula) -> Any:
+        """The value of a formula."""
+
+
+class Evaluated(Argument):
+    """An argument whose operands are at hand: a formula is evaluated on them.
+
+    An evaluation owns its memo: what several parts of a formula call is computed once, in a copy of the argument that
+    nobody else sees, so that an argument can be shared between threads.
+    """
+
+    #: Values of the formulas that were called, in a copy that remembers.
+    _values: dict[Formula, Any] | None = None
+
+    def calls(self, formula: Formula) -> Any:
+        """The value of a formula."""
+        if self._values is None:
+            return self.remembering().calls(formula)
+        if formula not in self._values:
+            self._values[formula] = formula.function(self)
+        return self._values[formula]
+
+    def remembering(self) -> Evaluated:
+        """A copy that remembers every value as long as it lives: for many formulas of one argument."""
+        kept = self.copied()
+        kept._values = {}
+        return kept
+
+    @abstractmethod
+    def copied(self) -> Evaluated:
+        """The same operands in an argument of its own."""
+
+    @abstractmethod
+    def operands(self) -> dict[str, Any]:
+        """The operands by name."""
+
+    @abstractmethod
+    def mapped(self, change: Callable[[Any], Any]) -> Any:
+        """The argument with every operand changed: into another reading, or onto another domain."""
+
+    def together(self) -> tuple[Evaluated, ...]:
+        """The arguments that it is made of, itself among them."""
+        return (self,)
 
 
 class Formula(Displayed):
@@ -29,8 +81,7 @@ class Formula(Displayed):
 
     def __call__(self, c: Any) -> Any:
         """The formula in the reading of `c`."""
-        hook = getattr(c, "calls", None)
-        return self.function(c) if hook is None else hook(self)
+        return c.calls(self) if isinstance(c, Argument) else self.function(c)
 
     def __repr__(self) -> str:
         return f"<formula {self.name}, {self.source}>"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from exactspline.language.rational import Rational
 from exactspline.language.vector import cross, perp
 
 
@@ -29,12 +30,9 @@ def level(normal: Any, height: Any) -> tuple[Any, Any]:
 
     Only quotients have one; anything else stays as it is.
     """
-    hook = getattr(normal, "levelled", None)
-    if hook is not None:
-        first, second = hook(height)
-        return first, second
-    hook = getattr(height, "levelled", None)
-    if hook is not None:
-        second, first = hook(normal)
+    if isinstance(normal, Rational):
+        return normal.levelled(height)
+    if isinstance(height, Rational):
+        second, first = height.levelled(normal)
         return first, second
     return normal, height

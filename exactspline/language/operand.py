@@ -1,82 +1,239 @@
-"""Operands: what every scalar of every reading has in common."""
+"""Operands: what every scalar of every reading has in common, declared once as protocols and once as a base class."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
-
-from gmpy2 import mpq, mpz
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, overload
 
 from exactspline.errors import FormulaError
-from exactspline.language.services import Displayed
+from exactspline.exact import mpq, mpz
+from exactspline.language.services import Displayed, service
+
+if TYPE_CHECKING:
+    from exactspline.language.provenance import Provenance
+    from exactspline.language.rational import Rational
+    from exactspline.language.vector import Vector
 
 #: The constants that may stand in a formula.
+Constant = int | mpz | mpq | Fraction
 CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
 
 
-class Operand(Displayed):
-    """What every scalar of every reading has in common.
+class Scalar(Protocol):
+    """What the products of vectors need of a component: exact numbers have it as well as operands."""
 
-    A reading supplies ``__add__``, ``__mul__``, ``scaled`` (by an exact constant), ``d``, ``elevated_to`` (the same
-    thing, of at least another's degree), ``degree`` and ``provenance`` (see `exactspline.language.provenance`); the
-    rest follows. ``/`` by an operand makes a `Rational`, which is Table 1's row T3.
+    def __add__(self, other: Self, /) -> Self: ...
+    def __sub__(self, other: Self, /) -> Self: ...
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __neg__(self) -> Self: ...
+
+
+class Ring(Protocol):
+    """What a formula needs of an operand: a differential ring over the exact constants."""
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes identically."""
+
+    def __add__(self, other: Self, /) -> Self: ...
+    def __sub__(self, other: Self, /) -> Self: ...
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __neg__(self) -> Self: ...
+
+    def scaled(self, constant: Constant, /) -> Self:
+        """The operand times an exact constant."""
+
+    def constant(self, value: Constant, /) -> Self:
+        """An exact constant of the ring."""
+
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
+        """The derivative of an order, by the one parameter there is or by the one that is named."""
+
+
+class Counted(Ring, Protocol):
+    """What naive semantics, Table 1, needs besides: a degree, elevation, and how the operand was made."""
+
+    @property
+    def degree(self) -> Any:
+        """The nominal degree: a number, two of them, or an expression."""
+
+    @property
+    def provenance(self) -> Provenance:
+        """How it was made (see `exactspline.language.provenance`)."""
+
+    def elevated_to(self, other: Any, /) -> Self:
+        """The same thing, of at least the degree of another."""
+
+
+R = TypeVar("R", bound=Ring)
+
+
+class Operand(Displayed, ABC):
+    """The base of the scalars of all readings: a reading supplies what is abstract here, the rest follows.
+
+    ``/`` by an operand makes a `Rational`, which is Table 1's row T3; a reading with true quotients is a
+    `FieldOperand`.
     """
 
     __slots__ = ()
     #: Whether it is a vector (some readings have one class for both).
-    is_vector = False
-    #: Whether it decides itself what a plain vector times or over it is.
-    takes_over = False
+    is_vector: bool = False
+    #: The parameter of an operand that has but one.
+    parameter: ClassVar[str] = "s"
 
-    def __neg__(self) -> Any:
-        return self.scaled(-1)  # type: ignore[attr-defined]
+    @abstractmethod
+    def __add__(self, other: Any, /) -> Self: ...
 
-    def __sub__(self, other: Any) -> Any:
-        return self + (-other)  # type: ignore[operator]
+    @abstractmethod
+    def __mul__(self, other: Any, /) -> Self: ...
 
-    def __rsub__(self, other: Any) -> Any:
+    @abstractmethod
+    def scaled(self, constant: Constant, /) -> Self:
+        """The operand times an exact constant."""
+
+    @abstractmethod
+    def constant(self, value: Constant, /) -> Self:
+        """An exact constant in this reading."""
+
+    @abstractmethod
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
+        """The derivative of an order, by the one parameter there is or by the one that is named."""
+
+    def __neg__(self) -> Self:
+        return self.scaled(-1)
+
+    def __sub__(self, other: Any) -> Self:
+        difference: Self = self + (-other)
+        return difference
+
+    def __rsub__(self, other: Any) -> Self:
         return (-self).__add__(other)
 
-    def __radd__(self, other: Any) -> Any:
-        return self.__add__(other)  # type: ignore[operator]
+    def __radd__(self, other: Any) -> Self:
+        return self.__add__(other)
 
-    def __rmul__(self, other: Any) -> Any:
-        return self.__mul__(other)  # type: ignore[operator]
+    def __rmul__(self, other: Any) -> Self:
+        return self.__mul__(other)
 
+    @overload
+    def __truediv__(self, other: Constant) -> Self: ...
+    @overload
+    def __truediv__(self, other: Operand) -> Any: ...
     def __truediv__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
-            return self.scaled(1 / mpq(other))  # type: ignore[attr-defined]
-        if not isinstance(other, Operand):
-            return NotImplemented
-        return other.dividing(self) if hasattr(other, "dividing") else _rational()(self, other)
+            return self.scaled(1 / mpq(other))
+        return other.dividing(self) if isinstance(other, Operand) else NotImplemented
 
     def __rtruediv__(self, other: Any) -> Any:
-        if not isinstance(other, CONSTANTS):
-            return NotImplemented
-        return self.constant(other) / self  # type: ignore[attr-defined]
+        return self.constant(other) / self if isinstance(other, CONSTANTS) else NotImplemented
 
-    def __pow__(self, exponent: int) -> Any:
+    def __pow__(self, exponent: int) -> Self:
         if not isinstance(exponent, int) or exponent < 1:
             raise FormulaError(f"a power with exponent {exponent!r}", remedy="use a positive integer")
         result = self
         for _ in range(exponent - 1):
-            result = result * self  # type: ignore[operator]
+            result = result * self
         return result
 
     def __bool__(self) -> bool:
-        raise FormulaError(
-            f"a {type(self).__name__} was used as a truth value",
-            remedy="formulas must not branch; compare with == or use is_zero outside formulas",
-        )
+        raise no_truth_value(self)
 
-    def beside(self, other: Any) -> Any:
+    def beside(self, other: object) -> Self | None:
         """Another operand of the same reading, a constant made one; None for anything else."""
-        if type(other) is type(self):
+        if isinstance(other, type(self)):
             return other
-        return self.constant(other) if isinstance(other, CONSTANTS) else None  # type: ignore[attr-defined]
+        return self.constant(other) if isinstance(other, CONSTANTS) else None
+
+    def dividing(self, numerator: Operand | Vector[Any]) -> Rational[Any] | Operand | Vector[Any]:
+        """`numerator`, an operand or a vector of this reading, divided by this."""
+        quotient: Rational[Any] = service("quotient")(numerator, self)
+        return quotient
+
+    def times_vector(self, vector: Vector[Any]) -> Any:
+        """A vector times this: component by component."""
+        return vector.mapped(lambda component: component * self)
+
+    def only_parameter(self, by: str | None) -> None:
+        """Make sure that a derivative is asked for by the parameter that there is.
+
+        Raises `FormulaError` for another one.
+        """
+        if by not in (None, self.parameter):
+            raise FormulaError(
+                f"a derivative by {by!r} of a function of {self.parameter!r}", remedy="name a parameter that it has"
+            )
 
 
-def _rational() -> Any:
-    from exactspline.language.rational import Rational
+class FieldOperand(Operand):
+    """An operand that can be divided by: ``/`` gives a true quotient instead of a `Rational`."""
 
-    return Rational
+    __slots__ = ()
+
+    @abstractmethod
+    def reciprocal(self) -> Self:
+        """``1 / a``."""
+
+    def __truediv__(self, other: Any) -> Any:
+        right = self.beside(other)
+        return NotImplemented if right is None else self * right.reciprocal()
+
+    def __rtruediv__(self, other: Any) -> Any:
+        left = self.beside(other)
+        return NotImplemented if left is None else left * self.reciprocal()
+
+    def dividing(self, numerator: Operand | Vector[Any]) -> Operand | Vector[Any]:
+        """`numerator` times the reciprocal."""
+        return numerator * self.reciprocal()
+
+
+class OwnProducts(ABC):
+    """A vector of a kind of its own, which carries out products of vectors itself: a quotient, a node of a tree."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def multilinear(self, function: Callable[..., Any], vectors: tuple[Any, ...]) -> Any:
+        """A product of vectors, `function` of `vectors`, this one among them."""
+
+
+class OwnVectors(OwnProducts):
+    """An operand that stands for scalars and vectors alike: putting together and taking along are up to it."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def joining(self, parts: tuple[Any, ...]) -> Any:
+        """One vector of the components of all parts."""
+
+    @abstractmethod
+    def ruled(self, generator: Any) -> Any:
+        """The ruled surface with this directrix."""
+
+
+class PartlyOrdered(ABC):
+    """A degree that is no single number: two of them have a maximum, which may be neither."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def max(self, other: Any, /) -> Any:
+        """The least degree that is not below either."""
+
+
+def larger(a: Any, b: Any) -> Any:
+    """The larger of two degrees, or the least that is not below either.
+
+    >>> larger(2, 3)
+    3
+    """
+    return a.max(b) if isinstance(a, PartlyOrdered) else max(a, b)
+
+
+def no_truth_value(value: object) -> FormulaError:
+    """The error of a formula that branches."""
+    return FormulaError(
+        f"a {type(value).__name__} was used as a truth value",
+        remedy="formulas must not branch; compare with == or use is_zero outside formulas",
+    )

@@ -6,32 +6,34 @@ added; any two others are cross- multiplied.
 
 from __future__ import annotations
 
-from typing import Any
-
-from gmpy2 import mpq
+from collections.abc import Callable
+from typing import Any, Generic, TypeVar
 
 from exactspline.errors import FormulaError
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.exact import mpq
+from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnProducts, larger
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
 
+T = TypeVar("T", bound=Counted)
 
-class Product:
+
+class Product(Generic[T]):
     """A denominator: a product of operands, multiplied out when first asked for; `factors` are what it was once made
     of.
     """
 
     __slots__ = ("_value", "factors", "parts")
 
-    def __init__(self, *parts: Any, factors: tuple[Any, ...] | None = None) -> None:
-        self.parts: tuple[Any, ...] = parts
-        self.factors: tuple[Any, ...] = parts if factors is None else factors
-        self._value: Any = None
+    def __init__(self, *parts: T, factors: tuple[T, ...] | None = None) -> None:
+        self.parts: tuple[T, ...] = parts
+        self.factors: tuple[T, ...] = parts if factors is None else factors
+        self._value: T | None = None
 
-    def __mul__(self, other: Product) -> Product:
-        return Product(*self._factors(), *other._factors(), factors=self.factors + other.factors)
+    def __mul__(self, other: Product[T]) -> Product[T]:
+        return Product(*self.unexpanded(), *other.unexpanded(), factors=self.factors + other.factors)
 
-    def missing(self, other: Product) -> list[Any]:
+    def missing(self, other: Product[T]) -> list[T]:
         """The factors of another product that this one lacks, as often as it lacks them."""
         rest = list(self.factors)
         lacking = []
@@ -43,15 +45,16 @@ class Product:
                 rest.pop(found)
         return lacking
 
-    def _factors(self) -> tuple[Any, ...]:
+    def unexpanded(self) -> tuple[T, ...]:
+        """What has to be multiplied to get its value."""
         return self.parts if self._value is None else (self._value,)
 
-    def same(self, other: Product) -> bool:
+    def same(self, other: Product[T]) -> bool:
         """Whether both are structurally the same product."""
         return self is other or _agree(self.value, other.value)
 
     @property
-    def value(self) -> Any:
+    def value(self) -> T:
         """The product multiplied out."""
         if self._value is None:
             value = self.parts[0]
@@ -66,7 +69,7 @@ def _agree(a: Any, b: Any) -> bool:
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
-class Rational(Operand):
+class Rational(Operand, OwnProducts, Generic[T]):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
     Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
@@ -80,14 +83,16 @@ class Rational(Operand):
     """
 
     __slots__ = ("numerator", "product")
-    takes_over = True
+    numerator: T | Vector[T]
+    product: Product[T]
 
-    def __init__(self, numerator: Any, *denominator: Any) -> None:
+    def __init__(self, numerator: T | Vector[T], *denominator: T | Product[T]) -> None:
         self.numerator = numerator
-        self.product = denominator[0] if isinstance(denominator[0], Product) else Product(*denominator)
+        first = denominator[0]
+        self.product = first if isinstance(first, Product) else Product(*denominator)  # type: ignore[arg-type]  # no product among them
 
     @property
-    def denominator(self) -> Any:
+    def denominator(self) -> T:
         """The denominator, multiplied out."""
         return self.product.value
 
@@ -99,19 +104,42 @@ class Rational(Operand):
     @property
     def degree(self) -> Any:
         """The larger of the degrees of numerator and denominator."""
-        n, w = self.numerator.degree, self.denominator.degree
-        return n.max(w) if hasattr(n, "max") else max(n, w)
+        return larger(self.numerator.degree, self.denominator.degree)
 
     @property
     def is_zero(self) -> bool:
         """Whether the numerator is identically zero."""
         return bool(self.numerator.is_zero)
 
-    def __len__(self) -> int:
-        return len(self.numerator)
+    @property
+    def vector(self) -> Vector[T]:
+        """The numerator of a vector quotient.
 
-    def __getitem__(self, index: int) -> Rational:
-        return Rational(self.numerator[index], self.product)
+        Raises `FormulaError` for a scalar quotient.
+        """
+        if isinstance(self.numerator, Vector):
+            return self.numerator
+        raise FormulaError("a scalar quotient was used as a vector", remedy="take components of vectors only")
+
+    @property
+    def scalar(self) -> T:
+        """The numerator of a scalar quotient.
+
+        Raises `FormulaError` for a vector quotient.
+        """
+        if isinstance(self.numerator, Vector):
+            raise FormulaError("division by a vector", remedy="divide by a scalar")
+        return self.numerator
+
+    def with_numerator(self, change: Callable[[Vector[T]], Vector[T]]) -> Rational[T]:
+        """The vector quotient with another numerator over the same denominator."""
+        return Rational(change(self.vector), self.product)
+
+    def __len__(self) -> int:
+        return len(self.vector)
+
+    def __getitem__(self, index: int) -> Rational[T]:
+        return Rational(self.vector[index], self.product)
 
     def __repr__(self) -> str:
         return f"Rational({self.numerator!r}, {self.denominator!r})"
@@ -120,10 +148,12 @@ class Rational(Operand):
         """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector;
         `ZeroDivisionError` at a pole.
         """
-        w = self.denominator(*place, **side)
-        if isinstance(self.numerator, Vector):
-            return tuple(a(*place, **side) / w for a in self.numerator)
-        return self.numerator(*place, **side) / w
+        numerator: Any = self.numerator
+        denominator: Any = self.denominator
+        w = denominator(*place, **side)
+        if isinstance(numerator, Vector):
+            return tuple(a(*place, **side) / w for a in numerator)
+        return numerator(*place, **side) / w
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function: cross-multiplied, so that common factors do not matter."""
@@ -133,25 +163,25 @@ class Rational(Operand):
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Any) -> Rational[T]:
         """Rows T4 and T5."""
+        p: Any = self.numerator
         if not isinstance(other, Rational):
-            return Rational(self.numerator + self.denominator * other, self.product) if _fits(other) else NotImplemented
+            return Rational(p + self.denominator * other, self.product) if _fits(other) else NotImplemented
         if self.product.same(other.product):
-            return Rational(self.numerator + other.numerator, self.product)
-        return Rational(
-            self.numerator * other.denominator + other.numerator * self.denominator, self.product * other.product
-        )
+            return Rational(p + other.numerator, self.product)
+        return Rational(p * other.denominator + other.numerator * self.denominator, self.product * other.product)
 
-    def scaled(self, constant: Any) -> Rational:
+    def scaled(self, constant: Constant) -> Rational[T]:
         """The rational times an exact constant."""
         return Rational(self.numerator.scaled(constant), self.product)
 
-    def constant(self, value: Any) -> Any:
-        """An exact constant in the reading of the operands."""
-        return self.denominator.constant(value)
+    def constant(self, value: Constant) -> Rational[T]:
+        """An exact constant over one, in the reading of the operands."""
+        one = self.denominator.constant(1)
+        return Rational(one.scaled(value), one)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Any) -> Rational[T]:
         """Rows T6 and T7."""
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
@@ -164,28 +194,36 @@ class Rational(Operand):
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
         if isinstance(other, Rational):
-            return Rational(self.numerator * other.denominator, self.product * Product(_scalar(other)))
-        return Rational(self.numerator, self.product * Product(other)) if isinstance(other, Operand) else NotImplemented
+            return Rational(self.numerator * other.denominator, self.product * Product(other.scalar))
+        if not isinstance(other, Operand):
+            return NotImplemented
+        factor: Any = other
+        return Rational(self.numerator, self.product * Product(factor))
 
-    def dividing(self, numerator: Any) -> Rational:
+    def dividing(self, numerator: Any) -> Rational[T]:
         """`numerator`, an operand or a vector that is no quotient, divided by this."""
-        return Rational(numerator * self.denominator, _scalar(self))
+        return Rational(numerator * self.denominator, self.scalar)
+
+    def times_vector(self, vector: Vector[Any]) -> Rational[T]:
+        """A vector times this: one quotient."""
+        return Rational(vector * self.scalar, self.product)
 
     def __rtruediv__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
-            other = self.constant(other)
+            other = self.denominator.constant(other)
         return self.dividing(other) if _fits(other) else NotImplemented
 
-    def d(self, order: int = 1) -> Rational:
+    def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
         """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
         result = self
         for _ in range(order):
-            p, w = result.numerator, result.denominator
+            p: Any = result.numerator
+            w = result.denominator
             product = Product(w, w, factors=result.product.factors * 2)
-            result = Rational((p.d(1) * w - p * w.d(1)).elevated_to(product.value), product)
+            result = Rational((p.d(1, by=by) * w - p * w.d(1, by=by)).elevated_to(product.value), product)
         return result
 
-    def levelled(self, other: Any) -> tuple[Rational, Any]:
+    def levelled(self, other: Any) -> tuple[Rational[T], Rational[T]]:
         """This quotient and another (or what is none) over one denominator, their numerators multiplied by the factors
         they lack.
         """
@@ -193,11 +231,11 @@ class Rational(Operand):
             return self, Rational(other * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)
         shared = (
-            Product(*self.product._factors(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
+            Product(*self.product.unexpanded(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
         )
         return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
-    def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Rational:
+    def multilinear(self, function: Callable[..., Any], vectors: tuple[Any, ...]) -> Rational[T]:
         """A product of vectors that is linear in each: of the numerators, over the product of the denominators."""
         numerators = [v.numerator if isinstance(v, Rational) else v for v in vectors]
         first, *rest = [v.product for v in vectors if isinstance(v, Rational)]
@@ -205,25 +243,19 @@ class Rational(Operand):
             first = first * product
         return Rational(function(*numerators), first)
 
-    def elevated(self) -> tuple[Any, Any]:
-        """Numerator and denominator raised to one degree: control points and weights of a NURBS."""
+    def elevated(self) -> tuple[T | Vector[T], T]:
+        """Numerator and denominator elevated to one degree: control points and weights of a NURBS."""
         w = highest = self.denominator
-        for x in self.numerator if self.is_vector else [self.numerator]:
+        for x in self.numerator if isinstance(self.numerator, Vector) else [self.numerator]:
             highest = highest.elevated_to(x)
         return self.numerator.elevated_to(highest), w.elevated_to(highest)
 
-    def elevated_to(self, other: Any) -> Rational:
+    def elevated_to(self, other: Any) -> Rational[T]:
         """The same rational, its numerator at least of the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
 
 
-def _scalar(r: Rational) -> Any:
-    if r.is_vector:
-        raise FormulaError("division by a vector", remedy="divide by a scalar")
-    return r.numerator
-
-
-def _fits(other: Any) -> bool:
+def _fits(other: object) -> bool:
     return isinstance(other, (Operand, Vector, *CONSTANTS))
 
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import Any, Generic, TypeVar
 
+from exactspline.language.operand import Constant, OwnVectors
+from exactspline.language.rational import Rational
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 
+T = TypeVar("T")
 
-class RuledSurface(Displayed):
+
+class RuledSurface(Displayed, Generic[T]):
     """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) of one parameter s, and the ruling
     parameter ζ.
 
@@ -19,12 +22,18 @@ class RuledSurface(Displayed):
 
     __slots__ = ("directrix", "generator")
 
-    def __init__(self, directrix: Any, generator: Any) -> None:
+    directrix: T
+    generator: T
+
+    def __init__(self, directrix: T, generator: T) -> None:
         self.directrix, self.generator = directrix, generator
 
-    def at(self, ruling: Any) -> Any:
+    def at(self, ruling: Constant) -> T:
         """The curve of constant ruling parameter."""
-        return self.directrix + self.generator * ruling
+        directrix: Any = self.directrix
+        generator: Any = self.generator
+        curve: T = directrix + generator * ruling
+        return curve
 
     @property
     def degree(self) -> Any:
@@ -36,10 +45,11 @@ class RuledSurface(Displayed):
         """Directrix and generator side by side, as one vector of twice as many components (over one denominator where
         they are quotients).
         """
-        directrix, generator = self.directrix, self.generator
-        nothing = [directrix[0].constant(0)] * len(directrix)
-        first = _with_numerator(directrix, lambda v: Vector(*v, *nothing))
-        return first + _with_numerator(generator, lambda v: Vector(*nothing, *v))
+        directrix: Any = self.directrix
+        generator: Any = self.generator
+        operand = directrix.denominator if isinstance(directrix, Rational) else directrix[0]
+        nothing = [operand.constant(0)] * len(directrix)
+        return _extended(directrix, [], nothing) + _extended(generator, nothing, [])
 
 
 def ruled(directrix: Any, generator: Any) -> Any:
@@ -48,10 +58,11 @@ def ruled(directrix: Any, generator: Any) -> Any:
     >>> ruled(Vector(1, 0, 0), Vector(0, 0, 1)).at(2)
     Vector(1, 0, 2)
     """
-    hook = getattr(directrix, "ruled", None)
-    return RuledSurface(directrix, generator) if hook is None else hook(generator)
+    return directrix.ruled(generator) if isinstance(directrix, OwnVectors) else RuledSurface(directrix, generator)
 
 
-def _with_numerator(value: Any, change: Callable[[Any], Any]) -> Any:
-    """A vector, or the numerator of a vector quotient, changed."""
-    return change(value) if isinstance(value, Vector) else type(value)(change(value.numerator), value.product)
+def _extended(value: Any, before: list[Any], behind: list[Any]) -> Any:
+    """A vector, or the numerator of a vector quotient, with components before and behind its own."""
+    if isinstance(value, Rational):
+        return value.with_numerator(lambda v: Vector(*before, *v, *behind))
+    return Vector(*before, *value, *behind)

@@ -1,37 +1,33 @@
-"""Operands, vectors of them, and the products of vectors: the first half of the language of formulas."""
+"""Vectors of operands, and the products of vectors."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
-
-from gmpy2 import mpq
+from itertools import combinations
+from typing import Any, Generic, ParamSpec, TypeVar, overload
 
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.language.operand import CONSTANTS, Operand, _rational
+from exactspline.exact import mpq
+from exactspline.language.operand import (
+    CONSTANTS,
+    Constant,
+    Operand,
+    OwnProducts,
+    OwnVectors,
+    R,
+    Scalar,
+    larger,
+    no_truth_value,
+)
 from exactspline.language.services import Displayed
 
-
-class FieldOperand(Operand):
-    """An operand that can be divided by: a reading with ``reciprocal`` gives true quotients instead of a `Rational`."""
-
-    __slots__ = ()
-
-    def __truediv__(self, other: Any) -> Any:
-        right = self.beside(other)
-        return NotImplemented if right is None else self * right.reciprocal()  # type: ignore[operator]
-
-    def __rtruediv__(self, other: Any) -> Any:
-        left = self.beside(other)
-        return NotImplemented if left is None else left * self.reciprocal()  # type: ignore[attr-defined]
-
-    def dividing(self, vector: Vector) -> Vector:
-        """A vector divided by this."""
-        inverse = self.reciprocal()  # type: ignore[attr-defined]
-        return Vector(*[a * inverse for a in vector])
+T = TypeVar("T")
+U = TypeVar("U")
+S = TypeVar("S", bound=Scalar)
+P = ParamSpec("P")
 
 
-class Vector(Displayed):
+class Vector(Displayed, Generic[T]):
     """A tuple of scalar operands of one reading.
 
     >>> a, b = Vector(1, 2), Vector(mpq(1, 2), 0)
@@ -39,28 +35,33 @@ class Vector(Displayed):
     (Vector(mpq(3,2), 2), Vector(2, 4), mpq(1,2), mpq(-1,1))
     """
 
-    __slots__ = ("_derivative", "components")
+    __slots__ = ("_derivatives", "components")
     is_vector = True
-    #: A reading whose vectors are of another kind supplies a method here.
-    multilinear = None
+    components: tuple[T, ...]
 
-    def __init__(self, *components: Any) -> None:
+    def __init__(self, *components: T) -> None:
         self.components = components
-        self._derivative: Vector | None = None
+        #: First derivatives by parameter, once they were asked for.
+        self._derivatives: dict[str | None, Vector[T]] = {}
 
     def __len__(self) -> int:
         return len(self.components)
 
-    def __iter__(self) -> Iterator[Any]:
+    def __iter__(self) -> Iterator[T]:
         return iter(self.components)
 
-    def __getitem__(self, index: int | slice) -> Any:
+    @overload
+    def __getitem__(self, index: int) -> T: ...
+    @overload
+    def __getitem__(self, index: slice) -> Vector[T]: ...
+    def __getitem__(self, index: int | slice) -> T | Vector[T]:
         """A component, or the vector of those that a slice takes."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
     def __call__(self, *place: Any, **side: str) -> tuple[Any, ...]:
         """The values of components that are functions, at a parameter (or at two)."""
-        return tuple(a(*place, **side) for a in self.components)
+        functions: tuple[Any, ...] = self.components
+        return tuple(a(*place, **side) for a in functions)
 
     def __repr__(self) -> str:
         return f"Vector({', '.join(map(repr, self.components))})"
@@ -72,98 +73,109 @@ class Vector(Displayed):
         return hash(self.components)
 
     def __bool__(self) -> bool:
-        return Operand.__bool__(self)  # type: ignore[arg-type]
+        raise no_truth_value(self)
 
-    def __add__(self, other: Any) -> Any:
+    def mapped(self, change: Callable[[T], U]) -> Vector[U]:
+        """The vector of what becomes of its components.
+
+        >>> Vector(1, 2).mapped(lambda x: x + 1)
+        Vector(2, 3)
+        """
+        return Vector(*[change(component) for component in self.components])
+
+    def __add__(self: Vector[S], other: Vector[S]) -> Vector[S]:
         if not isinstance(other, Vector):
             return NotImplemented
         _same_length(self, other)
         return Vector(*[a + b for a, b in zip(self.components, other.components, strict=True)])
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self: Vector[S], other: Vector[S]) -> Vector[S]:
         if not isinstance(other, Vector):
             return NotImplemented
         _same_length(self, other)
         return Vector(*[a - b for a, b in zip(self.components, other.components, strict=True)])
 
-    def __neg__(self) -> Vector:
+    def __neg__(self: Vector[S]) -> Vector[S]:
         return Vector(*[-a for a in self.components])
 
     def __mul__(self, scalar: Any) -> Any:
         if isinstance(scalar, Operand):
-            if scalar.takes_over:
-                return NotImplemented
-        elif isinstance(scalar, Vector):
+            return scalar.times_vector(self)
+        if isinstance(scalar, Vector):
             raise ShapeError("a product of two vectors with *", remedy="write dot, cross or det")
-        elif not isinstance(scalar, CONSTANTS):
-            return NotImplemented
-        return Vector(*[a * scalar for a in self.components])
+        return self.scaled(scalar) if isinstance(scalar, CONSTANTS) else NotImplemented
 
     __rmul__ = __mul__
 
     def __truediv__(self, scalar: Any) -> Any:
         if isinstance(scalar, CONSTANTS):
-            return Vector(*[a / mpq(scalar) for a in self.components])
-        if not isinstance(scalar, Operand) or (scalar.takes_over and not hasattr(scalar, "dividing")):
-            return NotImplemented
-        return scalar.dividing(self) if hasattr(scalar, "dividing") else _rational()(self, scalar)
+            return self.scaled(1 / mpq(scalar))
+        return scalar.dividing(self) if isinstance(scalar, Operand) else NotImplemented
 
-    def d(self, order: int = 1) -> Vector:
-        """The derivative of the given order, component by component."""
+    def d(self: Vector[R], order: int = 1, *, by: str | None = None) -> Vector[R]:
+        """The derivative of the given order, component by component.
+
+        Raises `FormulaError` for a negative order.
+        """
         if order < 0:
             raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self
         for _ in range(order):
-            if result._derivative is None:
-                result._derivative = Vector(*[a.d(1) for a in result.components])
-            result = result._derivative
+            known = result._derivatives
+            if by not in known:
+                known[by] = Vector(*[a.d(1, by=by) for a in result.components])
+            result = known[by]
         return result
 
-    def scaled(self, constant: Any) -> Vector:
+    def scaled(self, constant: Constant) -> Vector[T]:
         """The vector times an exact constant."""
-        return Vector(*[a * constant for a in self.components])
+        components: tuple[Any, ...] = self.components
+        return Vector(*[a * constant for a in components])
 
-    def elevated_to(self, other: Any) -> Vector:
+    def elevated_to(self, other: Any) -> Vector[T]:
         """The same vector, every component at least of the degree of `other`."""
-        return Vector(*[a.elevated_to(other) for a in self.components])
+        components: tuple[Any, ...] = self.components
+        return Vector(*[a.elevated_to(other) for a in components])
 
     @property
     def degree(self) -> Any:
-        """The largest degree of the components."""
-        first, *rest = self.components
-        degree = first.degree
-        for a in rest:
-            degree = degree.max(a.degree) if hasattr(degree, "max") else max(degree, a.degree)
+        """The largest degree of the components: a number, two of them, or an expression."""
+        components: tuple[Any, ...] = self.components
+        degree = components[0].degree
+        for a in components[1:]:
+            degree = larger(degree, a.degree)
         return degree
 
     @property
     def is_zero(self) -> bool:
         """Whether every component is identically zero."""
-        return all(a.is_zero for a in self.components)
+        components: tuple[Any, ...] = self.components
+        return all(a.is_zero for a in components)
 
 
-def _same_length(a: Vector, b: Vector) -> None:
+def _same_length(a: Vector[Any], b: Vector[Any]) -> None:
     if len(a) != len(b):
         raise ShapeError(f"vectors of {len(a)} and {len(b)} components", remedy="use vectors of one dimension")
 
 
-def _multilinear(function: Callable[..., Any]) -> Callable[..., Any]:
+def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
     """Let a reading take a product of vectors over: a rational multiplies the denominators, a tree notes a node."""
 
-    def product(*vectors: Any) -> Any:  # its documentation is the function's own
+    def product(*vectors: P.args, **no: P.kwargs) -> T:  # its documentation is the function's own
         for vector in vectors:
-            if vector.multilinear is not None:
-                return vector.multilinear(product, vectors)
-        return function(*vectors)
+            if isinstance(vector, OwnProducts):
+                made: T = vector.multilinear(product, vectors)
+                return made
+        return function(*vectors, **no)
 
     product.__name__ = product.__qualname__ = function.__name__
     product.__doc__, product.__module__ = function.__doc__, function.__module__
-    product.__wrapped__ = function  # type: ignore[attr-defined]
+    product.__wrapped__ = function  # type: ignore[attr-defined]  # what `inspect.signature` looks for
     return product
 
 
 @_multilinear
-def dot(a: Vector, b: Vector) -> Any:
+def dot(a: Vector[S], b: Vector[S]) -> S:
     """Scalar product of two vectors of one dimension (rows T11, T14, T15).
 
     >>> dot(Vector(1, 2, 3), Vector(4, 5, 6))
@@ -178,7 +190,7 @@ def dot(a: Vector, b: Vector) -> Any:
     return first
 
 
-def norm2(a: Any) -> Any:
+def norm2(a: Vector[S]) -> S:
     """Squared length ``a·a``.
 
     >>> norm2(Vector(3, 4))
@@ -188,7 +200,7 @@ def norm2(a: Any) -> Any:
 
 
 @_multilinear
-def perp(a: Vector) -> Vector:
+def perp(a: Vector[S]) -> Vector[S]:
     """The plane vector turned by a right angle to the left, ``(-a_y, a_x)``.
 
     >>> perp(Vector(1, 2))
@@ -200,7 +212,7 @@ def perp(a: Vector) -> Vector:
 
 
 @_multilinear
-def cross(a: Vector, b: Vector) -> Vector:
+def cross(a: Vector[S], b: Vector[S]) -> Vector[S]:
     """Cross product in space (rows T10, T12, T13).
 
     >>> cross(Vector(1, 0, 0), Vector(0, 1, 0))
@@ -215,7 +227,7 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 
 @_multilinear
-def det(*rows: Vector) -> Any:
+def det(*rows: Vector[S]) -> S:
     """Determinant of n vectors in Rⁿ: ``[a b]``, the triple scalar product ``[a b c]``, the n-fold scalar product.
 
     Two vectors: ``a_x b_y - a_y b_x``. Three: a cross product followed by a dot product, as the paper counts it. More:
@@ -243,7 +255,7 @@ triple = det
 
 
 @_multilinear
-def generalized_cross(*rows: Vector) -> Vector:
+def generalized_cross(*rows: Vector[S]) -> Vector[S]:
     """The vector orthogonal to n−1 vectors of Rⁿ with ``det(a, …, z, x) = generalized_cross(a, …, z)·x`` for all x.
 
     In space it is the cross product; in the plane, `perp` with the sign that makes the determinant right.
@@ -254,9 +266,9 @@ def generalized_cross(*rows: Vector) -> Vector:
     n = len(rows) + 1
     if n < 2 or any(len(row) != n for row in rows):
         raise ShapeError(f"generalized cross product of {n - 1} vectors", remedy=f"they must have {n} components each")
-    minors: dict[tuple[int, ...], Any] = {(j,): rows[0][j] for j in range(n)}
+    minors: dict[tuple[int, ...], S] = {(j,): rows[0][j] for j in range(n)}
     for size in range(2, n):
-        minors = {columns: _expand(minors, rows[size - 1], columns) for columns in _subsets(n, size)}
+        minors = {columns: _expand(minors, rows[size - 1], columns) for columns in combinations(range(n), size)}
     cofactors = []
     for j in range(n):
         minor = minors[tuple(k for k in range(n) if k != j)]
@@ -264,20 +276,15 @@ def generalized_cross(*rows: Vector) -> Vector:
     return Vector(*cofactors)
 
 
-def _subsets(n: int, size: int) -> Iterator[tuple[int, ...]]:
-    from itertools import combinations
-
-    return combinations(range(n), size)
-
-
-def _expand(minors: dict[tuple[int, ...], Any], row: Vector, columns: tuple[int, ...]) -> Any:
+def _expand(minors: dict[tuple[int, ...], S], row: Vector[S], columns: tuple[int, ...]) -> S:
     """Laplace expansion of the minor in `columns` along its last row."""
     last = len(columns) - 1
-    total: Any = None
+    total: S | None = None
     for i, column in enumerate(columns):
         term = minors[columns[:i] + columns[i + 1 :]] * row[column]
         signed = -term if (last + i) % 2 else term
         total = signed if total is None else total + signed
+    assert total is not None
     return total
 
 
@@ -288,8 +295,8 @@ def join(*parts: Any) -> Any:
     Vector(1, 2, 3)
     """
     operand = next(part for part in parts if not isinstance(part, CONSTANTS))
-    if hook := getattr(operand, "joining", None):
-        return hook(parts)
+    if isinstance(operand, OwnVectors):
+        return operand.joining(parts)
     scalar = operand[0] if isinstance(operand, Vector) else operand
     components: list[Any] = []
     for part in parts:

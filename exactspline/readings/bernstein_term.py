@@ -68,8 +68,9 @@ class Monomials(Operand):
         """Itself: what this reading is for needs no degree elevation."""
         return self
 
-    def d(self, order: int = 1) -> Monomials:
+    def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
         """``(∂v − ∂u)``, the derivative by the local parameter, term by term."""
+        self.only_parameter(by)
         result, (u, v) = self, self.exponents
         for _ in range(order):
             terms: dict[tuple[int, int], fmpq_mpoly] = {}
@@ -120,7 +121,7 @@ def every_coefficient(value: Any) -> tuple[mpq, mpq] | None:
         return None
     # at a = k + 1, b = k the exponents of v are 2k and 2k + 1
     even, odd = (c.terms[shift].compose(d, b + 1, b, ctx=u.context()) for shift in ((0, 1), (1, 0)))
-    if not all(n.is_constant() and n != 0 for n in (even, odd)):
+    if not all(n.is_constant() and n for n in (even, odd)):
         return None
     first, second = (mpq(int(n.leading_coefficient().p), int(n.leading_coefficient().q)) for n in (even, odd))
     return first, second

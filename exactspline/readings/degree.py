@@ -14,8 +14,8 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import BARRED, COORDINATES, Curve, assemble
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.arguments import BARRED, COORDINATES, Curve, Pair, assemble
+from exactspline.language.operand import CONSTANTS, Constant, Operand, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational
 
@@ -36,30 +36,38 @@ def _dominates(a: Term, b: Term, start: int = 1) -> bool:
     return all(k >= 0 for _, k in difference[0]) and sum(k for _, k in difference[0]) * start + difference[1] >= 0
 
 
-class Degree(Operand):
-    """A maximum of affine forms in named degrees, which are at least 1.
+class Degree(Operand, PartlyOrdered):
+    """A maximum of affine forms in named degrees, which are at least 1, in the parameter that is counted.
+
+    What is `still` does not depend on that parameter: derivatives leave it.
 
     >>> d = Degree.named("d")
     >>> (d + d).elevated_to(d), d * d, (d * d).d(3)
     (d, 2d, 2d − 3)
     """
 
-    __slots__ = ("provenance", "terms")
+    __slots__ = ("counted", "provenance", "still", "terms")
 
-    def __init__(self, terms: Iterable[Term], provenance: Provenance = None) -> None:
+    def __init__(
+        self, terms: Iterable[Term], provenance: Provenance = None, *, still: bool = False, counted: str = "s"
+    ) -> None:
         terms = set(terms)
+        self.still, self.counted = still, counted
         self.provenance = leaf() if provenance is None else provenance
         self.terms = frozenset(t for t in terms if not any(s != t and _dominates(s, t) for s in terms))
 
     @classmethod
-    def named(cls, name: str) -> Degree:
+    def named(cls, name: str, counted: str = "s") -> Degree:
         """The degree with this name."""
-        return cls([(((name, 1),), 0)])
+        return cls([(((name, 1),), 0)], counted=counted)
 
     @classmethod
-    def number(cls, n: int) -> Degree:
+    def number(cls, n: int, *, still: bool = False, counted: str = "s") -> Degree:
         """A fixed degree."""
-        return cls([((), n)])
+        return cls([((), n)], still=still, counted=counted)
+
+    def _made(self, terms: Iterable[Term], provenance: Provenance, still: bool) -> Degree:
+        return Degree(terms, provenance, still=still, counted=self.counted)
 
     @property
     def degree(self) -> Degree:
@@ -72,38 +80,39 @@ class Degree(Operand):
 
     def elevated_to(self, other: Degree) -> Degree:
         """The degree after elevation: the larger of the two."""
-        return Degree(self.terms | other.terms, self.provenance)
+        return self._made(self.terms | other.terms, self.provenance, self.still)
 
-    def __add__(self, other: Any) -> Any:
-        if isinstance(other, CONSTANTS):
-            other = self.constant(other)
-        if not isinstance(other, Degree):
+    def __add__(self, other: Any) -> Degree:
+        right = self.beside(other)
+        if right is None:
             return NotImplemented
-        return Degree(self.terms | other.terms, (SUM, self.provenance, other.provenance))
+        provenance = (SUM, self.provenance, right.provenance)
+        return self._made(self.terms | right.terms, provenance, self.still and right.still)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Any) -> Degree:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Degree):
             return NotImplemented
-        return Degree(
-            (_plus(a, b) for a in self.terms for b in other.terms), (PRODUCT, self.provenance, other.provenance)
-        )
+        terms = (_plus(a, b) for a in self.terms for b in other.terms)
+        return self._made(terms, (PRODUCT, self.provenance, other.provenance), self.still and other.still)
 
-    def scaled(self, constant: Any) -> Degree:
+    def scaled(self, constant: Constant) -> Degree:
         """A constant factor leaves the degree."""
-        return Degree(self.terms, (MULTIPLE, self.provenance, mpq(constant)))
+        return self._made(self.terms, (MULTIPLE, self.provenance, mpq(constant)), self.still)
 
-    def constant(self, value: Any) -> Degree:
-        """A constant has degree 0."""
-        return Degree([((), 0)], (MULTIPLE, UNIT, mpq(value)))
+    def constant(self, value: Constant) -> Degree:
+        """A constant has degree 0, and is as still as what it is a constant beside."""
+        return self._made([((), 0)], (MULTIPLE, UNIT, mpq(value)), self.still)
 
-    def d(self, order: int = 1) -> Degree:
-        """One less for every derivative, below 0 if need be."""
+    def d(self, order: int = 1, *, by: str | None = None) -> Degree:
+        """One less for every derivative by the parameter that is counted, below 0 if need be."""
         provenance = self.provenance
         for _ in range(order):
-            provenance = (DERIVATIVE, provenance)
-        return Degree(((coefficients, constant - order) for coefficients, constant in self.terms), provenance)
+            provenance = (DERIVATIVE, provenance, by)
+        if self.still or by not in (None, self.counted):
+            return self._made(self.terms, provenance, self.still)
+        return self._made(((name, constant - order) for name, constant in self.terms), provenance, False)
 
     @property
     def is_zero(self) -> bool:
@@ -239,45 +248,7 @@ def degree_curve(dimension: int, *, polynomial: bool = False, name: str = "d") -
     return curve
 
 
-class Still(Degree):
-    """The degree 0 of what does not depend on the parameter that is counted: derivatives leave it."""
-
-    __slots__ = ()
-
-    def d(self, order: int = 1) -> Degree:
-        """Itself: it is no derivative by the parameter that is counted."""
-        provenance = self.provenance
-        for _ in range(order):
-            provenance = (DERIVATIVE, provenance)
-        return Still(self.terms, provenance)
-
-    def __add__(self, other: Any) -> Any:
-        return _still(super().__add__(other), other)
-
-    def __mul__(self, other: Any) -> Any:
-        return _still(super().__mul__(other), other)
-
-    def scaled(self, constant: Any) -> Degree:
-        """A constant factor leaves it still."""
-        result = super().scaled(constant)
-        return Still(result.terms, result.provenance)
-
-    def constant(self, value: Any) -> Degree:
-        """A constant is still too."""
-        result = super().constant(value)
-        return Still(result.terms, result.provenance)
-
-
-def _still(result: Any, other: Any) -> Any:
-    """A sum or a product of what is still and constants is still."""
-    return (
-        Still(result.terms, result.provenance)
-        if isinstance(result, Degree) and isinstance(other, (Still, *CONSTANTS))
-        else result
-    )
-
-
-class DifferentiatedPartByPart(Rational):
+class DifferentiatedPartByPart(Rational[Degree]):
     """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one.
 
     No rule of Table 1: it is how (24) and (35) come to give γ′ the degree d − 1 "either polynomial or rational".
@@ -285,9 +256,9 @@ class DifferentiatedPartByPart(Rational):
 
     __slots__ = ()
 
-    def d(self, order: int = 1) -> Rational:
+    def d(self, order: int = 1, *, by: str | None = None) -> DifferentiatedPartByPart:
         """The degrees of both lowered."""
-        return DifferentiatedPartByPart(self.numerator.d(order), self.denominator.d(order))
+        return DifferentiatedPartByPart(self.numerator.d(order, by=by), self.denominator.d(order, by=by))
 
 
 def degree_argument(
@@ -303,16 +274,17 @@ def degree_argument(
     d − 1
     """
     counted = BARRED + "W" if parameter == "s̄" else COORDINATES + "w"
+    still = Degree.number(0, still=True, counted=parameter)
     argument = assemble(
         kind,
         dimension,
-        lambda x: Degree.named(name) if x in counted else Still([((), 0)]),
-        Degree.number(0),
+        lambda x: Degree.named(name, parameter) if x in counted else Degree.number(0, still=True, counted=parameter),
+        Degree.number(0, counted=parameter),
         polynomial=polynomial,
     )
-    if polynomial and kind == "pair":
+    if polynomial and isinstance(argument, Pair):
         uncounted = argument.first if parameter == "s̄" else argument.second
-        uncounted.w = Still([((), 0)])
+        uncounted.w = still
     if counting == "part by part":
         for curve in argument.together():
             if isinstance(curve, Curve) and not polynomial:

@@ -24,7 +24,7 @@ class Order(Operand):
     def __init__(self, order: int) -> None:
         self.order = order
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Any) -> Order:
         if isinstance(other, CONSTANTS):
             return self
         if not isinstance(other, Order):
@@ -45,7 +45,7 @@ class Order(Operand):
         """Raising a degree needs no derivative."""
         return self
 
-    def d(self, order: int = 1) -> Order:
+    def d(self, order: int = 1, *, by: str | None = None) -> Order:
         """So many derivatives more."""
         return Order(self.order + order)
 

@@ -96,7 +96,7 @@ class FactoredJet(Operand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> FactoredJet:
+    def d(self, order: int = 1, *, by: str | None = None) -> FactoredJet:
         """The total derivative, by the product rule for all factors at once."""
         result = self
         for _ in range(order):
@@ -104,7 +104,7 @@ class FactoredJet(Operand):
             total = ring.context.constant(0)
             for i, (p, e) in enumerate(result.powers):
                 others = [q for j, (q, _) in enumerate(result.powers) if j != i]
-                total += e * Jet(ring, p).d().polynomial * multiplied(ring, [(q, 1) for q in others])
+                total += e * Jet(ring, p).d(by=by).polynomial * multiplied(ring, [(q, 1) for q in others])
             lowered = tuple((p, e - 1) for p, e in result.powers if e > 1)
             result = _product(ring, total * result.unit, lowered, provenance)
         return result

@@ -79,8 +79,9 @@ class Generic(Operand):
         q = to_fmpq(rational(constant))
         return Generic(self.context, [q * x for x in self.coefficients])
 
-    def d(self, order: int = 1) -> Generic:
+    def d(self, order: int = 1, *, by: str | None = None) -> Generic:
         """The derivative by the parameter of the segment."""
+        self.only_parameter(by)
         result = self
         for _ in range(order):
             c, n = result.coefficients, result.degree

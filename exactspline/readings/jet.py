@@ -56,6 +56,10 @@ class JetRing:
         """An exact constant."""
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
+    def parameter(self, name: str) -> str:
+        """The parameter of a function: s, or s̄ on the second curve."""
+        return "s̄" if name in BARRED + "W" else "s"
+
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
         name, order = self.variables[i]
@@ -108,15 +112,18 @@ class Jet(Operand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> Jet:
-        """The total derivative; `FormulaError` when the ring lacks the variable it leads to."""
+    def d(self, order: int = 1, *, by: str | None = None) -> Jet:
+        """The total derivative, or that by one parameter.
+
+        Raises `FormulaError` when the ring lacks the variable it leads to.
+        """
         ring, result, provenance = self.ring, self.polynomial, self.provenance
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):
                 if int(used) > 0:
                     name, k = ring.variables[i]
-                    if name in ring.constants:
+                    if name in ring.constants or by not in (None, ring.parameter(name)):
                         continue
                     if k == ring.order:
                         raise FormulaError(

@@ -78,8 +78,9 @@ class Expansion(Operand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> Expansion:
+    def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
         """The derivative, term by term."""
+        self.only_parameter(by)
         result, d = self, self.context.gens()[0]
         for _ in range(order):
             terms = [(result.k * d - (result.m + i)) * a for i, a in enumerate(result.terms)]
@@ -126,10 +127,9 @@ class StillExpansion(Expansion):
 
     derivatives: list[StillExpansion]
 
-    def d(self, order: int = 1) -> Expansion:
+    def d(self, order: int = 1, *, by: str | None = None) -> StillExpansion:
         """The derivative of that order: another constant."""
-        constant: Expansion = self.derivatives[order]
-        return constant
+        return self.derivatives[order]
 
 
 def expansion_argument(kind: str, dimension: int, terms: int, order: int, *, polynomial: bool = False) -> Any:

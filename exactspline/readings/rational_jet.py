@@ -13,7 +13,7 @@ from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve
-from exactspline.language.vector import FieldOperand
+from exactspline.language.operand import FieldOperand
 from exactspline.readings.jet import Jet, JetRing, jet_argument
 
 
@@ -68,7 +68,7 @@ class JetFraction(FieldOperand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> JetFraction:
+    def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
         """The total derivative."""
         result = self
         for _ in range(order):
@@ -76,11 +76,11 @@ class JetFraction(FieldOperand):
             if bottom.polynomial.total_degree() == 0:
                 result = JetFraction(
                     result.ring,
-                    top.d().polynomial / bottom.polynomial.leading_coefficient(),
+                    top.d(by=by).polynomial / bottom.polynomial.leading_coefficient(),
                     result.ring.context.constant(1),
                 )
                 continue
-            numerator = (top.d() * bottom - top * bottom.d()).polynomial
+            numerator = (top.d(by=by) * bottom - top * bottom.d(by=by)).polynomial
             shared = _gcd(numerator, result.bottom)
             rest = result.bottom / shared
             again = _gcd(numerator / shared, result.bottom)

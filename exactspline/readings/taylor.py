@@ -13,7 +13,8 @@ from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve
-from exactspline.language.vector import FieldOperand, Vector
+from exactspline.language.operand import FieldOperand
+from exactspline.language.vector import Vector
 
 
 class Series(FieldOperand):
@@ -68,8 +69,9 @@ class Series(FieldOperand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> Series:
+    def d(self, order: int = 1, *, by: str | None = None) -> Series:
         """The derivative, known to so many terms less."""
+        self.only_parameter(by)
         if order >= len(self.coefficients):
             raise FormulaError(
                 f"a derivative of order {order} of a series of {len(self.coefficients)} terms", remedy="expand further"

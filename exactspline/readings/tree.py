@@ -10,16 +10,17 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from exactspline.errors import FormulaError
-from exactspline.language.formula import Formula
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.formula import Argument, Formula
+from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
 from exactspline.language.ruled import ruled
-from exactspline.language.vector import cross, det, dot, generalized_cross, join, perp
+from exactspline.language.services import service
+from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
 
 #: Products of vectors whose value is again a vector.
 VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross", "join"}
 
 
-class Node(Operand):
+class Node(Operand, OwnVectors):
     """A node of an expression tree: an operation and its arguments.
 
     ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``,
@@ -27,7 +28,7 @@ class Node(Operand):
     """
 
     __slots__ = ("args", "is_vector", "op", "value")
-    takes_over = True
+    is_vector: bool
 
     def __init__(self, op: str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False) -> None:
         self.op, self.args, self.value, self.is_vector = op, args, value, vector
@@ -77,9 +78,26 @@ class Node(Operand):
     def __iter__(self) -> Iterator[Node]:
         raise FormulaError("a formula takes a vector apart", remedy="use v[0], v[1], …")
 
-    def d(self, order: int = 1) -> Node:
+    def d(self, order: int = 1, *, by: str | None = None) -> Node:
         """The node of a derivative (of order 0: itself)."""
-        return Node("d", (self,), order, vector=self.is_vector) if order else self
+        return Node("d", (self,), Derivation(order, by), vector=self.is_vector) if order else self
+
+    def scaled(self, constant: Constant) -> Node:
+        """The node of this times a constant."""
+        return Node("*", (self, Node("number", value=constant)), vector=self.is_vector)
+
+    def constant(self, value: Constant) -> Node:
+        """The node of a constant."""
+        return Node("number", value=value)
+
+    def dividing(self, numerator: Any) -> Node:
+        """The node of a quotient with this denominator."""
+        left = self._node(numerator)
+        return NotImplemented if left is None else Node("/", (left, self), vector=left.is_vector)
+
+    def times_vector(self, vector: Vector[Any]) -> Any:
+        """A tree has no vectors but its own."""
+        return NotImplemented
 
     def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Node:
         """The node of a product of vectors."""
@@ -108,9 +126,15 @@ class Node(Operand):
         return self.args[0]
 
     def __repr__(self) -> str:
-        from exactspline.readings.printing.text import print_text
+        shown: str = service("formula_text")(self)
+        return shown
 
-        return print_text(self)
+
+class Derivation(NamedTuple):
+    """The order of a derivative, and the parameter by which it is taken where it is named."""
+
+    order: int
+    by: str | None = None
 
 
 class NamedCall(NamedTuple):
@@ -122,7 +146,7 @@ class NamedCall(NamedTuple):
     barred: bool
 
 
-class Traced:
+class Traced(Argument):
     """The argument of the tree reading, curve or pair: its operands are leaves, and formulas called on it keep their
     names.
 
@@ -152,7 +176,7 @@ class Traced:
             "named",
             (body,),
             NamedCall(formula.symbol, self._path == "second."),
-            vector=getattr(body, "is_vector", False),
+            vector=isinstance(body, Node) and body.is_vector,
         )
 
 
@@ -197,7 +221,7 @@ def _apply(n: Node, args: list[Any], c: Any) -> Any:
     if n.op == "neg":
         return -args[0]
     if n.op == "d":
-        return args[0].d(n.value)
+        return args[0].d(n.value.order, by=n.value.by)
     if n.op == "**":
         return args[0] ** n.value
     if n.op == "[]":

@@ -165,7 +165,7 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
     mpq(1,2)
     """
     arguments = list(arguments)
-    zeros, ones = arguments.count(0), arguments.count(1)
+    zeros, ones = arguments.count(mpq(0)), arguments.count(mpq(1))
     points = list(points[ones : len(points) - zeros])
     for t in arguments:
         if t not in (0, 1):
@@ -209,7 +209,7 @@ def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:
 def backwards(c: fmpz_poly, n: int) -> fmpz_poly:
     """The integers of a form of degree n in reverse order: the form run through backwards."""
     coefficients = c.coeffs()
-    return fmpz_poly([0] * (n + 1 - len(coefficients)) + coefficients[::-1])
+    return fmpz_poly([fmpz(0)] * (n + 1 - len(coefficients)) + coefficients[::-1])
 
 
 def rational_roots(c: fmpz_poly) -> list[mpq]:

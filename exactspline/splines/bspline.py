@@ -221,7 +221,7 @@ class BSpline(Operand):
     def scaled(self, constant: Any) -> BSpline:
         """The spline times an exact constant."""
         if type(constant) is int:
-            factor, provenance = fmpz(constant), (MULTIPLE, self.provenance, constant)
+            factor, provenance = fmpz(constant), (MULTIPLE, self.provenance, mpq(constant))
             return _make(
                 self.degree,
                 self.mesh,
@@ -238,7 +238,7 @@ class BSpline(Operand):
             self.degree, self.mesh, self.continuity, [c * top for c in self.polynomials], denominators, provenance
         )
 
-    def d(self, order: int = 1) -> BSpline:
+    def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
         """The derivative of the given order.
 
         The formal degree drops by one each time, below 0 if need be (then the spline is zero and has no control
@@ -247,6 +247,7 @@ class BSpline(Operand):
         >>> BSpline.bezier([0, 0, 1]).d(2).control_points
         (mpq(2,1),)
         """
+        self.only_parameter(by)
         if order < 0:
             raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self

@@ -18,7 +18,7 @@ from gmpy2 import lcm, mpq
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import rational, text, to_fmpz
-from exactspline.language.arguments import Curve, Pair
+from exactspline.language.arguments import PARAMETERS, Curve, Pair
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.splines import refinement, tensor_bernstein
@@ -245,11 +245,15 @@ class TensorSpline(Operand):
         provenance = (MULTIPLE, self.provenance, q)
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
-    def d(self, order: int = 1) -> TensorSpline:
+    def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
         """The derivative of what depends on one parameter only; `FormulaError` for anything else (see `partial`)."""
+        if by is not None:
+            if by not in PARAMETERS:
+                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {' and '.join(PARAMETERS)}")
+            return self.partial(order, 0) if by == PARAMETERS[0] else self.partial(0, order)
         if self.profile is None:
             raise FormulaError(
-                "a derivative of a spline in two parameters", remedy="say by which: partial(1, 0) or partial(0, 1)"
+                "a derivative of a spline in two parameters", remedy="say by which: d(1, by='s') or d(1, by='s̄')"
             )
         return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 

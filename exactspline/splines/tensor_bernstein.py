@@ -46,7 +46,7 @@ def packed(parts: Sequence[fmpz_poly], stride: int) -> fmpz_poly:
     for row in parts:
         own = row.coeffs()
         coefficients += own
-        coefficients += [0] * (stride - len(own))
+        coefficients += [fmpz(0)] * (stride - len(own))
     return fmpz_poly(coefficients)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import Ordering, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.errors import ReductionError
 from exactspline.exact import text
@@ -24,7 +24,7 @@ def as_mpoly(c: fmpz_poly, stride: int) -> fmpz_mpoly:
 
 def as_packed(p: fmpz_mpoly, stride: int) -> fmpz_poly:
     """The packed patch of a polynomial in z and y."""
-    coefficients = [0] * (1 + max((int(i) + stride * int(j) for i, j in p.monoms()), default=0))
+    coefficients = [fmpz(0)] * (1 + max((int(i) + stride * int(j) for i, j in p.monoms()), default=0))
     for (i, j), x in p.terms():
         coefficients[int(i) + stride * int(j)] = x
     return fmpz_poly(coefficients)

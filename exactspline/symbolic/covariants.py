@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import COORDINATES
@@ -204,7 +204,7 @@ def _at(jets: Sequence[Jet], k: int, m: int, d: int) -> int:
 
 def _truncated(ring: JetRing, polynomial: fmpq_mpoly, d: int) -> fmpq_mpoly:
     names = ring.context.names()
-    vanishing = {names[n]: 0 for n, i in _moving(ring) if i > d}
+    vanishing: dict[str | int, int | fmpz | fmpq] = {names[n]: 0 for n, i in _moving(ring) if i > d}
     return polynomial.subs(vanishing) if vanishing else polynomial
 
 

@@ -360,20 +360,20 @@ def _powers(ring: JetRing, above: Factor, below: Factor) -> tuple[Power, ...]:
 def _over_one_denominator(value: Any) -> tuple[list[FactoredJet], FactoredJet | None]:
     """The components of the numerator and the denominator; of a vector of quotients the product of the denominators."""
     if isinstance(value, Rational):
-        numerator = value.numerator
+        numerator: Any = value.numerator
         return (list(numerator) if isinstance(numerator, Vector) else [numerator]), value.denominator
     if not isinstance(value, Vector):
         return [value], None
     if not any(isinstance(c, Rational) for c in value):
         return list(value), None
-    one = next(c for c in value if isinstance(c, Rational)).constant(1)
+    one = next(c for c in value if isinstance(c, Rational)).denominator.constant(1)
     components = [c if isinstance(c, Rational) else Rational(c, one) for c in value]
     numerators, total = [], one
     for i, c in enumerate(components):
-        numerator = c.numerator
+        product: Any = c.numerator
         for j, other in enumerate(components):
-            numerator = numerator * other.denominator if i != j else numerator
-        numerators.append(numerator)
+            product = product * other.denominator if i != j else product
+        numerators.append(product)
         total = total * c.denominator
     return numerators, total
 

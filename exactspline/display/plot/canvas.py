@@ -106,7 +106,8 @@ def parameter(t: Any, domain: tuple[mpq, mpq]) -> mpq:
     t = getattr(t, "parameter", t)
     if hasattr(t, "refine"):
         low, high = t.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
-        return (low + high) / 2
+        middle: mpq = (low + high) / 2
+        return middle
     return rational(t)
 
 

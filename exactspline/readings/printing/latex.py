@@ -39,6 +39,11 @@ class LatexPrinter(Printer):
         """Primes."""
         return base + ("'" * order if order < 4 else rf"^{{({order})}}")
 
+    def partial(self, base: str, order: int, by: str) -> str:
+        """``∂ₛᵏ a``."""
+        power = f"^{{{order}}}" if order > 1 else ""
+        return rf"\partial_{{{by}}}{power} {base}"
+
     def component(self, base: str, index: str) -> str:
         """An index."""
         shown = index.replace("…", r" \ldots ")

@@ -41,7 +41,9 @@ class Printer(ABC):
         if n.op == "**":
             return self.power(self.at(n.args[0], ATOM), n.value), POWER
         if n.op == "d":
-            return self.derivative(self.at(n.args[0], ATOM), n.value), ATOM
+            order, by = n.value
+            base = self.at(n.args[0], ATOM)
+            return (self.derivative(base, order), ATOM) if by is None else (self.partial(base, order, by), PRODUCT)
         if n.op == "[]":
             return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
         if n.op == "join":
@@ -94,6 +96,10 @@ class Printer(ABC):
     @abstractmethod
     def derivative(self, base: str, order: int) -> str:
         """A derivative."""
+
+    @abstractmethod
+    def partial(self, base: str, order: int, by: str) -> str:
+        """A derivative by a parameter that is named."""
 
     @abstractmethod
     def component(self, base: str, index: str) -> str:

@@ -38,6 +38,10 @@ class TextPrinter(Printer):
         """``a′``."""
         return base + ("′″‴"[order - 1] if order < 4 else f"⁽{str(order).translate(_SUPERSCRIPT)}⁾")
 
+    def partial(self, base: str, order: int, by: str) -> str:
+        """``∂_s a``."""
+        return f"∂_{by}{str(order).translate(_SUPERSCRIPT) if order > 1 else ''} {base}"
+
     def component(self, base: str, index: str) -> str:
         """``a[i]``."""
         return f"{base}[{index}]"

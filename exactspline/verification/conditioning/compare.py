@@ -56,7 +56,8 @@ class RootConditions:
 
     def ratio(self, form: str) -> mpq:
         """Condition number of the minimal form by that of the form, from the middles of the enclosures."""
-        return sum(self[MINIMAL].condition) / sum(self[form].condition)
+        (low, high), (first, last) = self[MINIMAL].condition, self[form].condition
+        return (low + high) / (first + last)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import factorial
 
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 from gmpy2 import iroot, mpq, mpz
 
 from exactspline.roots.root import Root
@@ -66,7 +66,7 @@ def _absolute(form: Form) -> Form:
 def _derivative(form: Form, n: int, m: int) -> Form:
     c = form[0]
     for k in range(m):
-        c = derivative(c, n - k)
+        c = derivative(c, fmpz(n - k))
     return c, form[1]
 
 
@@ -76,7 +76,7 @@ def _range(form: Form, n: int, x: Interval) -> Interval:
     """
     low, high = x
     shrink = ((1 - high) / (1 - low)) ** n
-    parts = [(fmpz_poly([max(sign * c, 0) for c in form[0].coeffs()]), form[1]) for sign in (1, -1)]
+    parts = [(fmpz_poly([max(sign * c, fmpz(0)) for c in form[0].coeffs()]), form[1]) for sign in (1, -1)]
     (up, top), (down, bottom) = ((value(part, n, low) * shrink, value(part, n, high) / shrink) for part in parts)
     return up - bottom, top - down
 
