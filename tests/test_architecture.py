@@ -20,7 +20,7 @@ ORDER = [
     ["roots", "symbolic"],
     ["geometry"],
     ["verification"],
-    ["display"],
+    ["display", "interchange"],
     ["cli"],
 ]
 FLOOR = {room: i for i, rooms in enumerate(ORDER) for room in rooms}
