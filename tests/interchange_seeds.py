@@ -4,6 +4,7 @@ from io import BytesIO
 
 from exactspline import Nurbs
 from exactspline.interchange.files import encoded
+from exactspline.interchange.iges_records import formatted
 from exactspline.splines.examples import example
 
 ARC = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2], name="arc")
@@ -20,10 +21,21 @@ SVG = b"""<?xml version="1.0"?>
 <rect x="1" y="1" width="2" height="3"/><circle r="2"/><polygon points="0,0 1,0 1,1"/></g>
 <defs><path d="M0 0L1 1"/></defs></svg>
 """
-DXF = b"""  0\nSECTION\n  2\nENTITIES\n  0\nLINE\n 10\n0\n 20\n0\n 11\n1\n 21\n1.5\n  0\nCIRCLE\n 10\n1\n 20\n2\n 40\n0.5
-  0\nARC\n 10\n0\n 20\n0\n 40\n2\n 50\n90\n 51\n270\n210\n0\n220\n0\n230\n-1\n  0\nELLIPSE\n 10\n0\n 20\n0\n 11\n2\n 21\n1
- 40\n0.5\n 41\n0\n 42\n6.283185307179586\n  0\nLWPOLYLINE\n 90\n3\n 70\n1\n 10\n0\n 20\n0\n 42\n0.5\n 10\n1\n 20\n0\n 10\n1
- 20\n1\n 42\n-1\n  0\nTEXT\n  1\nhello\n  0\nENDSEC\n  0\nEOF\n"""
+
+
+def dxf(words: str) -> bytes:
+    """Group codes and values, by blanks, as the lines of a DXF file."""
+    return "".join(f"{word}\n" for word in f"0 SECTION 2 ENTITIES {words} 0 ENDSEC 0 EOF".split()).encode()
+
+
+DXF = dxf("""
+0 LINE 10 0 20 0 11 1 21 1.5
+0 CIRCLE 10 1 20 2 40 0.5
+0 ARC 10 0 20 0 40 2 50 90 51 270 210 0 220 0 230 -1
+0 ELLIPSE 10 0 20 0 11 2 21 1 40 0.5 41 0 42 6.283185307179586
+0 LWPOLYLINE 90 3 70 1 10 0 20 0 42 0.5 10 1 20 0 10 1 20 1 42 -1
+0 TEXT 1 hello
+""")
 STEP = b"""ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));#2=CARTESIAN_POINT('',(1.,0.5,0.));
 #3=CARTESIAN_POINT('',(2.,0.E+000,/* comment ; */1.));\n#4=BEZIER_CURVE('it''s',2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.);
 #5=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.,1.),
@@ -44,20 +56,25 @@ GEOMDL = b"""{"shape": {"type": "curve", "count": 2, "data": [
  "control_points": {"points": [[1, 0], [1, 1], [0, 1]], "weights": [1, 0.7, 1]}}, {"type": "spline", "degree": 1}]}}"""
 
 
-def iges() -> bytes:
-    """A written file with an arc, a conic, a line and a matrix added."""
-    from exactspline.interchange.iges_records import formatted
+SPLINE = "2,2,0,0,1,0, 0.,0.,0.,1.,1.,1., 1.,1.,1., 0.,0.,0.,1.,2.D0,0.,2.,0.,1., 0.,1., 0.,0.,0."
 
+
+def iges() -> bytes:
+    """A spline, an arc moved by a matrix, a conic, a line and a surface."""
     entities = [
-        (126, 0, 0, "SPLINE", ["2", "2", "0", "0", "1", "0", "0.", "0.", "0.", "1.", "1.", "1.", "1.", "1.", "1.", "0.", "0.", "0.", "1.", "2.D0", "0.", "2.", "0.", "1.", "0.", "1.", "0.", "0.", "0."]),
+        (126, 0, 0, "SPLINE", SPLINE.split(",")),
         (100, 0, 0, "ARC", ["0.5", "0.", "0.", "1.", "0.", "-1.", "0."]),
         (104, 1, 0, "CONIC", ["1.", "0.", "4.", "0.", "0.", "-4.", "0.", "2.", "0.", "0.", "1."]),
         (110, 0, 0, "LINE", ["0.", "0.", "0.", "1.", "1.", "1."]),
         (124, 0, 0, "MATRIX", ["0.", "-1.", "0.", "5.", "1.", "0.", "0.", "0.", "0.", "0.", "1.", "0."]),
         (128, 0, 0, "SURFACE", ["1", "3H;,,"]),
-    ]  # fmt: skip
-    return formatted(entities, "test").replace(b"     100       2       0       0       0       0       0",
-                                               b"     100       2       0       0       0       0       9")  # fmt: skip
+    ]
+    matrix_of_the_arc = f"{100:8}{2:8}" + f"{0:8}" * 4
+    text = formatted(entities, "test").decode()
+    return text.replace(f"{matrix_of_the_arc}{0:8}", f"{matrix_of_the_arc}{9:8}").encode()
+
+
+NAMES = [".notdef", "a", "ring", "both"]
 
 
 def truetype() -> bytes:
@@ -84,12 +101,11 @@ def truetype() -> bytes:
         pen.addComponent("a", (1, 0, 0, 1, 10, 20))
         pen.addComponent("ring", (0.5, 0, 0, 0.5, 0, 0))
 
-    return _built(FontBuilder(1000, isTTF=True), lambda b: b.setupGlyf(
-        {".notdef": glyph(simple), "a": glyph(simple), "ring": glyph(ring), "both": _with(composite, glyph)}
-    ))  # fmt: skip
+    glyphs = {".notdef": glyph(simple), "a": glyph(simple), "ring": glyph(ring), "both": _with(composite)}
+    return _built(FontBuilder(1000, isTTF=True), lambda builder: builder.setupGlyf(glyphs))
 
 
-def _with(draw, glyph):
+def _with(draw):
     from fontTools.pens.ttGlyphPen import TTGlyphPen
 
     pen = TTGlyphPen({"a": None, "ring": None})
@@ -98,11 +114,10 @@ def _with(draw, glyph):
 
 
 def _built(builder, outlines):
-    names = [".notdef", "a", "ring", "both"]
-    builder.setupGlyphOrder(names)
+    builder.setupGlyphOrder(NAMES)
     builder.setupCharacterMap({97: "a"})
     outlines(builder)
-    builder.setupHorizontalMetrics(dict.fromkeys(names, (500, 0)))
+    builder.setupHorizontalMetrics(dict.fromkeys(NAMES, (500, 0)))
     builder.setupHorizontalHeader()
     builder.setupNameTable({"familyName": "Test", "styleName": "Regular"})
     builder.setupOS2()
