@@ -163,8 +163,22 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
             f"(GEOMETRIC_REPRESENTATION_CONTEXT({dimension}) GLOBAL_UNIT_ASSIGNED_CONTEXT(({','.join(units)})) "
             "REPRESENTATION_CONTEXT('',''))"
         )
-        add(f"SHAPE_REPRESENTATION('',({collected}),{context})")
+        shape = add(f"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',({collected}),{context})")
+        _product(shape, add)
     return (_HEADER + "\n".join(lines) + "\nENDSEC;\nEND-ISO-10303-21;\n").encode()
+
+
+def _product(shape: str, add: Callable[[str], str]) -> None:
+    """The part that has this shape, without which other programs see no shape at all."""
+    application = add("APPLICATION_CONTEXT('automotive design')")
+    add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
+    context = add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
+    product = add(f"PRODUCT('curves','curves','',({context}))")
+    formation = add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
+    stage = add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")
+    definition = add(f"PRODUCT_DEFINITION('design','',{formation},{stage})")
+    defined = add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
+    add(f"SHAPE_DEFINITION_REPRESENTATION({defined},{shape})")
 
 
 _UNITS = (
