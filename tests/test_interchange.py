@@ -121,6 +121,13 @@ def test_what_the_reader_refuses_is_refused(broken):
             jsonschema.validate(json.loads(broken), schema())
 
 
+@pytest.mark.parametrize("number", ["1e+-9", "1e", "1e1000", "0x1p9999", "1/0", "٣", "", "1 2", "--1", "1e9e9"])
+def test_what_is_no_number_or_beyond_the_limits_is_no_coordinate(number):
+    data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
+    reading = read(json.dumps(data).encode(), "json")
+    assert (len(reading.curves), len(reading.skipped)) == (0, 1)
+
+
 def test_homogeneous_and_cartesian_points_are_told_apart():
     """The same half circle, as g2 (w x, w y, w), itd (w, w x, w y) and as Cartesian geomdl."""
     half = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])

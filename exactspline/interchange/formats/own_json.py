@@ -7,6 +7,7 @@ decimals or text such as "1/3".
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from importlib import resources
 from typing import Any
@@ -20,6 +21,8 @@ from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
+
+_EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
 
 
 def schema() -> dict[str, Any]:
@@ -93,7 +96,7 @@ def _number(value: Any, found: Collector) -> mpq:
     mark, most = ("p", 4 * found.limits.exponent) if "x" in value.lower() else ("e", found.limits.exponent)
     exponent = value.lower().partition(mark)[2].strip()
     # a few characters of exponent would fill the memory
-    if exponent and (len(exponent) > 7 or not exponent.lstrip("+-").isdecimal() or abs(int(exponent)) > most):
+    if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
         raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents to {most} are read")
     if len(value) > 50 * found.limits.digits:
         raise NumberError(f"a number of {len(value)} characters", remedy="read with a larger limit of digits")
