@@ -6,7 +6,8 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs, Vector
-from exactspline.language.arguments import DIMENSIONS, Curve, Pair, assemble, operands, with_point
+from exactspline.language.arguments import Curve, Pair, with_point
+from exactspline.language.kinds import DIMENSIONS, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, ruled
 from exactspline.language.vector import cross, dot, norm2
@@ -146,7 +147,7 @@ def test_operands_are_what_was_assembled(kind):
         made[name] = Order(len(made))
         return made[name]
 
-    assert operands(assemble(kind, 3, operand, Order(0))) == made
+    assert kind_of(kind).argument(3, lambda symbol: operand(symbol.name), Order(0)).operands() == made
 
 
 def test_the_true_degree_in_one_parameter():

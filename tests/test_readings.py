@@ -9,13 +9,14 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, Rational, Vector
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import DIMENSIONS, Curve
+from exactspline.language.arguments import Curve
+from exactspline.language.kinds import DIMENSIONS, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
 from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import Jet, JetRing, jet_curve
+from exactspline.readings.jet import Jet, JetReading, jet_curve
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
@@ -65,8 +66,7 @@ def series_table(t, terms):
 
 
 def jet_table():
-    ring = JetRing(("p1", "p2", "w1", "w2", *(f"v{i}{k}" for i in (1, 2) for k in "xyz")), 2)
-    return table(lambda x, i: ring[f"{x}{i}"], lambda x, i: Vector(*[ring[f"{x}{i}{k}"] for k in "xyz"]))
+    return JetReading(2).argument(TABLE, 3)
 
 
 def degree_table():

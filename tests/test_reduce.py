@@ -141,7 +141,7 @@ def offset_cusps(c):
     return find("curvature_squared")(c) - 1
 
 
-@formula("curvature extrema of a space curve", curve="space")
+@formula("curvature extrema of a space curve", on="space")
 def space_vertices(c):
     """The numerator of the derivative of ``‖γ′ × γ″‖² / ‖γ′‖⁶``, from the definition."""
     a, b = c.gamma.d(1), cross(c.gamma.d(1), c.gamma.d(2))

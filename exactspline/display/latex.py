@@ -9,8 +9,8 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.exact import text
-from exactspline.language.arguments import DIMENSIONS
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector

@@ -14,8 +14,11 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language.arguments import BARRED, COORDINATES, POINT, Curve, assemble
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import PARAMETERS, Curve
+from exactspline.language.kinds import Kind, Symbol, kind_of
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 from exactspline.readings.differential_order import order_of
 
@@ -132,30 +135,41 @@ class StillExpansion(Expansion):
         return self.derivatives[order]
 
 
-def expansion_argument(kind: str, dimension: int, terms: int, order: int, *, polynomial: bool = False) -> Any:
-    """What formulas of a kind are handed at infinity of the first parameter; the second curve and the point stay
-    constant.
+class LeadingTermsReading(Reading):
+    """Leading coefficients at infinity of the first parameter, to so many terms, with derivatives up to an order of
+    what does not depend on it: the second curve and the point stay constant.
     """
-    first = [*COORDINATES[:dimension], *([] if polynomial else ["w"])]
-    second = [*BARRED[:dimension], *([] if polynomial else ["W"])] if kind == "pair" else []
-    still = second + (list(POINT[:dimension]) if kind.endswith("point") else [])
-    names = [f"{name}{i}" for name in first for i in range(terms)] + [
-        f"{name}{i}" for name in still for i in range(order + 1)
-    ]
-    context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
-    known = dict(zip(names, context.gens()[1:], strict=True))
-    zero = context.constant(0)
 
-    def operand(name: str) -> Expansion:
-        if name in first:
-            return Expansion(context, 1, 0, [known[f"{name}{i}"] for i in range(terms)])
-        constants = [
-            StillExpansion(context, 0, 0, [known[f"{name}{i}"], *[zero] * (terms - 1)]) for i in range(order + 1)
-        ]
-        constants[0].derivatives = constants
-        return constants[0]
+    name = "infinity"
+    proves = "the true degree on the generic curve, for every d but those named"
 
-    return assemble(kind, dimension, operand, operand(first[0]).constant(1), polynomial=polynomial)
+    def __init__(self, terms: int, order: int = 0) -> None:
+        self.terms, self.order = terms, order
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Expansions of the functions of s; constants for everything else."""
+        symbols = kind.symbols(dimension, polynomial=polynomial)
+        lengths = {s.name: self.terms if s.parameter == PARAMETERS[0] else self.order + 1 for s in symbols}
+        names = [f"{name}{i}" for name, length in lengths.items() for i in range(length)]
+        context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
+        known = dict(zip(names, context.gens()[1:], strict=True))
+        nothing = [context.constant(0)] * (self.terms - 1)
+
+        def operand(symbol: Symbol) -> Expansion:
+            own = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
+            if symbol.parameter == PARAMETERS[0]:
+                return Expansion(context, 1, 0, own)
+            constants = [StillExpansion(context, 0, 0, [c, *nothing]) for c in own]
+            constants[0].derivatives = constants
+            return constants[0]
+
+        one = Expansion(context, 0, 0, [context.constant(1), *nothing])
+        return kind.argument(dimension, operand, one, polynomial=polynomial)
+
+
+def expansion_argument(kind: str, dimension: int, terms: int, order: int, *, polynomial: bool = False) -> Any:
+    """What formulas of a kind are handed at infinity of the first parameter."""
+    return LeadingTermsReading(terms, order).argument(kind_of(kind), dimension, polynomial=polynomial)
 
 
 def expansion_curve(dimension: int, terms: int, *, polynomial: bool = False) -> Curve:

@@ -12,9 +12,12 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
+from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.operand import FieldOperand
-from exactspline.readings.jet import Jet, JetRing, jet_argument
+from exactspline.language.reading import Reading
+from exactspline.readings.jet import Jet, JetReading, JetRing
 
 
 class JetFraction(FieldOperand):
@@ -117,7 +120,22 @@ def fraction_curve(dimension: int, order: int, *, polynomial: bool = False) -> C
     return curve
 
 
+class RationalJetReading(Reading):
+    """The indeterminate argument, whose quotients are in lowest terms."""
+
+    name = "rational jet"
+    proves = "an identity for every curve of every degree"
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Every operand an indeterminate."""
+        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
+        argument: Evaluated = jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
+        return argument
+
+
 def fraction_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
     """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves."""
-    jets = jet_argument(kind, dimension, order, polynomial=polynomial)
-    return jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
+    return RationalJetReading(order).argument(kind_of(kind), dimension, polynomial=polynomial)

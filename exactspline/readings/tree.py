@@ -10,7 +10,8 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from exactspline.errors import FormulaError
-from exactspline.language.formula import Argument, Formula
+from exactspline.language.argument import Argument
+from exactspline.language.formula import Formula
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
 from exactspline.language.ruled import ruled
 from exactspline.language.services import service

@@ -12,13 +12,14 @@ from flint import fmpq_mpoly
 from gmpy2 import mpq
 
 from exactspline.errors import ClaimError
-from exactspline.language.arguments import DIMENSIONS, operands
+from exactspline.language.arguments import operands
+from exactspline.language.kinds import Kind
 from exactspline.language.parts import split
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, jet_argument, polynomial_text
+from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import fraction_argument
 from exactspline.readings.tree import trace
@@ -162,12 +163,12 @@ def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
 
 def named_values(ring: JetRing) -> list[tuple[str, Any]]:
     """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
-    return _named_values(ring.kind, ring.dimension, ring.order, "w" not in ring.names)
+    return _named_values(ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
 @cache
-def _named_values(kind: str, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
-    c = jet_argument(kind, dimension, order, polynomial=polynomial)
+def _named_values(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+    c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
     known = operands(c)
     values = (
         []
@@ -178,14 +179,9 @@ def _named_values(kind: str, dimension: int, order: int, polynomial: bool) -> li
             if name in known
         ]
     )
-    kinds = {
-        "pair": ("pair",),
-        "point": ("curve", "plane", "plane point") if dimension == 2 else ("curve", "space", "point"),
-    }
     for formula in all_formulas().values():
         if (
-            formula.curve in kinds.get(kind, ("curve", "plane", "space"))
-            and dimension in DIMENSIONS[formula.curve]
+            kind.takes(formula.kind, dimension)
             and is_polynomial(formula, dimension)
             and order_of(formula, dimension) <= order
         ):

@@ -18,8 +18,8 @@ from flint import fmpq_mpoly
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
-from exactspline.language.arguments import DIMENSIONS
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, fields
 from functools import cache
 
 from exactspline.errors import ClaimError
-from exactspline.language.arguments import DIMENSIONS
+from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.services import Displayed
 from exactspline.papers import find, papers
 

@@ -10,8 +10,9 @@ from typing import Any
 
 from exactspline.errors import FormulaError, ReductionError
 from exactspline.geometry.constructions import MINIMAL, Construction, all_constructions, construction, constructions_for
-from exactspline.language.arguments import DIMENSIONS, Curve, Pair
+from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find

@@ -7,7 +7,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from exactspline.geometry.ruled_surfaces import differences
-from exactspline.language.arguments import DIMENSIONS, embedded
+from exactspline.language.arguments import embedded
+from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.parts import split
 from exactspline.language.vector import Vector
 from exactspline.papers import find

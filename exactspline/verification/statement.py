@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import ExactSplineError
-from exactspline.language.arguments import DIMENSIONS
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.services import Displayed
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, degree_argument

@@ -77,13 +77,13 @@ def jerk_shared(c):
     return ((D3(c) + D21(c)) * w**2 - D2(c) * (4 * w.d(1) * w) + D1(c) * (6 * w.d(1) ** 2 - 2 * w * w.d(2))) / w**4
 
 
-@formula("Remark 3.1", curve="space")
+@formula("Remark 3.1", on="space")
 def D1_D2_D3(c):
     """``[D1 D2 D3]`` in space."""
     return det(D1(c), D2(c), D3(c))
 
 
-@formula("§3", curve="space")
+@formula("§3", on="space")
 def D1_D2_D21(c):
     """``[D1 D2 D21]``: zero when D21 lies in the span of D1 and D2."""
     return det(D1(c), D2(c), D21(c))
@@ -143,37 +143,37 @@ def jerk_terms(c):
     return D3(c) / c.w**2 + jerk_term_21(c) - jerk_term_2(c) + jerk_term_1(c)
 
 
-@formula("Remark 3.2", curve="plane")
+@formula("Remark 3.2", on="plane")
 def acceleration_rest_plane(c):
     """``[γ′ γ″ − D2/w²]``: zero when the rest of γ″ is along γ′, in the plane."""
     return det(c.gamma.d(1), c.gamma.d(2) - D2(c) / c.w**2)
 
 
-@formula("Remark 3.2", curve="space")
+@formula("Remark 3.2", on="space")
 def acceleration_rest_space(c):
     """``γ′ × (γ″ − D2/w²)``: zero when the rest of γ″ is along γ′, in space."""
     return cross(c.gamma.d(1), c.gamma.d(2) - D2(c) / c.w**2)
 
 
-@formula("Remark 3.2", curve="space")
+@formula("Remark 3.2", on="space")
 def jerk_rest(c):
     """``[γ′ γ″ γ‴ − D3/w²]``: zero when the rest of γ‴ is in the span of γ′ and γ″."""
     return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3) - D3(c) / c.w**2)
 
 
-@formula("§3", curve="plane")
+@formula("§3", on="plane")
 def velocity_jerk(c):
     """``[γ′ γ‴]``, naive."""
     return det(c.gamma.d(1), c.gamma.d(3))
 
 
-@formula("§3", curve="plane")
+@formula("§3", on="plane")
 def D1_D3(c):
     """``[D1 D3]`` in the plane."""
     return det(D1(c), D3(c))
 
 
-@formula("Remark 3.2", curve="space")
+@formula("Remark 3.2", on="space")
 def velocity_acceleration_jerk(c):
     """``[γ′ γ″ γ‴]``, naive."""
     return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))
