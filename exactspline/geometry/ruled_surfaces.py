@@ -18,9 +18,8 @@ from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.geometry.domain import space
 from exactspline.language.parts import numerator
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.ruled import RuledSurface, development
 from exactspline.language.vector import Vector, cross, dot, norm2
-from exactspline.papers.chen_riesenfeld_cohen_2007.space import development
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists

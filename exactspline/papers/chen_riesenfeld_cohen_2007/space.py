@@ -1,7 +1,7 @@
 """§5: space curves."""
 
 from exactspline.language.formula import formula
-from exactspline.language.ruled import ruled
+from exactspline.language.ruled import development, ruled
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import (
     D1,
@@ -342,11 +342,6 @@ def rectifying_geodesic(c):
     """``[γ′ γ″ γ′ × G]``: zero when γ is a geodesic of the rectifying developable with generator G."""
     a = c.gamma.d(1)
     return det(a, c.gamma.d(2), cross(a, rectifying_developable(c).generator))
-
-
-def development(surface):
-    """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is one along every ruling."""
-    return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
 
 
 @formula("definition of a developable", on="space")
