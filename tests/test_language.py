@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language.kinds import CURVE
 from exactspline.readings.degree import Degree, degree_curve
 from exactspline.readings.jet import jet_curve
 from exactspline.readings.taylor import series_curve
-from exactspline.readings.tree import Traced
+from exactspline.readings.tree import TreeReading
 from tests.strategies import numbers, splines_on_one_domain, vectors
 
 
@@ -148,8 +149,8 @@ def operands():
         jet_curve(2, 1).w,
         degree_curve(2).w,
         series_curve(curve, 1, 2).w,
-        Traced().w,
-        Traced().p,
+        TreeReading().argument(CURVE, 3).w,
+        TreeReading().argument(CURVE, 3).p,
     ]
 
 

@@ -10,7 +10,7 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs, Rational, Vector
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve
-from exactspline.language.kinds import DIMENSIONS, TABLE
+from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
@@ -20,7 +20,7 @@ from exactspline.readings.jet import Jet, JetReading, jet_curve
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
-from exactspline.readings.tree import Traced, evaluate, operation_counts, trace
+from exactspline.readings.tree import TreeReading, evaluate, operation_counts, trace
 from exactspline.splines.examples import example
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
@@ -328,7 +328,7 @@ def test_a_tree_keeps_what_is_written():
         "[D1 D2]",
         "[(p′ w − p w′) (p″ w − p w″)]",
     ]
-    square = Traced(2).w
+    square = TreeReading().argument(CURVE, 2).w
     assert operation_counts(square * square) == {"*": 1}
 
 
@@ -391,13 +391,13 @@ def test_printed_formulas_are_well_formed(name, dimension, expand):
 def test_symbols_can_be_raised_and_differentiated(name):
     """A named formula that another one squares or differentiates prints without two exponents on one base."""
     for outer in (lambda x: x**2, lambda x: x.d(1), lambda x: x.d(4), lambda x: x * x):
-        node = outer(FORMULAS[name](Traced(2)))
+        node = outer(FORMULAS[name](TreeReading().argument(CURVE, 2)))
         assert_latex(print_latex(node))
         assert_text(print_text(node))
 
 
 def test_a_squared_length_can_be_raised_to_a_power():
-    c = Traced(2)
+    c = TreeReading().argument(CURVE, 2)
     node = norm2(c.p.d(1)) ** 3 / norm2(c.p)
     assert_latex(print_latex(node))
     assert_text(print_text(node))
@@ -409,7 +409,7 @@ def test_printed_examples():
     assert print_latex(trace(FORMULAS["f2"])) == r"[p'\ p'']\,w - [p\ p'']\,w' - [p'\ p]\,w''"
     assert print_text(trace(FORMULAS["velocity_shared"])) == "D1/w²"
     assert print_latex(trace(FORMULAS["velocity_shared"])) == r"\frac{D_1}{w^{2}}"
-    c = Traced(3)
+    c = TreeReading().argument(CURVE, 3)
     assert print_text(c.p.d(1) - (c.p - c.p.d(2))) == "p′ − (p − p″)"
     assert print_text((c.w + 1) * (c.w - 1)) == "(w + 1) (w − 1)"
     assert print_text(c.w / (c.w * c.w)) == "w/(w w)"
@@ -426,7 +426,7 @@ def test_printed_text_tells_different_trees_apart():
     """The determinant of a product and a vector is not printed as one of three vectors; quotients of products are not
     products of quotients.
     """
-    c = Traced(3)
+    c = TreeReading().argument(CURVE, 3)
     assert print_text(det(c.p * c.w, c.p.d(1))) != "[p w p′]"
     assert print_text(c.w / (c.w * c.w)) != print_text((c.w / c.w) * c.w)
     assert print_text((c.w**2).d(1)) != print_text(c.w.d(1) ** 2)

@@ -258,7 +258,7 @@ def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
         if free is not None:
             return [*pieces, (low, b, free)]
         stops: list[tuple[Root, int]] = [(root, k) for k, root in ahead.items() if isinstance(root, Root)]
-        stop, best = max(stops)
+        stop, best = max(stops, key=lambda pair: (pair[0], pair[1]))
         after = next(k for k in order if all(r != stop for r in roots[k]))
         cut = between(max([low, *(r for r in roots[after] if r < stop)]), stop)
         pieces.append((low, cut, best))

@@ -51,6 +51,15 @@ class Kind(ABC):
     ) -> Evaluated:
         """The argument from its operands; `one` stands for the denominators of polynomial curves."""
 
+    @abstractmethod
+    def names(self, dimension: int) -> dict[str, bool]:
+        """What formulas may name of such an argument, and whether it is a vector."""
+
+    @property
+    def parts(self) -> dict[str, Kind]:
+        """The arguments that it is made of, by the names formulas have for them."""
+        return {}
+
     def takes(self, other: Kind, dimension: int) -> bool:
         """Whether formulas of another kind can be evaluated on such an argument: it has their operands.
 
@@ -75,6 +84,11 @@ class CurveKind(Kind):
         point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), "") for i, x in enumerate(COORDINATES[:dimension])]
         return (*_functions(COORDINATES, "w", dimension, 0, polynomial), *(point if self.with_point else ()))
 
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Numerator, denominator, the curve itself, the axes, and the point."""
+        axes = dict.fromkeys(("axis_x", "axis_y", "axis_z")[:dimension], True)
+        return {"p": True, "w": False, "gamma": True} | axes | ({"point": True} if self.with_point else {})
+
     def argument(
         self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
     ) -> Evaluated:
@@ -95,6 +109,15 @@ class PairKind(Kind):
         first = _functions(COORDINATES, "w", dimension, 0, polynomial)
         return (*first, *_functions(BARRED, "W", dimension, 1, polynomial))
 
+    def names(self, dimension: int) -> dict[str, bool]:
+        """None but its parts."""
+        return {}
+
+    @property
+    def parts(self) -> dict[str, Kind]:
+        """The two curves."""
+        return {"first": SPACE, "second": SPACE}
+
     def argument(
         self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
     ) -> Evaluated:
@@ -114,6 +137,10 @@ class TableKind(Kind):
         """The operands of index 1, then those of index 2, vectors by their components."""
         names = [(f"{x}{i}", f"d{i}") for i in "12" for x in ("p", "w", *(f"v{j}_" for j in range(dimension)))]
         return tuple(Symbol(name, name, PARAMETERS[0], degree) for name, degree in names)
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Scalars and vectors of both indices."""
+        return {f"{x}{i}": x == "v" for i in "12" for x in "pwv"}
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Any, ClassVar
 
-from exactspline.language.argument import Evaluated
+from exactspline.language.argument import Argument
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 
@@ -20,7 +20,7 @@ class Reading(ABC):
     proves: ClassVar[str]
 
     @abstractmethod
-    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
         """What formulas of a kind are handed, in a dimension; polynomial curves have no denominator."""
 
     def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> Any:
