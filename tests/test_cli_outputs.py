@@ -27,7 +27,7 @@ def test_the_input_is_not_written_over(tmp_path, command):
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="a device that is always full is needed")
 def test_a_full_disk_is_bad_output_and_no_verdict():
-    command = [sys.executable, "-m", "exactspline.cli", "prove", "--claim", "C4.1c"]
+    command = [sys.executable, "-m", "exactspline", "prove", "--claim", "C4.1c"]
     with open("/dev/full", "w") as full:
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == 2

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from typing import Annotated
 
 import typer
 
@@ -14,41 +15,73 @@ from exactspline.cli import (
     derive,
     errata,
     figures,
+    glossary,
     inspect,
     prove,
     reduce,
+    schema,
     show,
 )
+from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
 
+EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 app = typer.Typer(
     help="B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'.",
+    epilog=f"Start with: exactspline prove; exactspline errata; exactspline inspect ellipse. {EXIT_STATUS}",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for command in (
-    prove.prove,
-    show.show,
-    errata.errata,
-    degrees.degrees,
-    derive.derive,
-    curves.curves,
-    inspect.inspect,
-    bisector.bisector,
-    conditioning.conditioning,
-    figures.figures,
-    reduce.reduce,
-):
-    app.command()(command)
+#: Every command with examples of its use.
+COMMANDS = {
+    prove.prove: ("prove", "prove --curve my.json", "prove --section 4.2 --verdict refuted"),
+    show.show: ("show", 'show "eq. (12)"', "show C4.2 --latex"),
+    errata.errata: ("errata", "errata C4.2b"),
+    degrees.degrees: ("degrees", "degrees --curve my.json", "degrees --generic"),
+    reduce.reduce: ("reduce rectifying_developable", "reduce my_formulas.py:pedal"),
+    derive.derive: ("derive", "derive evolute ellipse_skew", "derive evolute my.json -o evolute.json"),
+    inspect.inspect: ("inspect ellipse", "inspect my.json --digits 50 --plot my.svg"),
+    bisector.bisector: ("bisector ellipse --point 1,1/2", "bisector twisted_cubic helix_like -o surface.json"),
+    conditioning.conditioning: ("conditioning", "conditioning my.json --construction zero_curvature"),
+    figures.figures: ("figures --out pictures", "figures --out pictures --figure 2"),
+    curves.curves: ("curves", "curves --json"),
+    glossary.glossary: ("glossary", "glossary nominal"),
+    schema.schema: ("schema", "schema prove"),
+}
+
+
+def _epilog(examples: tuple[str, ...]) -> str:
+    return f"Examples:  {'  |  '.join(f'exactspline {example}' for example in examples)}.  {EXIT_STATUS}"
+
+
+for command, examples in COMMANDS.items():
+    app.command(epilog=_epilog(examples))(command)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        sys.stdout.write(f"exactspline {version('exactspline')}\n")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
+    ] = False,
+) -> None:
+    """B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'."""
 
 
 def main() -> None:
     """Entry point: bad input ends in one line on standard error and exit status 2."""
+    guard_output()
     try:
         try:
-            app()
+            app(prog_name="exactspline")
         finally:
             sys.stdout.flush()
     except ExactSplineError as error:
@@ -56,9 +89,6 @@ def main() -> None:
 
         show_error(error)
         sys.exit(2)
-    except BrokenPipeError:
-        sys.stderr.close()
-        sys.exit(0)
     except OSError as error:
         # what could not be written must not be tried again when Python closes its files
         sys.stdout = None  # type: ignore[assignment]

@@ -9,8 +9,8 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from exactspline.display.console import decimals
 from exactspline.display.latex import fraction, mathematics
+from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
 from exactspline.exact import text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from importlib import resources
 
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, nearest
 from exactspline.splines.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
 
@@ -35,10 +35,11 @@ def example(name: str) -> Nurbs:
     >>> example("circle")("1/2")
     (mpq(3,5), mpq(4,5))
 
-    Raises `CurveFileError` with the names there are.
+    Raises `CurveFileError` with the nearest names.
     """
     if name not in example_names():
-        raise CurveFileError(f"no example curve is called {name!r}", remedy=f"there are {', '.join(example_names())}")
+        remedy = nearest(name, example_names(), listed_by="exactspline curves")
+        raise CurveFileError(f"no example curve is called {name!r}", remedy=remedy)
     return curve_from_text(
         resources.files(__package__).joinpath("example_curves", f"{name}.json").read_text(encoding="utf-8"), name
     )
