@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from exactspline.verification.claims import Claim
+from exactspline.verification.claim import Claim
 from exactspline.verification.statement import Statement
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Row
 
@@ -175,7 +175,7 @@ def erratum(entry: Any) -> Text:
 def spelled_out(s: Statement, latex: bool = False) -> Columns:
     """A claim with its sides, factor, degrees and verdict, one thing a line."""
     c, f = s.claim, s.finding
-    made = table("what", "is", title=f"{c.id}  {c.source}{'  (as it must read)' if c.as_meant else ''}")
+    made = table("what", "is", title=f"{c.id}  {c.source}{'  (as it must read)' if c.status == 'meant' else ''}")
     made.show_header = False
     lines = [("statement", s.latex if latex else c.statement)]
     for side in s.sides:
@@ -184,12 +184,12 @@ def spelled_out(s: Statement, latex: bool = False) -> Columns:
             ("", f"{side.name}, {side.source}, degree {side.degrees}"),
         ]
     lines += [
-        ("claimed", c.claimed),
+        ("claimed", f.claimed if c.kind in ("degree", "count") else ""),
         ("factor", f.factor if c.kind != "degree" else ""),
         ("computed", f.computed),
         ("witness", f.witness),
     ]
-    lines += [("assumes", c.assumes), ("note", c.note)]
+    lines += [("assumes", c.assumed), ("used", ", ".join(f.assumptions)), ("words", c.words), ("note", c.note)]
     for what, text in lines:
         if text:
             made.add_row(what, text)

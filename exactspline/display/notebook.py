@@ -22,7 +22,7 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claims import Claim
+from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.statement import Side, Statement, latex_of, sides
 from exactspline.verification.verdict import Row
@@ -178,7 +178,7 @@ def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
     return [
         ("statement", escape(c.statement)),
         ("", f"$\\displaystyle {escape(statement_latex)}$"),
-        ("assumes", escape(c.assumes)),
+        ("assumes", escape(c.assumed)),
     ]
 
 

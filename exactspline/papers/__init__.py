@@ -10,6 +10,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import cache
 from importlib import import_module, resources
 from importlib.resources.abc import Traversable
@@ -31,7 +32,8 @@ class Table:
 class Paper:
     """A source: its folder, its title, the modules of its formulas and the files of its claims.
 
-    ``uses`` are the papers whose formulas its own may build on and its claims may name.
+    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors by
+    the name under which claims are joined that fail for one reason, with what is wrong.
     """
 
     name: str
@@ -41,6 +43,7 @@ class Paper:
     modules: tuple[str, ...]
     claim_files: tuple[str, ...]
     uses: tuple[Paper, ...]
+    errors: dict[str, str]
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -53,13 +56,14 @@ class Paper:
         >>> paper("chen_riesenfeld_cohen_2007").find("f2")
         <formula f2, eq. (8)>
 
-        Raises `FormulaError` with the names there are.
+        Raises `FormulaError` with the nearest names.
         """
         for source in (self, *self.uses):
             if name in source.formulas:
                 return source.formulas[name]
         known = [known for source in (self, *self.uses) for known in source.formulas]
-        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=f"there are {', '.join(known)}")
+        near = ", ".join(map(repr, get_close_matches(name, known, 3, 0)))
+        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=f"nearest are {near}")
 
     def claim_tables(self) -> Iterator[Table]:
         """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims."""
@@ -112,6 +116,7 @@ def papers() -> tuple[Paper, ...]:
                 tuple(data["formulas"]),
                 tuple(data["claims"]),
                 tuple(make(other) for other in data.get("uses", ())),
+                data.get("errors", {}),
             )
         return made[name]
 
