@@ -51,7 +51,7 @@ def shown(value: object, limit: int = 40) -> str:
 
 
 def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
-    """What would be right instead of a name that nobody knows: the three nearest of those there are, and what lists all.
+    """What would be right instead of a name that nobody knows: the three nearest that there are, and what lists all.
 
     >>> nearest("evolut", ["evolute", "torsion", "focal_curve", "f2"])
     'the nearest are evolute, torsion, focal_curve'

@@ -10,7 +10,6 @@ from exactspline.errors import FormulaError
 from exactspline.papers import find
 from exactspline.readings.bernstein_term import every_coefficient, monomial_curve
 from exactspline.readings.generic_bezier import generic_curve
-from exactspline.verification import generic_proof as on_all_curves
 from exactspline.verification.claims import select
 
 
@@ -41,11 +40,11 @@ def test_the_coefficients_are_those_of_every_single_degree(name, degree):
 
 
 def test_every_coefficient_of_d1_is_proved_and_of_others_computed():
-    chosen = next(c for c in select(["C3f"]) if c.measure == "generic")
-    reading, finding = on_all_curves.prove(chosen)
+    chosen = next(c for c in select(["C3f"]) if c.curves == "generic")
+    reading, finding = chosen.prove()
     assert (reading, finding.verdict) == ("generic", "PROVED")
     assert "d ≥ 1" in finding.computed
-    assert on_all_curves.prove(replace(chosen, formula="D2"))[1].verdict == "VERIFIED"
+    assert replace(chosen, formula="D2").prove()[1].verdict == "VERIFIED"
 
 
 def test_what_is_not_of_that_kind_is_not_proved():

@@ -14,8 +14,9 @@ from exactspline.errors import ClaimError, nearest
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from exactspline.display.ledger import Failure
     from exactspline.display.sheet import Sheet
-    from exactspline.verification.claims import Claim
+    from exactspline.verification.claim import Claim
     from exactspline.verification.verdict import Row
 
 
@@ -107,7 +108,10 @@ class _Ledger:
         """Every row, with a key of its own."""
         from exactspline.display.ledger import keyed
 
-        return [row.data() | {"key": key, "verdict": word} for key, word, row in keyed(self.rows)]
+        return [
+            row.data() | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            for key, word, row in keyed(self.rows)
+        ]
 
     def sheets(self) -> list[Sheet]:
         """The ledger, curve by curve."""
@@ -157,22 +161,23 @@ class _Ledger:
         fails = refuted(general)
         if fails:
             shown.print("\nRefuted, and what is true", style="bold")
-        for row, truth in fails:
-            self._refuted(shown, row, truth)
+        for failure in fails:
+            self._failure(shown, failure)
         self._not_as_recorded(shown)
 
-    def _refuted(self, shown: Console, row: Row, truth: Sequence[Row]) -> None:
+    def _failure(self, shown: Console, failure: Failure) -> None:
         from exactspline.display import console
         from exactspline.display.ledger import found, said, witness
 
-        console.lines(shown, f"{row.id}, {row.source}", style="bold magenta")
-        counted = f": {row.claimed}" if row.kind in ("count", "degree") else ""
-        console.lines(shown, f"claimed: {row.statement}{counted}", indent=4, first=2)
-        console.lines(shown, f"found: {found(row)}", indent=4, first=2)
-        if told := witness(row, self.digits, exact=self.exact):
-            console.lines(shown, f"witness: {told}", indent=4, first=2)
-        for other in truth:
-            console.lines(shown, f"true: {said(other)}", indent=4, first=2)
+        ids = ", ".join(dict.fromkeys(row.id for row in failure.rows))
+        console.lines(shown, f"{ids}: {failure.title}", style="bold magenta")
+        for row in failure.rows:
+            console.lines(shown, f"claimed: {said(row)} ({row.source})", indent=4, first=2)
+            console.lines(shown, f"found: {found(row)}", indent=4, first=2)
+            if told := witness(row, self.digits, exact=self.exact):
+                console.lines(shown, f"witness: {told}", indent=4, first=2)
+        for row in failure.truth:
+            console.lines(shown, f"true: {said(row)}", indent=4, first=2)
 
     def _listed(self, shown: Console, everything: bool) -> None:
         from exactspline.display.ledger import by_curve

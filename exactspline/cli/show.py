@@ -37,7 +37,7 @@ def show(
     found = [statement(each) for each in located(claim)]
     out.give(
         "show",
-        lambda: [s.data() | {"key": f"{s.claim.id}#{i + 1}"} for i, s in enumerate(found)],
+        lambda: [s.data() | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
         lambda: _sheets(found),
         lambda: _print(out, found, latex),
     )
@@ -57,8 +57,15 @@ def _list(out: Output) -> None:
         return [made]
 
     rows = [
-        {"key": f"{c.id}#{i + 1}", "id": c.id, "section": section(c), "source": c.source, "statement": c.statement}
-        for i, c in enumerate(all_claims())
+        {
+            "key": f"{c.paper}/{c.key}",
+            "id": c.id,
+            "status": str(c.status),
+            "section": section(c),
+            "source": c.source,
+            "statement": c.statement,
+        }
+        for c in all_claims()
     ]
     out.give("claims", lambda: rows, sheets)
 

@@ -5,37 +5,44 @@ from __future__ import annotations
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
-from exactspline.papers import find
-from exactspline.readings.printing.text import symbol_text
-from exactspline.verification.claims import Claim, all_claims
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+from exactspline.papers import paper
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import claims_of
+from exactspline.verification.errata import name_of, numbered
+from exactspline.verification.kinds import Identity
+from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 from exactspline.verification.verdict import VACUOUS as VACUOUS_WITNESS
+from exactspline.verification.vocabulary import Status
 
 VACUOUS, INAPPLICABLE = "VACUOUS", "INAPPLICABLE"
 #: The words of the verdict column, in the order of the tables.
 WORDS = (PROVED, VERIFIED, REFUTED, UNDECIDED, VACUOUS, INAPPLICABLE)
 HOLDS = (PROVED, VERIFIED)
-_AS_MEANT = " (as it must read)"
+#: The last two groups of the summary.
+MEANT, OURS = "as it must read", "beyond the paper"
 
 
 def word(row: Row) -> str:
     """The verdict in one word: where there is nothing to decide it is not that something was left undecided."""
-    return VACUOUS if row.verdict == UNDECIDED and row.witness == VACUOUS_WITNESS else str(row.verdict)
+    if row.verdict == UNDECIDED and row.witness == VACUOUS_WITNESS:
+        return VACUOUS
+    return INAPPLICABLE if row.verdict == UNDECIDED and row.witness.startswith(OUTSIDE) else str(row.verdict)
+
+
+@cache
+def _claims(name: str) -> dict[str, Claim]:
+    return {claim.key: claim for claim in claims_of(name)}
 
 
 def claim_of(row: Row) -> Claim:
     """The claim of which a row is a line."""
-    statement = row.statement.removesuffix(_AS_MEANT)
-    return next(c for c in all_claims() if (c.id, c.source, c.statement) == (row.id, row.source, statement))
-
-
-def is_ours(claim: Claim) -> bool:
-    """Whether a statement goes beyond the paper."""
-    return claim.id[0] in "LO"
+    return _claims(row.paper)[row.key]
 
 
 def section(claim: Claim) -> str:
@@ -45,17 +52,11 @@ def section(claim: Claim) -> str:
     >>> [section(select([i])[0]) for i in ("C4.2b", "T3", "E12", "Fig. 2", "L1")]
     ['§4.2', 'Table 1', 'equations', 'figures', 'beyond the paper']
     """
-    if is_ours(claim):
-        return "beyond the paper"
+    if claim.status == Status.OURS:
+        return OURS
     if number := re.match(r"C(\d+(?:\.\d+)?)", claim.id):
         return f"§{number[1]}"
     return {"T": "Table 1", "E": "equations", "F": "figures"}.get(claim.id[0], claim.id)
-
-
-def name_of(formula: str) -> str:
-    """A formula by its symbol, by its name where it has none."""
-    symbol = find(formula).symbol
-    return symbol_text(symbol) if symbol else formula
 
 
 def found(row: Row) -> str:
@@ -63,25 +64,23 @@ def found(row: Row) -> str:
     claim = claim_of(row)
     if word(row) in (VACUOUS, INAPPLICABLE):
         return "nothing to decide here"
-    if claim.kind == "identity" and row.factor and (row.verdict != REFUTED or not row.curve):
-        left, right = name_of(claim.left), name_of(claim.right)
+    if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
+        left, right = name_of(claim, claim.left), name_of(claim, claim.right)
         return f"{left} = {right}" if row.factor == "1" else f"{left} = {row.factor} · {right}"
     if claim.kind == "degree":
         computed = "identically zero" if row.computed == "-1" else row.computed
         return computed if row.verdict in HOLDS else f"{computed}, not {row.claimed}"
     if claim.kind == "vanishing" and row.verdict in HOLDS:
         return "identically zero"
-    return row.computed
+    return f"{row.computed}: {row.factor}" if row.factor and row.verdict in HOLDS else row.computed
 
 
 def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
-    """Where a row fails, or by which factor it holds, where `found` does not say so already."""
+    """Where a row fails, where `found` does not say so already."""
     if word(row) in (VACUOUS, INAPPLICABLE) or row.witness.startswith("the exact quotient is"):
         return ""
-    if re.fullmatch(r"-?\d+, not -?\d+|.+ < .+", row.witness):
-        return ""
-    told = row.witness or ("" if claim_of(row).kind == "identity" else row.factor)
-    return decimals(told, digits, exact=exact)
+    said = re.fullmatch(r"-?\d+, not -?\d+", row.witness)
+    return "" if said else decimals(row.witness, digits, exact=exact)
 
 
 def ledger(rows: Iterable[Row], title: str = "", digits: int = 0, *, exact: bool = False, name: str = "") -> Sheet:
@@ -95,16 +94,18 @@ def ledger(rows: Iterable[Row], title: str = "", digits: int = 0, *, exact: bool
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:
-    """Counts of the verdicts for all curves, section by section: of the paper's statements, and of what they must mean
-    or what goes beyond them.
+    """Counts of the verdicts: of what the paper prints section by section, of what it must mean where that fails, and
+    of what goes beyond it.
     """
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
-        counts[section(claim_of(row))][word(row)] += 1
+        claim = claim_of(row)
+        counts[MEANT if claim.status == Status.MEANT else section(claim)][word(row)] += 1
     words = [w for w in WORDS if any(c[w] for c in counts.values())]
     made = Sheet("section", "statements", *words, numbers=("statements", *words))
-    for name, each in counts.items():
-        made.add_row(name, each.total(), *[each[w] or "" for w in words])
+    last = [name for name in (MEANT, OURS) if name in counts]
+    for name in [*[name for name in counts if name not in last], *last]:
+        made.add_row(name, counts[name].total(), *[counts[name][w] or "" for w in words])
     total = sum(counts.values(), Counter())
     made.add_row("all", total.total(), *[total[w] or "" for w in words])
     return made
@@ -124,17 +125,28 @@ def by_curve(rows: Sequence[Row]) -> Sheet:
     return made
 
 
-def refuted(rows: Iterable[Row]) -> list[tuple[Row, list[Row]]]:
-    """The refuted statements for all curves, each with the rows that say what is true instead."""
-    rows = [row for row in rows if not row.curve]
-    fails = [row for row in rows if row.verdict == REFUTED]
-    return [(row, [other for other in rows if _corrects(other, row)]) for row in fails]
+@dataclass(frozen=True)
+class Failure:
+    """An error of the paper as the ledger shows it: its statements that are refuted, and those that hold instead."""
+
+    title: str
+    rows: list[Row]
+    truth: list[Row]
 
 
-def _corrects(other: Row, row: Row) -> bool:
-    mended, wrong = claim_of(other), claim_of(row)
-    related = mended.id == wrong.id and (mended.formula == wrong.formula or wrong.kind != "count")
-    return mended.as_meant and related and other.verdict in HOLDS
+def refuted(rows: Iterable[Row]) -> list[Failure]:
+    """The errors of the papers among the rows for all curves, in the order of the rows."""
+    groups: dict[tuple[str, str], list[Row]] = defaultdict(list)
+    for row in rows:
+        if not row.curve and (error := claim_of(row).error):
+            groups[row.paper, error].append(row)
+    found = []
+    for (source, error), own in groups.items():
+        fails = [row for row in own if row.status == Status.PRINTED and row.verdict == REFUTED]
+        truth = [row for row in own if row.status == Status.MEANT and row.verdict in HOLDS]
+        if fails:
+            found.append(Failure(paper(source).errors[error], fails, truth))
+    return found
 
 
 def reasons(claims: Iterable[Claim], curve: Any) -> str:
@@ -168,19 +180,17 @@ def closing(rows: Sequence[Row]) -> str:
 
 def said(row: Row) -> str:
     """A statement with the number that it speaks of."""
-    statement = row.statement.removesuffix(_AS_MEANT)
-    return f"{statement}: {found(row)}" if claim_of(row).kind in ("degree", "count") else statement
+    return numbered(claim_of(row))
 
 
 def headline(rows: Sequence[Row]) -> str:
     """The answer in a sentence: how many statements of the paper are refuted, on how many rows, and how many hold."""
-    general = [row for row in rows if not row.curve]
-    wrong = [row for row in general if row.verdict == REFUTED]
-    lines = sum(row.verdict == REFUTED for row in rows)
-    open_ = sum(row.verdict not in (*HOLDS, REFUTED) for row in general)
-    holds = sum(row.verdict in HOLDS for row in general)
-    told = f"{_count(len(wrong), 'statement')} of the paper refuted on {_count(lines, 'row')}; {holds} statements hold"
-    return told + (f"; {open_} undecided" if open_ else "; none is undecided")
+    printed = [row for row in rows if row.status == Status.PRINTED]
+    general = Counter(row.verdict for row in printed if not row.curve)
+    lines = sum(row.verdict == REFUTED for row in printed)
+    holds = sum(general[verdict] for verdict in HOLDS)
+    told = f"{_count(general[REFUTED], 'statement')} of the paper refuted on {_count(lines, 'row')}; {holds} hold"
+    return told + (f"; {general[UNDECIDED]} undecided" if general[UNDECIDED] else "; none is undecided")
 
 
 def _count(n: int, what: str) -> str:
@@ -192,7 +202,7 @@ def keyed(rows: Iterable[Row]) -> list[tuple[str, str, Row]]:
     seen: Counter[str] = Counter()
     told = []
     for row in rows:
-        base = f"{row.id}@{row.curve or 'all curves'}{row.reading.removeprefix('spline') if row.curve else ''}"
+        base = f"{row.paper}/{row.key} on {row.curve or 'all curves'}"
         seen[base] += 1
-        told.append((base if seen[base] == 1 else f"{base}#{seen[base]}", word(row), row))
+        told.append((base if seen[base] == 1 else f"{base} ({seen[base]})", word(row), row))
     return told

@@ -22,7 +22,7 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claims import Claim
+from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.statement import Side, Statement, latex_of, sides
 from exactspline.verification.verdict import Row
@@ -178,20 +178,24 @@ def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
     return [
         ("statement", escape(c.statement)),
         ("", f"$\\displaystyle {escape(statement_latex)}$"),
-        ("assumes", escape(c.assumes)),
+        ("assumes", escape(c.assumed)),
     ]
 
 
 @html.register
 def _(e: Erratum) -> str:
-    lines = [
-        ("printed", e.printed),
-        ("found", decimals(e.found)),
-        *[("true", line) for line in e.truth],
-        ("why", e.why),
-    ]
-    check = "<br>".join(escape(line) for line in e.check)
-    return facts(f"{e.id}, {e.where}", [(a, escape(b)) for a, b in lines if b] + [("check", f"<code>{check}</code>")])
+    lines: list[tuple[str, str]] = []
+    for each in e.statements:
+        words = f"“{each.words}” " if each.words else ""
+        lines += [
+            (each.place, escape(words)),
+            ("which says", escape(each.statement)),
+            ("found", escape(each.found)),
+            ("witness", escape(decimals(each.witness))),
+            ("check", f"<code>{'<br>'.join(map(escape, each.check))}</code>"),
+        ]
+    lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
+    return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
 
 
 @html.register

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from exactspline.errors import ClaimError, nearest
-from exactspline.verification.claims import Claim, all_claims, matches
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import all_claims, matches
+from exactspline.verification.errata import name_of
+from exactspline.verification.kinds import Identity
 from exactspline.verification.statement import Statement
+from exactspline.verification.vocabulary import Status
 
 
 def located(wanted: str) -> tuple[Claim, ...]:
@@ -15,8 +19,8 @@ def located(wanted: str) -> tuple[Claim, ...]:
 
     Raises `ClaimError` with the nearest ids.
     """
-    chosen = tuple(c for c in all_claims() if matches(c.id, wanted))
-    chosen = chosen or tuple(c for c in all_claims() if _stands(c.source, wanted))
+    chosen = tuple(c for c in all_claims() if c.key == wanted or matches(c.id, wanted))
+    chosen = chosen or tuple(c for c in all_claims() if _stands(c.source, wanted) or _stands(c.place, wanted))
     if not chosen:
         known = dict.fromkeys(claim.id for claim in all_claims())
         raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, known, listed_by="exactspline show"))
@@ -35,7 +39,7 @@ def _stands(source: str, wanted: str) -> bool:
 
 def heading(s: Statement) -> str:
     """The first line: the id, where the claim stands, and whether it is as printed."""
-    return f"{s.claim.id}, {s.claim.source}{' (as it must read)' if s.claim.as_meant else ''}"
+    return f"{s.claim.id}, {s.claim.source}{' (as it must read)' if s.claim.status == Status.MEANT else ''}"
 
 
 def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
@@ -53,7 +57,9 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
         ("found", _found(s) if not is_number else f.computed),
         ("factor", f.factor if c.kind not in ("degree", "identity") else ""),
         ("witness", f.witness),
-        ("assumes", c.assumes),
+        ("assumes", c.assumed),
+        ("used", ", ".join(f.assumptions)),
+        ("printed", f"“{c.words}”{f', {c.place}' if c.place else ''}" if c.words else c.place),
         ("note", c.note),
     ]
     recorded = "as recorded" if s.as_recorded else f"recorded: {c.expected}"
@@ -61,9 +67,8 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
 
 
 def _found(s: Statement) -> str:
-    from exactspline.display.ledger import name_of
-
-    if s.claim.kind != "identity" or not s.finding.factor:
+    claim, factor = s.claim, s.finding.factor
+    if not isinstance(claim, Identity) or not factor:
         return s.finding.computed
-    factor = "" if s.finding.factor == "1" else f"{s.finding.factor} · "
-    return f"{name_of(s.claim.left)} = {factor}{name_of(s.claim.right)}"
+    times = "" if factor == "1" else f"{factor} · "
+    return f"{name_of(claim, claim.left)} = {times}{name_of(claim, claim.right)}"

@@ -14,12 +14,14 @@ from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
 from exactspline.symbolic.reduction import reduce
-from exactspline.verification.claims import Claim, select
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import select
 from exactspline.verification.degree_tables import construction_table, generic_table
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+from exactspline.verification.vocabulary import Verdict
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
@@ -73,7 +75,7 @@ class Grid(Displayed):
 
 
 def _coloured(cell: str) -> str:
-    return f";color:{COLOURS[cell]};font-weight:bold" if cell in COLOURS else ""
+    return f";color:{COLOURS[Verdict(cell)]};font-weight:bold" if cell in COLOURS else ""
 
 
 class Verdicts(Grid):
@@ -103,10 +105,7 @@ class Verdicts(Grid):
 def remark(row: Row) -> str:
     """Factor or witness of a row, cut where it is too long to read.
 
-    >>> from exactspline.verification.generic_proof import prove
-    >>> from exactspline.verification.verdict import row
-    >>> claim = select(["C4.1a"])[0]
-    >>> remark(row(claim, "jet", "", prove(claim)[1], 0))
+    >>> remark(proved(select(["C4.1a"])[0]))
     'w'
     """
     text = console.decimals(row.witness or row.factor)
@@ -240,7 +239,7 @@ def numerical_claims(*ids: str) -> list[Claim]:
 
 def _printed(s: Statement) -> tuple[str, ...]:
     claim, found = s.claim, s.finding
-    printed = f"({claim.claimed})" if claim.as_meant else claim.claimed
+    printed = claim.claims if claim.status == "printed" else f"({claim.claims})"
     return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 

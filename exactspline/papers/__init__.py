@@ -31,7 +31,8 @@ class Table:
 class Paper:
     """A source: its folder, its title, the modules of its formulas and the files of its claims.
 
-    ``uses`` are the papers whose formulas its own may build on and its claims may name.
+    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors by
+    the name under which claims are joined that fail for one reason, with what is wrong.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Paper:
     modules: tuple[str, ...]
     claim_files: tuple[str, ...]
     uses: tuple[Paper, ...]
+    errors: dict[str, str]
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -112,6 +114,7 @@ def papers() -> tuple[Paper, ...]:
                 tuple(data["formulas"]),
                 tuple(data["claims"]),
                 tuple(make(other) for other in data.get("uses", ())),
+                data.get("errors", {}),
             )
         return made[name]
 
@@ -157,5 +160,6 @@ def find(name: str) -> Formula:
         return paper(source).find(own)
     known = all_formulas()
     if name not in known:
-        raise FormulaError(f"no formula is called {name!r}", remedy=nearest(name, known, listed_by="exactspline derive"))
+        remedy = nearest(name, known, listed_by="exactspline derive")
+        raise FormulaError(f"no formula is called {name!r}", remedy=remedy)
     return known[name]

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -37,17 +37,11 @@ from exactspline.readings.factored_jet import (
     without,
 )
 from exactspline.readings.jet import Jet, JetRing
+from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, factored, name_of_vector
 from exactspline.symbolic.substitution import substitute
 
-#: Factors known to have no zero, and why.
-ZERO_FREE = {
-    "w": "the weight function, without a zero",
-    "w̄": "the weight function of the second curve, without a zero",
-    "‖D1‖²": "positive where the curve is regular",
-    "‖b‖²": "positive where the curve is regular and its curvature is not zero",
-}
 #: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
 #: alone.
 VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
@@ -64,15 +58,20 @@ class Power:
     above: int
     below: int
 
+    @cached_property
+    def assumption(self) -> Assumption | None:
+        """The assumption by which it has no zero."""
+        return zero_free(self.jet)
+
     @property
     def meaning(self) -> str:
         """Why it has no zero; for one with roots of its own, that it has."""
-        return ZERO_FREE.get(self.name, "may have roots of its own")
+        return self.assumption.meaning if self.assumption else "may have roots of its own"
 
     @property
     def has_roots(self) -> bool:
-        """Whether it may vanish somewhere on a regular curve."""
-        return self.name not in ZERO_FREE
+        """Whether it may vanish somewhere on a regular curve without points of zero curvature."""
+        return self.assumption is None
 
 
 @dataclass(frozen=True)
@@ -229,6 +228,20 @@ class Reduction:
     dimension: int
     polynomial: bool
     parts: tuple[Part, ...]
+
+    @property
+    def joined(self) -> list[Jet]:
+        """The components of all parts over their least common denominator, and that denominator last."""
+        denominator = self.parts[0].lowest[1]
+        for part in self.parts[1:]:
+            other = part.lowest[1].polynomial
+            denominator = Jet(denominator.ring, denominator.polynomial * (other / denominator.polynomial.gcd(other)))
+        raised = []
+        for part in self.parts:
+            top, bottom = part.lowest
+            lift = Jet(denominator.ring, denominator.polynomial / bottom.polynomial)
+            raised += [jet * lift for jet in top]
+        return [*raised, denominator]
 
     @property
     def main(self) -> Part:

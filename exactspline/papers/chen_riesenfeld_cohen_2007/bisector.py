@@ -270,6 +270,18 @@ def direct_height_of_generator(c):
 
 
 @formula("§6.2, direct approach", on="point")
+def direct_determinant_x(c):
+    """The determinant of the 2×2 system with the first component moved."""
+    return det(D1(c), c.p - c.point * c.w, c.axis_x)
+
+
+@formula("§6.2, direct approach", on="point")
+def direct_determinant_y(c):
+    """The determinant of the 2×2 system with the second component moved."""
+    return det(D1(c), c.p - c.point * c.w, c.axis_y)
+
+
+@formula("§6.2, direct approach", on="point")
 def direct_determinant_z(c):
     """The determinant of the 2×2 system with the third component moved."""
     return det(D1(c), c.p - c.point * c.w, c.axis_z)
