@@ -13,6 +13,8 @@ from exactspline.cli import app
 
 TEXT_FIELDS = [
     "id",
+    "key",
+    "paper",
     "kind",
     "source",
     "statement",
@@ -27,10 +29,13 @@ TEXT_FIELDS = [
 ]
 ROW = {
     "type": "object",
-    "required": [*TEXT_FIELDS, "verdict", "seconds"],
+    "required": [*TEXT_FIELDS, "status", "relation", "assumptions", "verdict", "seconds"],
     "additionalProperties": False,
     "properties": {
         **{name: {"type": "string"} for name in TEXT_FIELDS},
+        "status": {"enum": ["printed", "meant", "ours"]},
+        "relation": {"enum": ["=", "≤", "≥"]},
+        "assumptions": {"type": "array", "items": {"type": "string"}},
         "verdict": {"enum": ["PROVED", "VERIFIED", "REFUTED", "UNDECIDED"]},
         "seconds": {"type": "number", "minimum": 0},
     },

@@ -233,7 +233,8 @@ def numerical_claims(*ids: str) -> list[Claim]:
 
 def _printed(s: Statement) -> tuple[str, ...]:
     claim, found = s.claim, s.finding
-    printed = claim.claims if claim.status == "printed" else f"({claim.claims})"
+    claimed = str(getattr(claim, "claimed", claim.claims))
+    printed = claimed if claim.status == "printed" else f"({claimed})"
     return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 
