@@ -70,21 +70,15 @@ __all__ = [
 
 
 class Argument(Displayed):
-    """What formulas are handed; it remembers what they call while one of them is being evaluated."""
+    """What formulas are handed. It is never changed by them: each evaluation has a copy of its own that remembers."""
 
-    #: Values of the formulas called while one formula is being evaluated.
+    #: Values of the formulas called, in a copy that remembers.
     _values: dict[Formula, Any] | None = None
 
     def calls(self, formula: Formula) -> Any:
         """The value of a formula; what several parts of it call is computed once and forgotten when it is done."""
         if self._values is None:
-            for argument in self.together():
-                argument._values = {}
-            try:
-                return formula.function(self)
-            finally:
-                for argument in self.together():
-                    argument._values = None
+            return self.remembering().calls(formula)
         if formula not in self._values:
             self._values[formula] = formula.function(self)
         return self._values[formula]
@@ -95,11 +89,10 @@ class Argument(Displayed):
 
     def remembering(self) -> Argument:
         """A copy that remembers every value as long as it lives: for many formulas of one argument, one after the
-        other.
+        other, in one thread.
         """
         kept = copy(self)
-        for argument in kept.together():
-            argument._values = {}
+        kept._values = {}
         return kept
 
 
@@ -135,6 +128,14 @@ class Curve(Argument):
         """The unit vector of the third coordinate."""
         return Vector(0, 0, 1, *[0] * (self.dimension - 3))
 
+    def remembering(self) -> Curve:
+        """A copy that remembers every value as long as it lives, of operands alone: of a curve with data of its own
+        (see `exactspline.Nurbs`) what formulas see of it.
+        """
+        kept = object.__new__(Curve)
+        vars(kept).update(vars(self), _values={})
+        return kept
+
     def mapped(self, change: Callable[[Any], Any]) -> Curve:
         """The curve with every operand changed: into another reading, or onto another domain."""
         p, w = Vector(*map(change, self.p)), change(self.w)
@@ -160,6 +161,13 @@ class Pair(Argument):
     def together(self) -> tuple[Argument, ...]:
         """The two curves remember with the pair."""
         return self, self.first, self.second
+
+    def remembering(self) -> Pair:
+        """A copy of the pair, and of both curves."""
+        kept = copy(self)
+        kept.first, kept.second = self.first.remembering(), self.second.remembering()
+        kept._values = {}
+        return kept
 
     def mapped(self, change: Callable[[Any], Any]) -> Pair:
         """The pair with every operand changed."""

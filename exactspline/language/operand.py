@@ -28,6 +28,15 @@ class Operand(Displayed):
     #: Whether it decides itself what a plain vector times or over it is.
     takes_over = False
 
+    @property
+    def vanishes_somewhere(self) -> bool:
+        """Whether it is identically zero, if only on one segment of its domain."""
+        return bool(self.is_zero)  # type: ignore[attr-defined]
+
+    def hash_of_quotients(self, numerators: tuple[Any, ...]) -> int:
+        """A hash of the quotients by this that all equal ones share; a reading that can tell more than nothing does."""
+        return len(numerators)
+
     def __neg__(self) -> Any:
         return self.scaled(-1)  # type: ignore[attr-defined]
 

@@ -11,6 +11,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
@@ -66,7 +67,7 @@ def _agree(a: Any, b: Any) -> bool:
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
-class Rational(Operand):
+class Rational(Immutable, Operand):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
     Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
@@ -81,10 +82,15 @@ class Rational(Operand):
 
     __slots__ = ("numerator", "product")
     takes_over = True
+    numerator: Any
+    product: Product
 
     def __init__(self, numerator: Any, *denominator: Any) -> None:
-        self.numerator = numerator
-        self.product = denominator[0] if isinstance(denominator[0], Product) else Product(*denominator)
+        first = denominator[0]
+        fill(self, numerator=numerator, product=first if isinstance(first, Product) else Product(*denominator))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Rational, (self.numerator, self.product)
 
     @property
     def denominator(self) -> Any:
@@ -126,12 +132,25 @@ class Rational(Operand):
         return self.numerator(*place, **side) / w
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same function: cross-multiplied, so that common factors do not matter."""
+        """Whether both are the same function: cross-multiplied, so that common factors do not matter.
+
+        Where a denominator vanishes identically, if only on one segment, there is no function: such a quotient equals
+        nothing, not even itself.
+
+        >>> from exactspline import BSpline
+        >>> t = BSpline.identity(0, 1)
+        >>> t * t / t == t / 1, t * t / t == (t * t * t) / (t * t), (t - t) / (t - t) == t / (t + 1)
+        (False, True, False)
+        """
         if not isinstance(other, Rational) or self.is_vector != other.is_vector:
             return NotImplemented
+        if self.denominator.vanishes_somewhere or other.denominator.vanishes_somewhere:
+            return False
         return bool(self.numerator * other.denominator == other.numerator * self.denominator)
 
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        scalars = tuple(self.numerator) if self.is_vector else (self.numerator,)
+        return hash((self.is_vector, self.denominator.hash_of_quotients(scalars)))
 
     def __add__(self, other: Any) -> Any:
         """Rows T4 and T5."""

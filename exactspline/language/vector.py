@@ -8,6 +8,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand, _rational
 from exactspline.language.services import Displayed
 
@@ -31,7 +32,7 @@ class FieldOperand(Operand):
         return Vector(*[a * inverse for a in vector])
 
 
-class Vector(Displayed):
+class Vector(Immutable, Displayed):
     """A tuple of scalar operands of one reading.
 
     >>> a, b = Vector(1, 2), Vector(mpq(1, 2), 0)
@@ -44,9 +45,14 @@ class Vector(Displayed):
     #: A reading whose vectors are of another kind supplies a method here.
     multilinear = None
 
+    components: tuple[Any, ...]
+    _derivative: Vector | None
+
     def __init__(self, *components: Any) -> None:
-        self.components = components
-        self._derivative: Vector | None = None
+        fill(self, components=components, _derivative=None)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Vector, self.components
 
     def __len__(self) -> int:
         return len(self.components)
@@ -114,9 +120,11 @@ class Vector(Displayed):
             raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self
         for _ in range(order):
-            if result._derivative is None:
-                result._derivative = Vector(*[a.d(1) for a in result.components])
-            result = result._derivative
+            derivative = result._derivative
+            if derivative is None:
+                derivative = Vector(*[a.d(1) for a in result.components])
+                fill(result, _derivative=derivative)
+            result = derivative
         return result
 
     def scaled(self, constant: Any) -> Vector:

@@ -14,8 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import rational
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError
+from exactspline.exact import mpq, rational
+from exactspline.exact import text as text_of
+from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs
 
 #: Largest file read, in bytes: room for a hundred thousand control points.
@@ -81,6 +83,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     for field in ("knots", "control_points", "weights"):
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is no list", where=field, remedy="write a JSON list")
+    points, weights = _points(data["control_points"]), data.get("weights")
     degree = data["degree"]
     if isinstance(degree, _Decimal):
         degree = rational(str(degree))
@@ -88,12 +91,33 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     return Nurbs(
         degree,
         map(_number, data["knots"]),
-        (map(_number, row) if isinstance(row, list) else row for row in data["control_points"]),
-        None if data.get("weights") is None else map(_number, data["weights"]),
+        points,
+        None if weights is None else map(_number, weights),
         name=str(data.get("name") or name),
         source=str(data.get("source") or ""),
         note=str(data.get("note") or ""),
     )
+
+
+def _points(rows: list[Any]) -> list[Any]:
+    """Points are lists of numbers, directions are objects: ``{"vector": [x, y]}``."""
+    points: list[Any] = []
+    for i, row in enumerate(rows):
+        if isinstance(row, dict):
+            if set(row) != {"vector"} or not isinstance(row["vector"], list):
+                raise CurveFileError(
+                    "is no control point",
+                    where=f"control_points[{i}]",
+                    remedy='write [x, y], or {"vector": [x, y]} for a direction',
+                )
+            try:
+                points.append(Direction(*map(_number, row["vector"])))
+            except NumberError as error:
+                place = error.where.removeprefix("Direction")
+                raise NumberError(error.problem, remedy=error.remedy).at(f"control_points[{i}].vector{place}") from None
+        else:
+            points.append(list(map(_number, row)) if isinstance(row, list) else row)
+    return points
 
 
 def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
@@ -161,9 +185,31 @@ def curve_data(curve: Nurbs) -> dict[str, Any]:
     data |= {
         "degree": curve.degree,
         "knots": [str(t) for t in curve.knots],
-        "control_points": [[str(x) for x in row] for row in curve.control_points],
+        "control_points": [_written(point) for point in curve.control_points],
     }
+    if curve.note:
+        data["note"] = curve.note
     return data if curve.polynomial else data | {"weights": [str(w) for w in curve.weights]}
+
+
+def _written(point: tuple[mpq, ...]) -> Any:
+    coordinates = [text_of(x) for x in point]
+    return {"vector": coordinates} if isinstance(point, Direction) else coordinates
+
+
+def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
+    """Write a curve as a curve file, all numbers as exact text; the file is there whole or not at all.
+
+    >>> import tempfile
+    >>> from exactspline import example, load
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save(example("circle"), f"{folder}/circle.json")
+    ...     load(f"{folder}/circle.json") == example("circle")
+    True
+
+    Raises `ExactSplineError` where the file cannot be written.
+    """
+    write_json(path, curve_data(curve))
 
 
 def write_json(path: str | os.PathLike[str], data: Any) -> None:
