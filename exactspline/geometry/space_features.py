@@ -126,7 +126,7 @@ def curvature_zeros(curve: Any) -> tuple[BSpline, ZeroSet]:
 
     >>> from exactspline.splines.examples import example
     >>> curvature_zeros(example("flat_point"))[1].roots
-    [<Root 1/2: multiplicity 1, sign − to +>]
+    (<Root 1/2: multiplicity 1, sign − to +>,)
     """
     return _shape(curve).common
 

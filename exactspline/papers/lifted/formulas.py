@@ -233,14 +233,14 @@ def point_bisector_direct_lifted(c):
     return ruled(-sphere[1:4] / (2 * sphere[0]), tangent_plane_through_point(c)[1:4])
 
 
-@formula("lifted", curve="point")
+@formula("lifted", on="point")
 def lifted_directrix_in_tangent_plane(c):
     """``Π·(1, δ)``: zero where the directrix lies in the plane of the tangent and Q."""
     plane = tangent_plane_through_point(c)
     return plane[0] + dot(plane[1:4], point_bisector_lifted(c).directrix)
 
 
-@formula("lifted", curve="point")
+@formula("lifted", on="point")
 def lifted_directrix_height(c):
     """The third component of the directrix of the direct form."""
     return dot(c.axis_z, point_bisector_direct_lifted(c).directrix)
