@@ -12,7 +12,8 @@ from typing import Any
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import rational, text
 from exactspline.geometry.constructions import MINIMAL, all_constructions, construction
-from exactspline.geometry.domain import Interval, intervals_where, part
+from exactspline.geometry.domain import intervals_where, part
+from exactspline.geometry.kinds import Interval
 from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface

@@ -8,10 +8,9 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
+from exactspline.geometry.kinds import Interval
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
-
-Interval = tuple[mpq, mpq]
 
 
 def part(curve: Any, a: mpq, b: mpq) -> Curve:

@@ -37,6 +37,8 @@ class Nurbs(Curve):
     knots: KnotVector
     control_points: tuple[tuple[mpq, ...], ...]
     weights: tuple[mpq, ...]
+    #: What `exactspline.geometry.analyse` knows of the curve, set once: no part of its value.
+    _analysis: Any = None
 
     def __init__(
         self,
@@ -123,6 +125,9 @@ class Nurbs(Curve):
         """Whether the ends agree exactly."""
         a, b = self.domain
         return self(a) == self(b, "left")
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_analysis"}
 
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"

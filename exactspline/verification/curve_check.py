@@ -11,7 +11,7 @@ from gmpy2 import mpq
 
 from exactspline.errors import ClaimError
 from exactspline.exact import text
-from exactspline.geometry.plane_features import curvature_extrema
+from exactspline.geometry.features import curvature_extrema
 from exactspline.geometry.ruled_surfaces import differences
 from exactspline.language.arguments import Curve, Pair, embedded
 from exactspline.language.parts import split
