@@ -8,7 +8,7 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.exact import ratio
-from exactspline.geometry.domain import part, plane
+from exactspline.geometry.domain import plane, segments
 from exactspline.geometry.kinds import Interval
 from exactspline.geometry.surds import square_root
 from exactspline.language.arguments import Curve
@@ -43,10 +43,7 @@ def curvature(curve: Nurbs) -> list[CurvaturePiece]:
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    pieces = []
-    for a, b in zip(curve.breakpoints, curve.breakpoints[1:], strict=False):
-        pieces.append(_curvature_on(part(plane(curve), a, b), (a, b)))
-    return pieces
+    return [_curvature_on(c, interval) for interval, c in segments(plane(curve))]
 
 
 def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:

@@ -135,7 +135,9 @@ def geometric_order(left: Jet, right: Jet) -> int:
     second = _dot(rest, a[1]) / length
     if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
         return 1
-    rest = [z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)]
+    rest = [
+        z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
+    ]
     third = _dot(rest, a[1]) / length
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
