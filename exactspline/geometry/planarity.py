@@ -179,8 +179,9 @@ def as_plane_curve(curve: Any) -> Nurbs | None:
         return None
     i, j = (plane.axis + 1) % 3, (plane.axis + 2) % 3
     name = f"{curve.name or 'the curve'} in the plane {plane}"
-    weighted = [w if w else mpq(1) for w in curve.weights]
-    points = [(p[i] * k, p[j] * k, w) for p, k, w in zip(curve.control_points, weighted, curve.weights, strict=True)]
+    x, y = curve.p[i].control_points, curve.p[j].control_points
+    weights = [mpq(1)] * len(x) if curve.polynomial else curve.w.control_points
+    points = list(zip(x, y, weights, strict=True))
     return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)
 
 
