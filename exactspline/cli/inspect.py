@@ -125,6 +125,8 @@ def _print(c: Any, data: dict[str, Any]) -> None:
         out.print(_approaches(data["approaches"]))
 
 
+#: Characters of an exact number that a table shows.
+READABLE = 20
 #: The kinds of joints with a row of their own; singular ones are among the singular points.
 TOLD = (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP)
 
@@ -137,7 +139,13 @@ def _turn(angle: dict[str, str] | None) -> str:
     """By how much the tangent turns, for people."""
     if angle is None:
         return ""
-    return f"turns by {angle['degrees']}° (cos {angle['cosine']}, sin {angle['sine']})"
+    exactly = f" (cos {angle['cosine']}, sin {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
+    return f"turns by {angle['degrees']}°{exactly}".replace("-", "−")
+
+
+def _short(*exact: str) -> bool:
+    """Whether exact numbers are short enough to be read; ``--json`` has all of them."""
+    return all(len(text) <= READABLE for text in exact)
 
 
 def _remark(joint: dict[str, Any]) -> str:
@@ -146,11 +154,11 @@ def _remark(joint: dict[str, Any]) -> str:
     parts = [
         "at the seam" if joint["at_seam"] else "at a knot",
         _turn(joint["angle"]),
-        f"{joint['gap']} wide" if joint["gap"] else "",
-        f"exactly {' | '.join(joint['curvatures'])}" if joint["curvatures"] else "",
+        f"{joint['gap'] if _short(joint['gap']) else joint['gap_decimal']} wide" if joint["gap"] else "",
+        f"exactly {' | '.join(joint['curvatures'])}" if joint["curvatures"] and _short(*joint["curvatures"]) else "",
         f"G{order}" if order >= 0 else "",
     ]
-    return ", ".join(filter(None, parts))
+    return ", ".join(filter(None, parts)).replace("-", "−")
 
 
 def _continuity(joints: list[dict[str, Any]]) -> str:

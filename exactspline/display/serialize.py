@@ -14,7 +14,7 @@ from exactspline.geometry.enclosures import curvature_value, torsion_value
 from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature
-from exactspline.geometry.surds import Angle
+from exactspline.geometry.surds import Angle, Surd
 from exactspline.geometry.trimmed_bisector import TrimmedBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -147,13 +147,20 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
     if angle is None:
         return None
     degrees = str(nstr(angle.degrees(digits), digits, strip_zeros=True)).removesuffix(".0")
-    return {"cosine": str(angle.cosine), "sine": str(angle.sine), "degrees": degrees}
+    return {"cosine": exactly(angle.cosine), "sine": exactly(angle.sine), "degrees": degrees}
+
+
+def exactly(number: Surd) -> str:
+    """A number ``a√b`` with the minus sign of programs."""
+    return str(number).replace("−", "-")
 
 
 def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, Any]:
     """A joint as data for programs: its kind and order of geometric continuity, the angle of a corner, the width of a
     gap, and the curvatures of both sides where they differ, exactly and to so many digits.
     """
+    from mpmath import nstr
+
     root = knot_root(joint.parameter)
     jump = joint.curvatures is not None
     return {
@@ -163,8 +170,9 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, Any]:
         "at_seam": joint.at_seam,
         "geometric_continuity": joint.order,
         "angle": angle_data(joint.angle, digits),
-        "gap": None if joint.gap is None else str(joint.gap),
-        "curvatures": [str(x) for x in joint.curvatures] if joint.curvatures is not None else None,
+        "gap": None if joint.gap is None else exactly(joint.gap),
+        "gap_decimal": None if joint.gap is None else str(nstr(joint.gap.mpf(digits + 8), digits, strip_zeros=True)),
+        "curvatures": [exactly(x) for x in joint.curvatures] if joint.curvatures is not None else None,
         "curvature": value_of(curvature_value, curve, root, digits) if jump else None,
     }
 

@@ -76,10 +76,10 @@ def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") 
     formula = find("curvature_squared" if curve.dimension == 2 else "space_curvature_squared")
 
     def enclosure(iv: Any, low: mpq, high: mpq) -> Any:
-        speed = sum((s.value**2 for s in (x.d() for x in _enclosed(iv, curve, low, high, side).gamma)), iv.mpf(0))
-        if not speed.a > 0:
+        enclosed = _enclosed(iv, curve, low, high, side)
+        if all(0 in x.d().value for x in enclosed.gamma):
             return None
-        squared = formula(_enclosed(iv, curve, low, high, side)).value
+        squared = formula(enclosed).value
         return iv.sqrt(squared) * sign if squared.a > 0 else None
 
     return _certified(root, digits, enclosure)
