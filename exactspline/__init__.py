@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from exactspline.exact import from_float as from_float
     from exactspline.exact import from_floats as from_floats
     from exactspline.exact import rational as rational
+    from exactspline.geometry.analysis import analyse as analyse
     from exactspline.geometry.any_bisector import bisector as bisector
     from exactspline.geometry.constructions import construction as construction
     from exactspline.geometry.curvature import curvature as curvature
@@ -55,12 +56,14 @@ if TYPE_CHECKING:
     from exactspline.geometry.derived import evolute as evolute
     from exactspline.geometry.derived import focal_curve as focal_curve
     from exactspline.geometry.derived import torsion as torsion
+    from exactspline.geometry.features import corners as corners
+    from exactspline.geometry.features import curvature_extrema as curvature_extrema
+    from exactspline.geometry.features import inflections as inflections
+    from exactspline.geometry.features import joints as joints
+    from exactspline.geometry.features import singular_points as singular_points
+    from exactspline.geometry.features import torsion_zeros as torsion_zeros
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
-    from exactspline.geometry.plane_features import curvature_extrema as curvature_extrema
-    from exactspline.geometry.plane_features import inflections as inflections
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
-    from exactspline.geometry.singular_points import singularities as singular_points  # noqa: F401
-    from exactspline.geometry.space_features import torsion_zeros as torsion_zeros
     from exactspline.geometry.trimmed_bisector import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.language.arguments import with_point as with_point
@@ -145,11 +148,14 @@ _HOMES = {
     "save": "splines.curve_files:save",
     # what a curve has
     "construction": "geometry.constructions:construction",
-    "curvature_extrema": "geometry.plane_features:curvature_extrema",
+    "analyse": "geometry.analysis:analyse",
+    "corners": "geometry.features:corners",
+    "curvature_extrema": "geometry.features:curvature_extrema",
     "inspect_curve": "geometry.inspection:inspect_curve",
-    "inflections": "geometry.plane_features:inflections",
-    "singular_points": "geometry.singular_points:singularities",
-    "torsion_zeros": "geometry.space_features:torsion_zeros",
+    "inflections": "geometry.features:inflections",
+    "joints": "geometry.features:joints",
+    "singular_points": "geometry.features:singular_points",
+    "torsion_zeros": "geometry.features:torsion_zeros",
     "zero_form": "geometry.zero_forms:zero_form",
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",

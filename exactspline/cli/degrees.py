@@ -113,15 +113,8 @@ def _print_degrees(results: list[tuple[Any, list[Any]]]) -> None:
         last = ["what it is"] if out.width >= 120 else []
         made = console.table("formula", "variant", *numbers, *last, title=f"{c.name}: {described(c)}", right=numbers)
         for row in rows:
-            true = "–" if row.true is None else str(row.true)
-            counts = (
-                str(row.nominal),
-                row.grading,
-                str(row.represented),
-                true,
-                str(row.control_points),
-                str(row.generic),
-            )
+            counted = ["–" if n is None else str(n) for n in (row.represented, row.true, row.control_points)]
+            counts = (str(row.nominal), row.grading, *counted, str(row.generic))
             made.add_row(row.formula, row.variant, *counts, *([row.text] if last else []))
         out.print(made)
         out.print()

@@ -132,9 +132,7 @@ def degree_table(curve: Any) -> Grid:
             r.formula,
             r.variant,
             r.nominal,
-            r.represented,
-            "–" if r.true is None else r.true,
-            r.control_points,
+            *("–" if count is None else count for count in (r.represented, r.true, r.control_points)),
             r.generic,
             console.decimal_milliseconds(r.seconds),
         )

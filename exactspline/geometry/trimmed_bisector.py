@@ -23,8 +23,8 @@ from gmpy2 import mpq
 from exactspline.errors import ShapeError
 from exactspline.exact import rational, text
 from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
-from exactspline.geometry.continuity import CORNER, GAP, tangent_joint
-from exactspline.geometry.singular_points import singularities
+from exactspline.geometry.features import joints, singular_points
+from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve, with_point
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
@@ -96,9 +96,9 @@ def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
     Raises `ShapeError` for a curve that is not in the plane or not in one piece, and for a point on the curve.
     """
     q = exact_point(curve, point, 2)
-    for t in curve.breakpoints[1:-1]:
-        if tangent_joint(curve, find("D1")(curve), t) == GAP:
-            raise ShapeError(f"the curve jumps at the parameter {text(t)}", remedy="split it there")
+    for joint in joints(curve):
+        if joint.kind is JointKind.GAP:
+            raise ShapeError(f"the curve jumps at the parameter {text(joint.parameter)}", remedy="split it there")
     c = _around(curve, q)
     _refuse_point_on(c)
     conditions = _Conditions(c)
@@ -301,11 +301,10 @@ def _corners(curve: Any, missing: list[str]) -> list[tuple[str, mpq]]:
     """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational
     ones are named as missing.
     """
-    (a, b), d1 = curve.domain, find("D1")(curve)
+    a, b = curve.domain
     found = [] if curve.closed else [("end point", a), ("end point", b)]
-    knots = [*([a] if curve.closed else []), *curve.breakpoints[1:-1]]
-    found += [("corner", t) for t in knots if tangent_joint(curve, d1, t) == CORNER]
-    for feature in singularities(curve):
+    found += [("corner", joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
+    for feature in singular_points(curve):
         feature.root.minimal_polynomial()
         if feature.root.exact is None:
             missing.append(

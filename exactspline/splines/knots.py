@@ -211,7 +211,8 @@ def mesh_of(knots: KnotVector, degree: int) -> tuple[Mesh, tuple[int, ...], list
     first, last = degree, len(knots) - 1 - degree
     spans = [j for j in range(first, last) if knots[j] < knots[j + 1]]
     breaks = [knots[j] for j in spans] + [knots[last]]
-    continuity = tuple(degree - knots.multiplicity(t) for t in breaks[1:-1])
+    multiplicity = dict(zip(knots.breakpoints, knots.multiplicities, strict=True))
+    continuity = tuple(degree - multiplicity[t] for t in breaks[1:-1])
     return Mesh(breaks), continuity, spans
 
 
