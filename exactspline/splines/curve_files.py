@@ -113,6 +113,12 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
             remedy="a curve has degree, knots and control points; copy a piece",
         )
     piece = pieces[0]
+    if piece.get("cut"):
+        raise CurveFileError(
+            "is a part of these control points that ends at an irrational parameter",
+            where="pieces[0]",
+            remedy="low and high tell where; a curve file can only end at a rational parameter",
+        )
     curve = {"name": f"{data.get('name')} of {data.get('curve')}"} | {
         field: piece[field] for field in ("degree", "knots") if field in piece
     }
