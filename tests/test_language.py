@@ -2,7 +2,6 @@
 evaluation.
 """
 
-
 import pytest
 import sympy
 from gmpy2 import mpq

@@ -130,6 +130,12 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
             where="pieces",
             remedy="a curve has degree, knots and control points; copy a piece",
         )
+    if pieces[0].get("cut"):
+        raise CurveFileError(
+            "is a part of these control points that ends at an irrational parameter",
+            where="pieces[0]",
+            remedy="low and high tell where; a curve file can only end at a rational parameter",
+        )
     of = f" of {data['curve']}" if data.get("curve") else ""
     return {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"} | pieces[0]
 
