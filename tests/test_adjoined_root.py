@@ -11,10 +11,11 @@ from exactspline.language.arguments import assemble
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
-from exactspline.readings.adjoined_root import Adjoined, framed, root_of
+from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.readings.numeric import numeric_curve
 from exactspline.readings.rational_jet import fraction_argument, fraction_curve
-from exactspline.readings.sympy_expression import sympy_curve
+from exactspline.language.kinds import PLANE
+from exactspline.readings.sympy_expression import SympyReading
 from exactspline.splines.examples import example
 
 
@@ -152,7 +153,7 @@ def test_offsets_are_parallel_and_their_evolute_is_that_of_the_curve():
 
 def test_the_same_over_sympy():
     """The frame of a polynomial plane curve over an algebra that shares no code with the jets."""
-    c = framed(sympy_curve(2, polynomial=True))
+    c = framed(SympyReading().argument(PLANE, 2, polynomial=True))
     t, n, kappa = frames.unit_tangent(c), frames.unit_normal_in_plane(c), frames.signed_curvature(c)
     assert norm2(t) == one(c)
     assert vanishes(t.d() - n * (c.sigma * kappa))

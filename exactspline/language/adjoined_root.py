@@ -13,7 +13,8 @@ from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve
-from exactspline.language.vector import FieldOperand, cross, norm2
+from exactspline.language.operand import Constant, FieldOperand
+from exactspline.language.vector import cross, norm2
 
 
 class Adjoined(FieldOperand):
@@ -90,12 +91,12 @@ class Adjoined(FieldOperand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> Adjoined:
+    def d(self, order: int = 1, *, by: str | None = None) -> Adjoined:
         """The derivative: ``a′ + (b′ + b S′/(2 S)) σ``."""
         result = self
         for _ in range(order):
-            stretch = self.square.d(1) / (self.square * 2)
-            result = Adjoined(result.plain.d(1), result.rooted.d(1) + result.rooted * stretch, self.square)
+            stretch = self.square.d(1, by=by) / (self.square * 2)
+            result = Adjoined(result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * stretch, self.square)
         return result
 
     @property
@@ -133,6 +134,12 @@ class FramedCurve(Curve):
         super().__init__(lifted.p, lifted.w, polynomial=curve.polynomial, point=lifted.point)
         self.sigma: Any = roots["sigma"]
         self.rho: Any = roots.get("rho")
+
+    def copied(self) -> FramedCurve:
+        """The same operands, the roots among them, in a curve of its own."""
+        plain = object.__new__(FramedCurve)
+        vars(plain).update(vars(self))
+        return plain
 
 
 def framed(curve: Curve) -> FramedCurve:

@@ -56,9 +56,9 @@ class NumericSeries(Series):
         """The series times an exact constant."""
         return self._made(Series(self.coefficients).scaled(number(self.context, constant)))
 
-    def d(self, order: int = 1) -> NumericSeries:
+    def d(self, order: int = 1, *, by: str | None = None) -> NumericSeries:
         """The derivative, known to so many terms less."""
-        return self._made(super().d(order))
+        return self._made(super().d(order, by=by))
 
 
 def arithmetic(digits: int, *, intervals: bool = False) -> Any:

@@ -17,17 +17,21 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational
-from exactspline.language.arguments import BARRED, POINT, Curve, assemble
-from exactspline.language.vector import FieldOperand
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import PARAMETERS
+from exactspline.language.kinds import Kind, Symbol
+from exactspline.language.operand import FieldOperand
+from exactspline.language.reading import Reading
 
-FIRST, SECOND = sympy.Symbol("s"), sympy.Symbol("s̄")
+PARAMETER = {name: sympy.Symbol(name) for name in PARAMETERS}
+FIRST, SECOND = PARAMETER.values()
 
 
 class SympyExpression(FieldOperand):
     """An expression, with the parameters it depends on.
 
     >>> from exactspline.papers import find
-    >>> find("f0")(sympy_argument("curve", 2, polynomial=True)).expression
+    >>> SympyReading().of(find("f0"), 2, polynomial=True).expression
     Derivative(x(s), s)*Derivative(y(s), (s, 2)) - Derivative(x(s), (s, 2))*Derivative(y(s), s)
     """
 
@@ -67,8 +71,13 @@ class SympyExpression(FieldOperand):
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1) -> SympyExpression:
-        """The derivative by its parameter; `FormulaError` for what depends on the parameters of two curves."""
+    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+        """The derivative by its parameter, or by the one that is named.
+
+        Raises `FormulaError` for what depends on two parameters, where none is named.
+        """
+        if by is not None:
+            return SympyExpression(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
         if len(self.parameters) > 1:
             raise FormulaError(
                 "the derivative of what depends on two parameters", remedy="differentiate operands of one curve"
@@ -96,32 +105,28 @@ def _number(value: Any) -> sympy.Rational:
     return sympy.Rational(int(q.numerator), int(q.denominator))
 
 
-def sympy_argument(kind: str, dimension: int, *, polynomial: bool = False) -> Any:
-    """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves.
+class SympyReading(Reading):
+    """The indeterminate argument, its operands functions of sympy.
 
-    >>> c = sympy_argument("pair", 3)
+    >>> from exactspline.language.kinds import PAIR
+    >>> c = SympyReading().argument(PAIR, 3)
     >>> (c.first.w * c.second.p[0].d()).expression
     w(s)*Derivative(x̄(s̄), s̄)
     """
 
-    def operand(name: str) -> SympyExpression:
-        if name in POINT:
-            return SympyExpression(sympy.Symbol(f"Q{POINT.index(name) + 1}"))
-        barred = name in BARRED + "W"
-        parameter, shown = (SECOND, f"{name.lower()}\u0304") if barred else (FIRST, name)
-        return SympyExpression(sympy.Function(shown)(parameter), frozenset({parameter}))
+    name = "sympy"
+    proves = "an identity for every curve of every degree, in an algebra that is not ours"
 
-    return assemble(kind, dimension, operand, SympyExpression(sympy.Integer(1)), polynomial=polynomial)
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Functions of their parameter, and symbols for constants."""
 
+        def operand(symbol: Symbol) -> SympyExpression:
+            if not symbol.parameter:
+                return SympyExpression(sympy.Symbol(symbol.text))
+            parameter = PARAMETER[symbol.parameter]
+            return SympyExpression(sympy.Function(symbol.text)(parameter), frozenset({parameter}))
 
-def sympy_curve(dimension: int, *, polynomial: bool = False) -> Curve:
-    """The indeterminate curve.
-
-    >>> sympy_curve(2).gamma[0].expression
-    x(s)/w(s)
-    """
-    curve: Curve = sympy_argument("curve", dimension, polynomial=polynomial)
-    return curve
+        return kind.argument(dimension, operand, SympyExpression(sympy.Integer(1)), polynomial=polynomial)
 
 
 @cache
