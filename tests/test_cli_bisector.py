@@ -61,7 +61,6 @@ def test_a_point_and_a_plane_curve_is_trimmed():
         ("helix_like", "--point", "1,2,3", "--variant", "best"),
         ("circle", "--point", "5,5", "--variant", "naive"),
         ("no_such_curve", "--point", "1,2"),
-        ("space_line", "space_line"),
         ("helix_like", "twisted_cubic", "--point", "0,0,0"),
     ],
 )

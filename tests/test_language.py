@@ -2,8 +2,6 @@
 evaluation.
 """
 
-from types import SimpleNamespace
-
 import pytest
 import sympy
 from gmpy2 import mpq
@@ -12,6 +10,7 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
 from exactspline.readings.degree import Degree, degree_curve
 from exactspline.readings.jet import jet_curve
@@ -140,7 +139,7 @@ def test_wrong_dimensions_are_told():
 
 def operands():
     t = BSpline.identity(1, 2)
-    curve = SimpleNamespace(p=Vector(t, t), w=t, polynomial=False)
+    curve = Curve(Vector(t, t), t)
     return [
         t,
         t / t,

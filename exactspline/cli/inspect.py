@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from exactspline.cli.common import AsJson, also_in_their_planes, described, print_json
+from exactspline.geometry.kinds import JointKind
 
 
 def inspect(
@@ -29,8 +30,8 @@ def inspect(
     ] = "",
     as_json: AsJson = False,
 ) -> None:
-    """Cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified, to any
-    number of digits.
+    """Corners, cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified,
+    to any number of digits.
     """
     from exactspline.splines.curve_files import write_json
     from exactspline.splines.examples import load
@@ -88,22 +89,30 @@ def _print(c: Any, data: dict[str, Any]) -> None:
     made = console.table(*columns, title=f"{c.name}: {described(c)}{closed}")
     for group in groups_of(c):
         for f in data[group]:
-            remark = " at a knot, by a jump" if f["by_jump"] else " at a knot" if f["at_knot"] else ""
             kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
-            absolute = f"{f['of_absolute']} of |κ|" if f.get("of_absolute") and not in_space else ""
+            absolute = f"{f['of_absolute']} of |κ|" if f["of_absolute"] and not in_space else ""
+            at_knot = "at a knot, by a jump" if f["by_jump"] else "at a knot" if f["at_knot"] else ""
+            remark = " ".join(filter(None, (absolute, at_knot, _turn(f["angle"]))))
             values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
-            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, (absolute + remark).strip())
-    empty = ("",) * (len(columns) - 4)
-    for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0")):
-        for a, b in data[name]:
-            made.add_row(what, f"[{a}, {b}]", f"[{a}, {b}]", *empty, "")
+            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
+    empty = ("",) * (len(columns) - 5)
+    for joint in data["joints"]:
+        if joint["kind"] in TOLD:
+            made.add_row(
+                joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
+            )
+    for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0"), ("standing_still", "stands still")):
+        for piece in data[name]:
+            made.add_row(what, _intervals(piece), _intervals(piece), "", *empty, "")
     for piece in data.get("planar", []):
-        interval = f"[{', '.join(piece['interval'])}]"
-        made.add_row("planar, τ ≡ 0", interval, interval, *empty, f"in the plane {piece['plane']}")
-    nothing = "no singular points, no inflections, no extrema of the curvature inside" + (
+        interval = _intervals(piece["intervals"])
+        made.add_row("planar, τ ≡ 0", interval, interval, "", *empty, f"in the plane {piece['plane']}")
+    nothing = "no singular points, no corners, no inflections, no extrema of the curvature inside" + (
         ", no zeros of the torsion" if in_space else ""
     )
     out.print(made if made.row_count else f"{c.name}: {nothing}", markup=False)
+    if data["joints"]:
+        out.print(_continuity(data["joints"]), markup=False)
     if data.get("plane"):
         out.print(
             (
@@ -114,6 +123,50 @@ def _print(c: Any, data: dict[str, Any]) -> None:
         )
     if "approaches" in data:
         out.print(_approaches(data["approaches"]))
+
+
+#: Characters of an exact number that a table shows.
+READABLE = 20
+#: The kinds of joints with a row of their own; singular ones are among the singular points.
+TOLD = (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP)
+
+
+def _intervals(parts: list[list[str]]) -> str:
+    return " ∪ ".join(f"[{a}, {b}]" for a, b in parts)
+
+
+def _turn(angle: dict[str, str] | None) -> str:
+    """By how much the tangent turns, for people."""
+    if angle is None:
+        return ""
+    exactly = f" (cos {angle['cosine']}, sin {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
+    return f"turns by {angle['degrees']}°{exactly}".replace("-", "−")
+
+
+def _short(*exact: str) -> bool:
+    """Whether exact numbers are short enough to be read; ``--json`` has all of them."""
+    return all(len(text) <= READABLE for text in exact)
+
+
+def _remark(joint: dict[str, Any]) -> str:
+    """What is known of a joint, for people."""
+    order = joint["geometric_continuity"]
+    parts = [
+        "at the seam" if joint["at_seam"] else "at a knot",
+        _turn(joint["angle"]),
+        f"{joint['gap'] if _short(joint['gap']) else joint['gap_decimal']} wide" if joint["gap"] else "",
+        f"exactly {' | '.join(joint['curvatures'])}" if joint["curvatures"] and _short(*joint["curvatures"]) else "",
+        f"G{order}" if order >= 0 else "",
+    ]
+    return ", ".join(filter(None, parts)).replace("-", "−")
+
+
+def _continuity(joints: list[dict[str, Any]]) -> str:
+    """How many joints have which order of geometric continuity."""
+    orders = [joint["geometric_continuity"] for joint in joints]
+    names = {-1: "with a gap", 0: "G0", 1: "G1", 2: "G2", 3: "G3 or higher", None: "singular, of no order"}
+    counted = [f"{orders.count(order)} {name}" for order, name in names.items() if order in orders]
+    return f"joints: {', '.join(counted)}"
 
 
 def _approaches(rows: list[dict[str, Any]]) -> Any:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from exactspline.cli.common import CurveFiles, Digits, Exact, also_in_their_planes, described, loaded, tracked
-from exactspline.cli.output import Output, printing
+from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:
@@ -40,6 +40,10 @@ def prove(
         list[str] | None,
         typer.Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated."),
     ] = None,
+    judge: Annotated[
+        str,
+        typer.Option("--judge", metavar="JUDGE", help="Who decides the identities once more, for all curves: sympy."),
+    ] = "",
     rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
     html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
     digits: Digits = 0,
@@ -57,7 +61,9 @@ def prove(
     claims = _of_sections(select(claim or []), section or [])
     given, good = loaded(curve or [])
     curves = also_in_their_planes(given) if curve else None
-    found = tracked(tasks(claims, curves), "proving")
+    if judge and curve:
+        raise OptionsError("--judge and --curve", remedy="another judge decides for all curves: leave --curve out")
+    found = tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving")
     chosen = [row for row in found if not wanted or word(row) in wanted]
     if html:
         write_page(html, chosen)
@@ -70,6 +76,15 @@ def prove(
         raise typer.Exit(2)
     if not all(row.as_recorded for row in found):
         raise typer.Exit(1)
+
+
+def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
+    """What gives the calls of another judge."""
+    if name != "sympy":
+        raise ClaimError(f"no judge is called {name!r}", remedy="there is sympy")
+    from exactspline.verification import sympy_judge
+
+    return sympy_judge.tasks
 
 
 def _word(name: str, known: Sequence[str]) -> str:

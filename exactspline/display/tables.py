@@ -138,9 +138,7 @@ def degree_table(curve: Any) -> Grid:
             r.formula,
             r.variant,
             r.nominal,
-            r.represented,
-            "–" if r.true is None else r.true,
-            r.control_points,
+            *("–" if count is None else count for count in (r.represented, r.true, r.control_points)),
             r.generic,
             console.decimal_milliseconds(r.seconds),
         )
@@ -239,7 +237,8 @@ def numerical_claims(*ids: str) -> list[Claim]:
 
 def _printed(s: Statement) -> tuple[str, ...]:
     claim, found = s.claim, s.finding
-    printed = claim.claims if claim.status == "printed" else f"({claim.claims})"
+    claimed = str(getattr(claim, "claimed", claim.claims))
+    printed = claimed if claim.status == "printed" else f"({claimed})"
     return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 

@@ -23,6 +23,7 @@ from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import lifted
 
 
@@ -41,7 +42,7 @@ class RulingRelation:
         return value
 
 
-def ruled_surface(name: str, curve: Any, variant: str = MINIMAL) -> RuledSurface:
+def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> RuledSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError
+from exactspline.language.adjoined_root import framed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Curve, Operands, Pair
 from exactspline.language.vector import Vector
@@ -152,6 +153,24 @@ class TableKind(Kind):
         return Operands(**scalars, **vectors)
 
 
+class FramedKind(CurveKind):
+    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide."""
+
+    def __init__(self) -> None:
+        super().__init__("framed", (2, 3))
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Those of a curve, and the roots."""
+        return super().names(dimension) | {"sigma": False} | ({"rho": False} if dimension == 3 else {})
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The curve with its roots."""
+        curve: Any = super().argument(dimension, operand, one, polynomial=polynomial)
+        return framed(curve)
+
+
 def _functions(names: str, w: str, dimension: int, which: int, polynomial: bool) -> tuple[Symbol, ...]:
     """The functions of one curve: numerators, and the denominator of a rational one."""
     bar = "\u0304" if which else ""
@@ -165,9 +184,9 @@ def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[An
 
 CURVE, PLANE, SPACE = CurveKind("curve", (2, 3)), CurveKind("plane", (2,)), CurveKind("space", (3,))
 PLANE_POINT, POINT_IN_SPACE = CurveKind("plane point", (2,), with_point=True), CurveKind("point", (3,), with_point=True)
-PAIR, TABLE = PairKind(), TableKind()
+PAIR, TABLE, FRAMED = PairKind(), TableKind(), FramedKind()
 #: The kinds by their names.
-KINDS: dict[str, Kind] = {kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT)}
+KINDS: dict[str, Kind] = {kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED)}
 
 
 def kind_of(name: str) -> Kind:

@@ -168,7 +168,7 @@ def primitive(f: BSpline) -> BSpline:
     """
     if f.is_zero:
         return f
-    scale = _common(f.denominators)
+    scale = _common(list(f.denominators))
     forms = [c * (scale // m) for c, m in f.forms]
     content = forms[0].content()
     for c in forms[1:]:

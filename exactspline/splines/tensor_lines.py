@@ -67,6 +67,6 @@ def joined(found: list[list[BSpline]], old: TensorSpline) -> tuple[Degrees, Any,
         (old.meshes[0], first.mesh),
         continuity,
         stride,
-        polynomials,
-        denominators,
+        tuple(polynomials),
+        tuple(denominators),
     )

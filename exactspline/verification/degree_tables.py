@@ -8,8 +8,9 @@ from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.errors import FormulaError, ReductionError
+from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.geometry.constructions import MINIMAL, Construction, all_constructions, construction, constructions_for
+from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import DIMENSIONS
@@ -41,9 +42,10 @@ class DegreeRow:
     formula: str
     variant: str
     nominal: str
-    represented: int
+    #: None where the object does not exist on any segment, as for the two that follow.
+    represented: int | None
     true: int | None
-    control_points: int
+    control_points: int | None
     generic: str
     text: str
     grading: str = "–"
@@ -83,11 +85,14 @@ def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
     start = perf_counter()
     try:
         value = c.on(curve, variant)
-    except ReductionError as error:
-        return DegreeRow(c.name, variant, nominal, -1, None, 0, "–", str(error))
+    except ReductionError:
+        return _in_pieces(c, variant, nominal, curve, perf_counter() - start)
     seconds = perf_counter() - start
+    true = true_degree_or_none(value)
+    if true is None:
+        return _in_pieces(c, variant, nominal, curve, seconds)
     generic = str(lowest) if variant == MINIMAL else "–"
-    counts = value.degree, true_degree_or_none(value), control_point_count(value)
+    counts = value.degree, true, control_point_count(value)
     return DegreeRow(
         c.name,
         variant,
@@ -98,6 +103,17 @@ def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
         _grading(formula, variant, curve.dimension, curve.polynomial),
         seconds,
     )
+
+
+def _in_pieces(c: Construction, variant: str, nominal: str, curve: Any, seconds: float) -> DegreeRow:
+    """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
+    lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == MINIMAL else "–"
+    try:
+        found = derive(c.name, curve, variant)
+    except ShapeError as error:
+        return DegreeRow(c.name, variant, nominal, None, None, None, lowest, str(error), seconds=seconds)
+    counts = found.degree, found.true_degree, found.control_points
+    return DegreeRow(c.name, variant, nominal, *counts, lowest, found.existence, seconds=seconds)
 
 
 def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:

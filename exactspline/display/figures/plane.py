@@ -12,7 +12,7 @@ from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_featu
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.plane_features import curvature_extrema
+from exactspline.geometry.features import curvature_extrema
 from exactspline.geometry.zero_forms import zero_form
 from exactspline.papers import find
 from exactspline.readings.printing.latex import print_latex

@@ -32,6 +32,78 @@ def normal_height(c):
     return dot(c.gamma, c.gamma.d(1))
 
 
+@formula("eq. (26)")
+def normal_levelled(c):
+    """``γ′``, brought to one denominator with ``γ·γ′``."""
+    return level(*_normal_plane(c))[0]
+
+
+@formula("eq. (26)")
+def normal_height_levelled(c):
+    """``γ·γ′``, brought to one denominator with ``γ′``."""
+    return level(*_normal_plane(c))[1]
+
+
+@formula("eq. (27)")
+def normal_height_polynomial(c):
+    """``p·D1``: the height of the normal plane in the unknown wB."""
+    return _normal_plane_polynomial(c)[1]
+
+
+@formula("eq. (22)", on="pair")
+def second_normal(c):
+    """``γ̄′``: the normal of the second plane."""
+    return c.second.gamma.d(1)
+
+
+@formula("eq. (22)", on="pair")
+def second_height(c):
+    """``γ̄·γ̄′``: the height of the second plane."""
+    return normal_height(c.second)
+
+
+@formula("eq. (27)", on="pair")
+def second_height_polynomial(c):
+    """``w γ̄·γ̄′``: the height of the second plane in the unknown wB."""
+    return normal_height(c.second) * c.first.w
+
+
+@formula("eq. (22)", on="pair")
+def middle_normal(c):
+    """``γ − γ̄``: the normal of the middle plane."""
+    return _middle_plane(c.first.gamma, c.second.gamma)[0]
+
+
+@formula("eq. (22)", on="pair")
+def middle_height(c):
+    """``½(‖γ‖² − ‖γ̄‖²)``: the height of the middle plane."""
+    return _middle_plane(c.first.gamma, c.second.gamma)[1]
+
+
+@formula("eq. (26)", on="pair")
+def middle_normal_levelled(c):
+    """``γ − γ̄``, brought to one denominator with the height."""
+    return level(*_middle_plane(c.first.gamma, c.second.gamma))[0]
+
+
+@formula("eq. (26)", on="pair")
+def middle_height_levelled(c):
+    """``½(‖γ‖² − ‖γ̄‖²)``, brought to one denominator with the normal."""
+    return level(*_middle_plane(c.first.gamma, c.second.gamma))[1]
+
+
+@formula("eq. (27)", on="pair")
+def middle_normal_polynomial(c):
+    """``p − wγ̄``: the normal of the middle plane in the unknown wB."""
+    return c.first.p - c.second.gamma * c.first.w
+
+
+@formula("eq. (27)", on="pair")
+def middle_height_polynomial(c):
+    """``½(‖p‖² − ‖γ̄‖²w²)``: the height of the middle plane in the unknown wB."""
+    return (norm2(c.first.p) - norm2(c.second.gamma) * c.first.w**2) / 2
+
+
 @formula("eqs. (22), (23)", on="pair", symbol="D")
 def bisector_determinant(c):
     """``[γ′ γ̄′ γ − γ̄]``: the determinant of the system (22), naive."""
@@ -69,15 +141,15 @@ def bisector_levelled(c):
 @formula("eq. (27)", on="pair", symbol="D")
 def bisector_determinant_polynomial(c):
     """``[D1 γ̄′ p − wγ̄]``: the determinant of the system (27)."""
-    return det(D1(c.first), c.second.gamma.d(1), c.first.p - c.second.gamma * c.first.w)
+    return det(D1(c.first), c.second.gamma.d(1), middle_normal_polynomial(c))
 
 
 @formula("eq. (27)", on="pair")
 def bisector_numerators_polynomial(c):
     """The numerators of Cramer's rule for (27), in the unknown wB."""
-    a, w, b = c.first, c.first.w, c.second
-    middle = a.p - b.gamma * w, (norm2(a.p) - norm2(b.gamma) * w**2) / 2
-    return cramer(_normal_plane_polynomial(a), (b.gamma.d(1), normal_height(b) * w), middle)
+    second = second_normal(c), second_height_polynomial(c)
+    middle = middle_normal_polynomial(c), middle_height_polynomial(c)
+    return cramer(_normal_plane_polynomial(c.first), second, middle)
 
 
 @formula("eqs. (27), (28)", on="pair", symbol="B")
@@ -144,6 +216,24 @@ def point_bisector_generator(c):
 def _through_point(c):
     """``γ′ × (γ − Q) | Q·(γ′ × (γ − Q))``: the third plane of (31)."""
     return point_bisector_generator(c), dot(c.point, point_bisector_generator(c))
+
+
+@formula("eq. (31)", on="point")
+def through_point_height(c):
+    """``Q·(γ′ × (γ − Q))``: the height of the third plane of (31)."""
+    return _through_point(c)[1]
+
+
+@formula("eq. (30)", on="point")
+def point_middle_normal(c):
+    """``γ − Q``: the normal of the middle plane."""
+    return _middle_plane(c.gamma, c.point)[0]
+
+
+@formula("eq. (30)", on="point")
+def point_middle_height(c):
+    """``½(‖γ‖² − ‖Q‖²)``: the height of the middle plane."""
+    return _middle_plane(c.gamma, c.point)[1]
 
 
 @formula("eq. (31)", on="point")

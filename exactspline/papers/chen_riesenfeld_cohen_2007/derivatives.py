@@ -64,6 +64,18 @@ def velocity_shared(c):
     return D1(c) / c.w**2
 
 
+@formula("Remark 3.2")
+def acceleration_first_term(c):
+    """``D2/w²``, the first term of γ″."""
+    return D2(c) / c.w**2
+
+
+@formula("Remark 3.2")
+def jerk_first_term(c):
+    """``D3/w²``, the first term of γ‴."""
+    return D3(c) / c.w**2
+
+
 @formula("eq. (2)")
 def acceleration_shared(c):
     """Second derivative, its terms over w³."""
@@ -134,31 +146,31 @@ def jerk_term_1(c):
 @formula("eq. (5)")
 def acceleration_terms(c):
     """Second derivative as the paper prints it: a sum of terms over powers of w."""
-    return D2(c) / c.w**2 - acceleration_term_1(c)
+    return acceleration_first_term(c) - acceleration_term_1(c)
 
 
 @formula("eq. (5)")
 def jerk_terms(c):
     """Third derivative as the paper prints it: a sum of terms over powers of w."""
-    return D3(c) / c.w**2 + jerk_term_21(c) - jerk_term_2(c) + jerk_term_1(c)
+    return jerk_first_term(c) + jerk_term_21(c) - jerk_term_2(c) + jerk_term_1(c)
 
 
 @formula("Remark 3.2", on="plane")
 def acceleration_rest_plane(c):
     """``[γ′ γ″ − D2/w²]``: zero when the rest of γ″ is along γ′, in the plane."""
-    return det(c.gamma.d(1), c.gamma.d(2) - D2(c) / c.w**2)
+    return det(c.gamma.d(1), c.gamma.d(2) - acceleration_first_term(c))
 
 
 @formula("Remark 3.2", on="space")
 def acceleration_rest_space(c):
     """``γ′ × (γ″ − D2/w²)``: zero when the rest of γ″ is along γ′, in space."""
-    return cross(c.gamma.d(1), c.gamma.d(2) - D2(c) / c.w**2)
+    return cross(c.gamma.d(1), c.gamma.d(2) - acceleration_first_term(c))
 
 
 @formula("Remark 3.2", on="space")
 def jerk_rest(c):
     """``[γ′ γ″ γ‴ − D3/w²]``: zero when the rest of γ‴ is in the span of γ′ and γ″."""
-    return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3) - D3(c) / c.w**2)
+    return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3) - jerk_first_term(c))
 
 
 @formula("§3", on="plane")

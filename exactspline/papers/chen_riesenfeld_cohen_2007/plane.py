@@ -137,6 +137,15 @@ def evolute_reduced(c):
     return (c.p * (f1(c) * c.w) + perp(D1(c)) * D1_squared(c)) / (f1(c) * c.w**2)
 
 
+@formula("§4.3, footnote b", on="plane", symbol="E")
+def evolute_by_frenet(c):
+    """``γ + (1/κ)N`` with the normal of the Frenet frame and its κ: ``γ + κN/κ²``, κN the derivative of the unit
+    tangent by arc length.
+    """
+    a, b, speed = c.gamma.d(1), c.gamma.d(2), speed_squared(c)
+    return c.gamma + (b / speed - a * (dot(a, b) / speed**2)) / curvature_squared(c)
+
+
 @formula("definition of the evolute", on="plane")
 def evolute_contact_1(c):
     """``(E − γ)·γ′``: zero when the circle around E touches to first order."""

@@ -8,7 +8,7 @@ generalized cross product. On a polynomial curve w is 1.
 
 from exactspline.language.formula import formula
 from exactspline.language.ruled import ruled
-from exactspline.language.vector import cross, det, generalized_cross, join, norm2, wronskian
+from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, wronskian
 from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1, D1_squared
 
 
@@ -231,3 +231,16 @@ def point_bisector_direct_lifted(c):
     x = conformal_lift(c)
     sphere = generalized_cross(x, x.d(1), conformal_point(c), join(0, c.axis_z, 0))
     return ruled(-sphere[1:4] / (2 * sphere[0]), tangent_plane_through_point(c)[1:4])
+
+
+@formula("lifted", on="point")
+def lifted_directrix_in_tangent_plane(c):
+    """``Π·(1, δ)``: zero where the directrix lies in the plane of the tangent and Q."""
+    plane = tangent_plane_through_point(c)
+    return plane[0] + dot(plane[1:4], point_bisector_lifted(c).directrix)
+
+
+@formula("lifted", on="point")
+def lifted_directrix_height(c):
+    """The third component of the directrix of the direct form."""
+    return dot(c.axis_z, point_bisector_direct_lifted(c).directrix)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from exactspline.verification.claim import Claim
 from exactspline.verification.kinds.coefficients import Coefficients
+from exactspline.verification.kinds.condition import Condition
 from exactspline.verification.kinds.count import Count
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.existence import Existence
@@ -21,6 +22,7 @@ KINDS: dict[str, type[Claim]] = {
         Vanishing,
         ZeroSet,
         Coefficients,
+        Condition,
         Count,
         SquareClass,
         SameSurface,
@@ -32,6 +34,7 @@ KINDS: dict[str, type[Claim]] = {
 __all__ = [
     "KINDS",
     "Coefficients",
+    "Condition",
     "Count",
     "DegreeClaim",
     "Existence",

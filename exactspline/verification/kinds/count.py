@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.geometry.plane_features import curvature_extrema
+from exactspline.geometry.features import curvature_extrema
 from exactspline.language.parts import split
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example

@@ -154,7 +154,8 @@ class IsoCurve(Claim):
     def examine(self, argument: Any, own: Evaluation) -> Finding:
         """The plane curve and the directrix, compared as quotients."""
         plane, space = self.find(self.left)(argument), self.find(self.right)(embedded(argument)).directrix
-        if not all(plane.denominator.polynomials) or not all(space.denominator.polynomials):
+        below = [denominator for _, denominator in map(split, (plane, space)) if denominator is not None]
+        if not all(p for denominator in below for p in denominator.polynomials):
             return vacuous(ZETA, "does not exist here")
         if self._agree(plane, space):
             return Finding(VERIFIED, ZETA, ZETA)

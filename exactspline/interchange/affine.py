@@ -1,0 +1,52 @@
+"""Exact affine maps, as rows ``(a_1, …, a_n, shift)``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from gmpy2 import mpq
+
+
+class Affine:
+    """An affine map of the plane or of space.
+
+    >>> turn = Affine([[0, -1, 5], [1, 0, 0]])
+    >>> turn((1, 0)), (turn @ turn)((1, 0))
+    ((mpq(5,1), mpq(1,1)), (mpq(4,1), mpq(5,1)))
+    """
+
+    def __init__(self, rows: Sequence[Sequence[mpq | int]]) -> None:
+        self.rows = tuple(tuple(mpq(x) for x in row) for row in rows)
+
+    @classmethod
+    def identity(cls, dimension: int) -> Affine:
+        """The identity."""
+        return cls([[int(i == j) for j in range(dimension + 1)] for i in range(dimension)])
+
+    @cached_property
+    def is_identity(self) -> bool:
+        """Whether nothing moves."""
+        return self == Affine.identity(len(self.rows))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Affine) and self.rows == other.rows
+
+    def __hash__(self) -> int:
+        return hash(self.rows)
+
+    def __call__(self, point: Sequence[mpq], weight: mpq | int = 1) -> tuple[mpq, ...]:
+        """The image of a point, or of homogeneous coordinates ``w x`` with their weight w (0 for a vector)."""
+        return tuple(
+            sum((a * x for a, x in zip(row, point, strict=False)), start=mpq(0)) + row[-1] * weight for row in self.rows
+        )
+
+    def homogeneous(self, point: Sequence[mpq]) -> tuple[mpq, ...]:
+        """The image of a homogeneous point ``(w x, w y, …, w)``."""
+        return (*self(point[:-1], point[-1]), point[-1])
+
+    def __matmul__(self, inner: Affine) -> Affine:
+        """This map after `inner`."""
+        columns = [self([row[j] for row in inner.rows], 0) for j in range(len(inner.rows))]
+        shift = self([row[-1] for row in inner.rows])
+        return Affine([*zip(*columns, shift, strict=True)])

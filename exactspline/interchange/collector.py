@@ -1,0 +1,91 @@
+"""Where readers put what they find: a curve that cannot be built is named as skipped and the rest goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gmpy2 import mpq
+
+from exactspline.errors import ExactSplineError, ShapeError
+from exactspline.interchange.limits import work
+from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
+from exactspline.splines.nurbs import Nurbs
+
+Points = Sequence[Sequence[mpq]]
+
+
+class Collector:
+    """The curves and the skipped entities of one file."""
+
+    def __init__(self, format_name: str, source: Source) -> None:
+        self.format, self.source, self.limits = format_name, source, source.limits
+        self.curves: list[NamedCurve] = []
+        self.skipped: list[Skipped] = []
+        self._objects = 0
+
+    def reading(self) -> Reading:
+        """All that was found."""
+        return Reading(self.format, tuple(self.curves), tuple(self.skipped))
+
+    def skip(self, what: str, where: str, why: str) -> None:
+        """Name something that is not read."""
+        self.count(1)
+        self.skipped.append(Skipped(what, where, why))
+
+    def count(self, objects: int) -> None:
+        """Raise `ShapeError` when the file holds more than the limits allow."""
+        self._objects += objects
+        if objects < 0 or self._objects > self.limits.objects:
+            raise ShapeError(
+                f"more than {self.limits.objects} objects", where=self.source.name, remedy="read with larger limits"
+            )
+
+    def add(
+        self,
+        what: str,
+        where: str,
+        degree: int,
+        knots: Sequence[mpq],
+        points: Points,
+        weights: Sequence[mpq] | None = None,
+        *,
+        homogeneous: bool = False,
+        name: str = "",
+        notes: Sequence[str] = (),
+    ) -> None:
+        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. Where the data are no curve,
+        it is skipped with the reason.
+        """
+        name = name or f"{self.format} {len(self.curves) + 1}"
+        try:
+            self.count(len(points) + len(knots))
+            self._check(degree, knots, points, weights or ())
+            source = f"{self.source.name} {where}".strip()
+            if homogeneous:
+                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
+            else:
+                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
+        except ExactSplineError as error:
+            self.skip(what, where, str(error))
+            return
+        said = list(notes)
+        if curve.polynomial and (homogeneous or weights is not None):
+            said.append("written as rational, but its weights are equal: a polynomial curve")
+        self.curves.append(NamedCurve(name, curve, tuple(said)))
+
+    def _check(self, degree: int, knots: Sequence[mpq], points: Points, weights: Sequence[mpq]) -> None:
+        if not 0 <= degree <= self.limits.degree:
+            raise ShapeError(f"degree {degree}", where="degree", remedy=f"at most {self.limits.degree} is read")
+        if not points or len(knots) != len(points) + degree + 1:
+            raise ShapeError(
+                f"{len(points)} control points for {len(knots)} knots of degree {degree}",
+                where="control_points",
+                remedy=f"there must be {max(len(knots) - degree - 1, 0)} (knots − degree − 1)",
+            )
+        numbers = [*knots, *weights, *(x for row in points for x in row)]
+        longest = max(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
+        if work(degree, knots, longest) > self.limits.work:
+            raise ShapeError(
+                f"degree {degree}, {len(points)} control points, numbers of {longest} bits: too much work",
+                remedy="read with a larger limit of work",
+            )

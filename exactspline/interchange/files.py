@@ -1,0 +1,135 @@
+"""Reading and writing files of all formats."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from exactspline.atomic_write import write_atomically
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.limits import Limits
+from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.splines.nurbs import Nurbs
+
+#: How much of a file its format is told from.
+HEAD = 16_384
+
+
+def read(
+    place: str | os.PathLike[str] | bytes,
+    format: str | None = None,
+    *,
+    part: str = "",
+    degree: int | None = None,
+    knots: Sequence[object] | None = None,
+    limits: Limits | None = None,
+) -> Reading:
+    """The curves of a file (``-`` for standard input, ``font.ttf:ampersand`` for a part) or of bytes.
+
+    The format is told by the content, then by the suffix, unless it is named. `degree` and `knots` are for formats that
+    hold control points alone.
+
+    >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
+    (mpq(1,10), mpq(2,1))
+
+    Raises `CurveFileError` where there is nothing to read or the format is unknown, the `ExactSplineError` of a file
+    broken as a whole; a single curve that is broken is among the `skipped`.
+    """
+    limits = limits or Limits()
+    if isinstance(place, bytes):
+        data, name = place, ""
+    else:
+        data, name, found_part = _bytes(os.fspath(place), limits)
+        part = part or found_part
+    if len(data) > limits.megabytes << 20:
+        raise CurveFileError(f"{len(data)} bytes", where=name, remedy=f"at most {limits.megabytes} MB are read")
+    given = None if knots is None else tuple(map(str, knots))
+    try:
+        chosen = named_format(format) if format else _told(data, name)
+        return chosen.read(Source(data, Path(name).name, part, degree, given, limits))
+    except ExactSplineError as error:
+        raise (error.at(name) if name else error) from None
+
+
+def write(
+    curves: Iterable[Nurbs | NamedCurve],
+    place: str | os.PathLike[str],
+    format: str | None = None,
+    *,
+    rounding: bool = False,
+) -> tuple[str, ...]:
+    """Write curves in a format (by default the one of the suffix) and return what is to be said about it.
+
+    Every number is exact or the file is not written: raises `NumberError` for a number that the format cannot hold,
+    unless `rounding` asks for the nearest doubles, and the `ExactSplineError` of what else it cannot hold.
+    """
+    chosen = named_format(format) if format else _by_suffix(os.fspath(place))
+    if chosen.write is None:
+        raise CurveFileError(f"{chosen.title} is read, not written", where=os.fspath(place), remedy=_written())
+    numbers = NumberText(rounding)
+    named = [c if isinstance(c, NamedCurve) else NamedCurve(c.name or f"curve {i}", c) for i, c in enumerate(curves, 1)]
+    if not named:
+        raise CurveFileError("no curves to write", where=os.fspath(place), remedy="give at least one")
+    try:
+        data = chosen.write(named, numbers)
+    except ExactSplineError as error:
+        raise error.at(os.fspath(place)) from None
+    write_atomically(place, lambda stream: stream.write(data))
+    return (f"{numbers.rounded} numbers were rounded to doubles",) if numbers.rounded else ()
+
+
+def named_format(name: str) -> Format:
+    """The format with a name; raises `CurveFileError` with the names there are."""
+    for known in FORMATS:
+        if known.name == name:
+            return known
+    names = ", ".join(sorted(known.name for known in FORMATS))
+    raise CurveFileError(f"no format is called {name!r}", remedy=f"there are {names}")
+
+
+def _written() -> str:
+    return f"written are {', '.join(sorted(known.name for known in FORMATS if known.write))}"
+
+
+def _by_suffix(path: str) -> Format:
+    suffix = Path(path).suffix.lower()
+    for known in FORMATS:
+        if suffix in known.suffixes:
+            return known
+    raise CurveFileError(f"no format has files called *{suffix}", where=path, remedy="name the format")
+
+
+def _told(data: bytes, name: str) -> Format:
+    head = data[:HEAD]
+    for known in FORMATS:
+        if known.looks_like(head):
+            return known
+    try:
+        return _by_suffix(name)
+    except CurveFileError:
+        raise CurveFileError("is of no known format", remedy="name the format") from None
+
+
+def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
+    """The bytes of a file, its path, and the part that stood behind a colon."""
+    most = (limits.megabytes << 20) + 1
+    if path == "-":
+        return sys.stdin.buffer.read(most), "standard input", ""
+    part = ""
+    if not os.path.lexists(path) and ":" in path:
+        path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
+    try:
+        if not stat.S_ISREG(os.stat(path).st_mode):
+            raise CurveFileError("is no regular file", where=path, remedy="name a curve file")
+        with open(path, "rb") as stream:
+            return stream.read(most), path, part
+    except (OSError, ValueError) as error:
+        if isinstance(error, ExactSplineError):
+            raise
+        reason = getattr(error, "strerror", None) or "no file name"
+        raise CurveFileError(f"cannot be read ({reason})", where=path, remedy="name a curve file") from None

@@ -1,0 +1,30 @@
+"""The formats: one module each. A new format is a module with a `FORMAT` and its name in this list.
+
+A file is told by its content, formats earlier in the list asked first.
+"""
+
+from __future__ import annotations
+
+from exactspline.interchange.formats import (
+    brep,
+    control_points,
+    dxf,
+    fonts,
+    g2,
+    geomdl_json,
+    gismo,
+    iges,
+    irit,
+    own_json,
+    rhino,
+    step,
+    svg,
+)
+from exactspline.interchange.records import Format
+
+FORMATS: tuple[Format, ...] = tuple(
+    module.FORMAT
+    for module in (
+        rhino, fonts, step, brep, svg, gismo, geomdl_json, own_json, dxf, iges, g2, irit, control_points
+    )
+)  # fmt: skip

@@ -1,0 +1,163 @@
+"""Open CASCADE BRep text: the sections ``Curve2ds`` and ``Curves``.
+
+B-spline and Bézier curves are read; of circles and ellipses the whole curve, exactly as far as the axes are written.
+Lines, parabolas and hyperbolas have no end here (edges cut them) and are skipped, and so are trimmed and offset curves.
+A periodic curve repeats its first poles; knots are continued by the period.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.segments import arc_around_origin, joined, mapped
+from exactspline.interchange.tokens import Tokens
+from exactspline.interchange.writing import cartesian
+
+LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, BEZIER, BSPLINE, TRIMMED, OFFSET = range(1, 10)
+NAMES = {LINE: "line", PARABOLA: "parabola", HYPERBOLA: "hyperbola", TRIMMED: "trimmed curve", OFFSET: "offset curve"}
+_SECTION = re.compile(r"^(Curve2ds|Curves) (\d{1,9})[ \t]*\r?$", re.M)
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins as Open CASCADE writes it."""
+    return b"CASCADE Topology V" in head
+
+
+def read(source: Source) -> Reading:
+    """The curves of both sections."""
+    found = Collector("brep", source)
+    for match in _SECTION.finditer(source.text):
+        words = Tokens(source.text, source.limits, match.end())
+        dimension = 2 if match[1] == "Curve2ds" else 3
+        for number in range(1, int(match[2]) + 1):
+            where = f"{match[1]} {number}"
+            while _curve(found, words, dimension, where):
+                where = f"{match[1]} {number} (basis)"
+    return found.reading()
+
+
+def _curve(found: Collector, words: Tokens, dimension: int, where: str) -> bool:
+    """Read one curve; whether the curve that it rests on follows."""
+    kind = words.whole()
+    if kind in (BEZIER, BSPLINE):
+        (_bezier if kind == BEZIER else _spline)(found, words, dimension, where)
+    elif kind in (CIRCLE, ELLIPSE):
+        _ellipse(found, words, dimension, where, kind)
+    elif kind in (TRIMMED, OFFSET):
+        words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
+        found.skip(NAMES[kind], where, "only the curve it rests on is read")
+    elif kind in NAMES:
+        frame = {LINE: 2, PARABOLA: 3, HYPERBOLA: 3}[kind] + (dimension == 3 and kind != LINE)
+        words.numbers(frame * dimension + {LINE: 0, PARABOLA: 1, HYPERBOLA: 2}[kind])
+        found.skip(NAMES[kind], where, "it has no ends here")
+    else:
+        raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
+    return kind in (TRIMMED, OFFSET)
+
+
+def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[list[list[mpq]], list[mpq] | None]:
+    rows = words.rows(count, dimension + rational)
+    return [row[:dimension] for row in rows], [row[-1] for row in rows] if rational else None
+
+
+def _bezier(found: Collector, words: Tokens, dimension: int, where: str) -> None:
+    rational, degree = words.whole() != 0, words.count()
+    points, weights = _poles(words, degree + 1, dimension, rational)
+    knots = [mpq(0)] * (degree + 1) + [mpq(1)] * (degree + 1)
+    found.add("Bézier curve", where, degree, knots, points, weights)
+
+
+def _spline(found: Collector, words: Tokens, dimension: int, where: str) -> None:
+    rational, periodic = words.whole() != 0, words.whole() != 0
+    degree, count, distinct = words.count(), words.count(), words.count()
+    points, weights = _poles(words, count, dimension, rational)
+    found.count(distinct)
+    pairs = [(words.number(), words.count()) for _ in range(distinct)]
+    found.count(sum(times for _, times in pairs))
+    knots = [knot for knot, times in pairs for _ in range(times)]
+    notes = []
+    if periodic:
+        try:
+            knots, wrapped = _unrolled(pairs, degree)
+        except CurveFileError as error:
+            found.skip("periodic B-spline curve", where, str(error))
+            return
+        points += points[:wrapped]
+        weights = weights and weights + weights[:wrapped]
+        notes.append(f"periodic: its knots are continued by the period, {wrapped} control points are repeated")
+    found.add("B-spline curve", where, degree, knots, points, weights, notes=notes)
+
+
+def _unrolled(pairs: Sequence[tuple[mpq, int]], degree: int) -> tuple[list[mpq], int]:
+    """The full knot vector of a periodic curve, and how many poles are repeated."""
+    knots = [knot for knot, times in pairs for _ in range(times)]
+    more = degree + 1 - pairs[0][1] if pairs else 0
+    if len(pairs) < 2 or pairs[0][1] != pairs[-1][1] or more < 0 or not pairs[0][0] < pairs[-1][0]:
+        raise CurveFileError("end knots of a period that do not agree", remedy="they have one multiplicity")
+    period = pairs[-1][0] - pairs[0][0]
+    once = knots[pairs[0][1] :]
+    rounds = more // len(once) + 1
+    after = [t + period * (r + 1) for r in range(rounds) for t in once][:more]
+    # what stands before the first knot is what stands before the last one, a period earlier
+    cycle = knots[: len(knots) - pairs[-1][1]]
+    before = [t - period * (r + 1) for r in reversed(range(more // len(cycle) + 1)) for t in cycle]
+    return [*before[len(before) - more :], *knots, *after], more
+
+
+def _ellipse(found: Collector, words: Tokens, dimension: int, where: str, kind: int) -> None:
+    centre = words.numbers(dimension)
+    if dimension == 3:
+        words.numbers(3)
+    across, up = words.numbers(dimension), words.numbers(dimension)
+    major = words.number()
+    minor = words.number() if kind == ELLIPSE else major
+    frame = Affine([[x * major, y * minor, c] for x, y, c in zip(across, up, centre, strict=True)])
+    one = (mpq(1), mpq(0))
+    degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
+    name = "circle" if kind == CIRCLE else "ellipse"
+    note = f"the whole {name}, exact for the axes as written; edges may use a part of it"
+    found.add(name, where, degree, knots, points, homogeneous=True, notes=[note])
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves as sections without a shape: plane ones under ``Curve2ds``, space ones under ``Curves``."""
+    plane = [named.curve for named in curves if named.curve.dimension == 2]
+    space = [named.curve for named in curves if named.curve.dimension == 3]
+    if len(plane) + len(space) != len(curves):
+        raise CurveFileError("a curve that is neither in the plane nor in space", remedy="choose another format")
+    lines = ["DBRep_DrawableShape", "", "CASCADE Topology V1, (c) Matra-Datavision", "Locations 0"]
+    for title, group in (("Curve2ds", plane), ("Curves", space)):
+        lines.append(f"{title} {len(group)}")
+        for curve in group:
+            rational = not curve.polynomial
+            rows = [
+                " ".join(map(numbers, [*point, *([weight] if rational else [])]))
+                for point, weight in zip(cartesian(curve), curve.weights, strict=True)
+            ]
+            pairs = zip(curve.knots.breakpoints, curve.knots.multiplicities, strict=True)
+            knots = " ".join(f"{numbers(knot)} {times}" for knot, times in pairs)
+            counts = f"{curve.degree} {len(rows)} {len(curve.knots.breakpoints)}"
+            lines += [f"{BSPLINE} {int(rational)} 0  {counts}  {'  '.join(rows)} ", f" {knots}"]
+    lines += [
+        "Polygon3D 0",
+        "PolygonOnTriangulations 0",
+        "Surfaces 0",
+        "Triangulations 0",
+        "",
+        "TShapes 0",
+        "",
+        "*",
+        "",
+    ]
+    return "\n".join(lines).encode()
+
+
+FORMAT = Format("brep", "Open CASCADE BRep text", (".brep", ".brp"), looks_like, read, write)

@@ -1,0 +1,290 @@
+"""DXF in text form: SPLINE, LINE, CIRCLE, ARC, ELLIPSE and LWPOLYLINE, in the ENTITIES section and in blocks.
+
+Circles are rational and exact; so are the arcs of a polyline, whose bulge is the tangent of a quarter of the angle. An
+ARC or ELLIPSE that ends at a multiple of a right angle is exact, any other has irrational ends and is skipped. What
+lies at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not followed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import NumberText, decimal, square_root, whole
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.segments import Segment, arc_around_origin, bulged, joined, mapped, polynomial
+from exactspline.interchange.writing import in_space
+
+CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
+SILENT = ("SEQEND", "VERTEX", "ENDBLK", "BLOCK", "SECTION", "ENDSEC", "EOF")
+
+
+@dataclass
+class Entity:
+    """An entity: its type, its pairs of group code and value, where it begins."""
+
+    kind: str
+    pairs: list[tuple[int, str]]
+    line: int
+    block: str = ""
+
+    def texts(self, code: int) -> list[str]:
+        """The values with a group code."""
+        return [value for group, value in self.pairs if group == code]
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins with group code 0 and SECTION, comments before it allowed, or as binary DXF."""
+    lines = [line.strip() for line in head.split(b"\n")]
+    while lines[:1] == [b"999"]:
+        lines = lines[2:]
+    return lines[:2] == [b"0", b"SECTION"] or head.startswith(b"AutoCAD Binary DXF")
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file."""
+    if source.data.startswith(b"AutoCAD Binary DXF"):
+        raise CurveFileError("is binary DXF", remedy="save it as DXF text (ASCII)")
+    found = Collector("dxf", source)
+    for entity in _entities(source, found):
+        where = f"{entity.kind} at line {entity.line}" + (f" in block {entity.block}" if entity.block else "")
+        reader = _READERS.get(entity.kind)
+        if reader is None:
+            if entity.kind not in SILENT:
+                found.skip(entity.kind, where, "no entity that is read")
+            continue
+        try:
+            reader(_Values(found, entity, where))
+        except ExactSplineError as error:
+            found.skip(entity.kind, where, str(error))
+    return found.reading()
+
+
+def _entities(source: Source, found: Collector) -> Iterator[Entity]:
+    """The entities of the sections ENTITIES and BLOCKS."""
+    lines = source.text.split("\n")
+    section, block = "", ""
+    entity: Entity | None = None
+    for i in range(0, len(lines) - 1, 2):
+        code, value = lines[i].strip(), lines[i + 1].strip()
+        if len(code) > 6 or not code.lstrip("-").isdecimal() or not code.isascii():
+            raise CurveFileError(f"{code[:20]!r} is no group code", where=f"line {i + 1}", remedy="codes are integers")
+        found.count(1)
+        if code == "0":
+            if entity:
+                yield entity
+            entity = None
+            if value == "ENDSEC":
+                section = ""
+            block = "" if value == "ENDBLK" else block
+            if section in ("ENTITIES", "BLOCKS"):
+                entity = Entity(value, [], i + 1, block)
+        elif code == "2" and lines[i - 1].strip() == "SECTION":
+            section = value
+        elif entity:
+            entity.pairs.append((int(code), value))
+            if entity.kind == "BLOCK" and code == "2":
+                block = value
+    if entity:
+        yield entity
+
+
+class _Values:
+    """The numbers of one entity, and the way back into the collector."""
+
+    def __init__(self, found: Collector, entity: Entity, where: str) -> None:
+        self.found, self.entity, self.where = found, entity, where
+        self.notes: list[str] = []
+
+    def number(self, code: int, default: int | None = None) -> mpq:
+        """The value of a group code."""
+        texts = self.entity.texts(code)
+        if not texts and default is None:
+            raise CurveFileError(f"group {code} is missing", remedy="complete the entity")
+        return decimal(texts[0], self.found.limits) if texts else mpq(default)
+
+    def flag(self, code: int) -> int:
+        """An integer, 0 where it is missing."""
+        texts = self.entity.texts(code)
+        return whole(texts[0]) if texts else 0
+
+    def numbers(self, code: int) -> list[mpq]:
+        """All values of a group code."""
+        return [decimal(text, self.found.limits) for text in self.entity.texts(code)]
+
+    def point(self, code: int, default: Sequence[int] | None = None) -> list[mpq]:
+        """The point in the groups code, code + 10, code + 20; z is 0 where it is missing."""
+        x, y, z = default or (None, None, 0)
+        return [self.number(code, x), self.number(code + 10, y), self.number(code + 20, z)]
+
+    def points(self, code: int) -> list[list[mpq]]:
+        """All points whose x stands in the group `code`."""
+        points: list[list[mpq]] = []
+        for group, value in self.entity.pairs:
+            if group == code:
+                points.append([decimal(value, self.found.limits), mpq(0), mpq(0)])
+            elif group in (code + 10, code + 20) and points:
+                points[-1][(group - code) // 10] = decimal(value, self.found.limits)
+        return points
+
+    def frame(self) -> tuple[list[mpq], list[mpq], list[mpq]]:
+        """The axes of the entity's own coordinates, by the arbitrary axis algorithm; raises `ShapeError` where they
+        are irrational.
+        """
+        normal = _unit(self.point(210, (0, 0, 1)))
+        small = all(abs(x) < mpq(1, 64) for x in normal[:2])
+        across = _unit(_cross([mpq(0), mpq(1), mpq(0)] if small else [mpq(0), mpq(0), mpq(1)], normal))
+        return across, _cross(normal, across), normal
+
+    def add(self, segments: Sequence[Segment]) -> None:
+        """A curve out of segments in space, in the plane where z = 0."""
+        if all(point[2] == 0 for segment in segments for point in segment):
+            segments = [tuple((*point[:2], point[3]) for point in segment) for segment in segments]
+        degree, knots, points = joined(segments)
+        kind = self.entity.kind
+        weights = {point[-1] for point in points}
+        if weights == {1}:
+            plain = [point[:-1] for point in points]
+            self.found.add(kind, self.where, degree, knots, plain, name=self.name, notes=self.notes)
+        else:
+            self.found.add(kind, self.where, degree, knots, points, homogeneous=True, name=self.name, notes=self.notes)
+
+    @property
+    def name(self) -> str:
+        """The type and the handle."""
+        return " ".join([self.entity.kind.lower(), *self.entity.texts(5)[:1]])
+
+
+def _unit(vector: Sequence[mpq]) -> list[mpq]:
+    length = square_root(sum((x * x for x in vector), start=mpq(0)))
+    if not length:
+        raise ShapeError("an axis of irrational length", remedy="only axes of rational length are exact")
+    return [x / length for x in vector]
+
+
+def _cross(u: Sequence[mpq], v: Sequence[mpq]) -> list[mpq]:
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def _spline(values: _Values) -> None:
+    points, knots, weights = values.points(10), values.numbers(40), values.numbers(41)
+    flags = values.flag(70)
+    if not points and values.entity.texts(11):
+        raise CurveFileError("fit points alone", remedy="control points and knots are needed")
+    for code, title, found in ((72, "knots", knots), (73, "control points", points)):
+        if values.entity.texts(code) and values.flag(code) != len(found):
+            raise CurveFileError(
+                f"{values.flag(code)} {title} announced, {len(found)} there", remedy="the two must agree"
+            )
+    if all(point[2] == 0 for point in points):
+        points = [point[:2] for point in points]
+    degree = values.flag(71)
+    if flags & PERIODIC and len(knots) > degree and knots[0] == knots[degree]:
+        values.notes.append("flagged periodic, but its knots are clamped: read as they stand")
+    if flags & RATIONAL and not weights:
+        values.notes.append("flagged rational, but without weights: a polynomial curve")
+    values.found.add(
+        "SPLINE", values.where, degree, knots, points, weights or None, name=values.name, notes=values.notes
+    )
+
+
+def _line(values: _Values) -> None:
+    values.add([polynomial(values.point(10), values.point(11))])
+
+
+def _circle(values: _Values) -> None:
+    _arc_between(values, 0, 4)
+
+
+def _arc(values: _Values) -> None:
+    _arc_between(values, *(quarter_turns_of_degrees(values.number(code)) for code in (50, 51)))
+
+
+def _arc_between(values: _Values, start: int, end: int) -> None:
+    across, up, normal = values.frame()
+    own, radius = values.point(10), values.number(40)
+    centre = [
+        sum((a * b for a, b in zip(own, column, strict=True)), mpq(0))
+        for column in zip(across, up, normal, strict=True)
+    ]
+    _elliptic(values, centre, [radius * x for x in across], [radius * x for x in up], start, end)
+
+
+def _ellipse(values: _Values) -> None:
+    major = values.point(11)
+    minor = [values.number(40) * x for x in _cross(_unit(values.point(210, (0, 0, 1))), major)]
+    turns = [quarter_turns_of_radians(values.entity.texts(code)[0]) if values.entity.texts(code) else default
+             for code, default in ((41, 0), (42, 4))]  # fmt: skip
+    if turns[0] == turns[1]:
+        raise ShapeError("its two parameters agree", remedy="a whole ellipse runs from 0 to 2π")
+    if any(text.strip("-+0.") for code in (41, 42) for text in values.entity.texts(code)):
+        values.notes.append("its parameters, decimals, are read as the multiples of π/2 that they round")
+    _elliptic(values, values.point(10), major, minor, *turns)
+
+
+_RIGHT = [(mpq(1), mpq(0)), (mpq(0), mpq(1)), (mpq(-1), mpq(0)), (mpq(0), mpq(-1))]
+
+
+def _elliptic(values: _Values, centre: Sequence[mpq], u: Sequence[mpq], v: Sequence[mpq], start: int, end: int) -> None:
+    """Centre + cos t u + sin t v between two multiples of a right angle."""
+    arcs = arc_around_origin(_RIGHT[start % 4], _RIGHT[end % 4])
+    values.add(mapped(arcs, Affine([*zip(u, v, centre, strict=True)])))
+
+
+def _polyline(values: _Values) -> None:
+    vertices: list[list[mpq]] = []
+    for group, text in values.entity.pairs:
+        if group == 10:
+            vertices.append([decimal(text, values.found.limits), mpq(0), mpq(0)])
+        elif group in (20, 42) and vertices:
+            vertices[-1][1 if group == 20 else 2] = decimal(text, values.found.limits)
+    if values.flag(70) & CLOSED:
+        vertices.append([*vertices[0][:2], mpq(0)] if vertices else [])
+    segments: list[Segment] = []
+    for (*start, bulge), (*end, _) in pairwise(vertices):
+        if start != end:
+            segments += bulged((start[0], start[1]), (end[0], end[1]), bulge)
+    if not segments:
+        raise CurveFileError("no two different vertices", remedy="a polyline has some")
+    across, up, normal = values.frame()
+    lift = [x * values.number(38, 0) for x in normal]
+    values.add(mapped(segments, Affine([*zip(across, up, lift, strict=True)])))
+
+
+_READERS: dict[str, Callable[[_Values], None]] = {
+    "SPLINE": _spline,
+    "LINE": _line,
+    "CIRCLE": _circle,
+    "ARC": _arc,
+    "ELLIPSE": _ellipse,
+    "LWPOLYLINE": _polyline,
+}
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves as SPLINE entities of a drawing of the year 2000 (AC1015)."""
+    pairs: list[tuple[int, str]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1015"), (0, "ENDSEC")]
+    pairs += [(0, "SECTION"), (2, "ENTITIES")]
+    for handle, named in enumerate(curves, 0x100):
+        curve, points = named.curve, in_space(named.curve)
+        flags = (PLANAR if curve.dimension == 2 else 0) | (0 if curve.polynomial else RATIONAL)
+        flags |= CLOSED if curve.closed else 0
+        pairs += [(0, "SPLINE"), (5, f"{handle:X}"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline")]
+        pairs += [(210, "0"), (220, "0"), (230, "1"), (70, str(flags)), (71, str(curve.degree))]
+        pairs += [(72, str(len(curve.knots))), (73, str(len(points))), (74, "0")]
+        pairs += [(40, numbers(knot)) for knot in curve.knots]
+        for point, weight in zip(points, curve.weights, strict=True):
+            pairs += [(code, numbers(x)) for code, x in zip((10, 20, 30), point, strict=True)]
+            pairs += [] if curve.polynomial else [(41, numbers(weight))]
+    pairs += [(0, "ENDSEC"), (0, "EOF")]
+    return "".join(f"{code:>3}\n{value}\n" for code, value in pairs).encode()
+
+
+FORMAT = Format("dxf", "DXF text", (".dxf",), looks_like, read, write)

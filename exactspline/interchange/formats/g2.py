@@ -1,0 +1,96 @@
+"""``.g2``, the text format of SISL and GoTools: one object after another, each a header and numbers.
+
+A curve (class 100) is ``dimension rational``, ``number order``, the full knot vector, the control points; points of a
+rational curve are homogeneous, weight last. Surfaces, volumes, point and line clouds are stepped over; what other
+classes hold ends where the next header stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.tokens import Tokens
+from exactspline.interchange.writing import homogeneous
+
+CURVE, SURFACE, POINTS, LINES, VOLUME = 100, 200, 400, 410, 700
+CLASSES = {
+    110: "curve on a surface", 120: "line", 130: "circle", 140: "ellipse", 150: "bounded curve", 160: "hyperbola",
+    170: "parabola", SURFACE: "spline surface", 210: "bounded surface", 250: "plane", 260: "cylinder", 270: "sphere",
+    280: "cone", 290: "torus", POINTS: "point cloud", LINES: "line cloud", VOLUME: "spline volume",
+}  # fmt: skip
+_HEADER = re.compile(r"^[ \t]*([1-9]\d\d)[ \t]+([01])[ \t]+([09])[ \t]+(\d+)(?:[ \t]+\d+){0,4}[ \t]*\r?$", re.M)
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins with the header of a known class."""
+    words = head.split(maxsplit=4)
+    return (
+        len(words) > 3
+        and all(word.isdigit() for word in words[:4])
+        and words[0] in {b"%d" % number for number in (CURVE, *CLASSES)}
+        and words[1] in (b"0", b"1")
+    )
+
+
+def read(source: Source) -> Reading:
+    """The spline curves of a file."""
+    found = Collector("g2", source)
+    text, words = source.text, Tokens(source.text, source.limits)
+    number = 0
+    while not words.ended:
+        kind, _major, _minor = words.whole(), words.whole(), words.whole()
+        number += 1
+        where = f"object {number} (line {words.line})"
+        words.numbers(words.count())
+        if kind == CURVE:
+            _curve(found, words, where)
+            continue
+        found.skip(CLASSES.get(kind, f"class {kind}"), where, "no curve or no spline")
+        if kind in (SURFACE, VOLUME):
+            _step_over(words, 2 if kind == SURFACE else 3)
+        elif kind in (POINTS, LINES):
+            words.rows(words.count(), 3 if kind == POINTS else 6)
+        else:
+            header = _HEADER.search(text, words.position + 1)
+            words.move(header.start() if header else len(text))
+    return found.reading()
+
+
+def _curve(found: Collector, words: Tokens, where: str) -> None:
+    dimension, rational = words.count(), words.whole()
+    count, order = words.count(), words.count()
+    knots = words.numbers(count + order)
+    points = words.rows(count, dimension + (rational != 0))
+    found.add("spline curve", where, order - 1, knots, points, homogeneous=rational != 0)
+
+
+def _step_over(words: Tokens, parameters: int) -> None:
+    length, total = words.count() + (words.whole() != 0), 1
+    for _ in range(parameters):
+        count, order = words.count(), words.count()
+        words.numbers(count + order)
+        total *= count
+    words.rows(total, length)
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves, one object each."""
+    lines = []
+    for curve in (named.curve for named in curves):
+        rational = not curve.polynomial
+        lines += [
+            f"{CURVE} 1 0 0",
+            f"{curve.dimension} {int(rational)}",
+            f"{len(curve.control_points)} {curve.degree + 1}",
+            " ".join(map(numbers, curve.knots)),
+        ]
+        lines += [" ".join(map(numbers, row)) for row in (homogeneous(curve) if rational else curve.control_points)]
+        lines.append("")
+    return "\n".join(lines).encode()
+
+
+FORMAT = Format("g2", "SISL and GoTools text", (".g2",), looks_like, read, write)

@@ -1,0 +1,94 @@
+"""G+Smo XML: ``<Geometry type="BSpline">`` and ``"Nurbs"`` wherever they stand; Cartesian control points."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from xml.sax.saxutils import quoteattr
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import NumberText, decimal, whole
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.writing import cartesian
+from exactspline.interchange.xml_tree import Element, parse
+
+CURVES = ("BSpline", "Nurbs")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins as G+Smo writes it."""
+    return b"<Geometry" in head or (b"<xml" in head and b"<Multipatch" in head)
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file."""
+    found = Collector("gismo", source)
+    number = 0
+    for element in parse(source.data, source.limits).walk():
+        if element.tag != "Geometry":
+            continue
+        number += 1
+        kind = element.attributes.get("type", "of no type")
+        where = f"geometry {element.attributes.get('id', number)} (line {element.line})"
+        if kind not in CURVES:
+            found.skip(f"geometry {kind}", where, "no spline curve")
+            continue
+        try:
+            degree, knots, points, weights = _parts(found, element)
+        except ExactSplineError as error:
+            found.skip(f"geometry {kind}", where, str(error))
+            continue
+        name = element.attributes.get("label", "")
+        found.add(f"geometry {kind}", where, degree, knots, points, weights, name=name)
+    return found.reading()
+
+
+def _parts(found: Collector, element: Element) -> tuple[int, list[mpq], list[list[mpq]], list[mpq] | None]:
+    below = list(element.walk())
+    vectors = [e for e in below if e.tag == "KnotVector"]
+    coefficients = next((e for e in below if e.tag == "coefs"), None)
+    if len(vectors) != 1 or coefficients is None:
+        raise CurveFileError(f"{len(vectors)} knot vectors", where="Basis", remedy="a curve has one, and coefs")
+    knots = _numbers(found, vectors[0])
+    if vectors[0].attributes.get("mode", "list") != "list" and vectors[0].attributes["mode"] != "graded":
+        raise CurveFileError("a knot vector that is not listed", where="KnotVector", remedy="write out the knots")
+    values = _numbers(found, coefficients)
+    dimension = whole(coefficients.attributes.get("geoDim", ""))
+    if dimension < 1 or len(values) % dimension:
+        raise CurveFileError(f"{len(values)} numbers of dimension {dimension}", where="coefs", remedy="full rows")
+    points = [values[i : i + dimension] for i in range(0, len(values), dimension)]
+    weights = next((_numbers(found, e) for e in below if e.tag == "weights"), None)
+    return whole(vectors[0].attributes.get("degree", "")), knots, points, weights
+
+
+def _numbers(found: Collector, element: Element) -> list[mpq]:
+    words = element.text.split()
+    found.count(len(words))
+    return [decimal(word, found.limits) for word in words]
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves, one geometry each."""
+    lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
+    for i, named in enumerate(curves):
+        curve = named.curve
+        vector = f'<KnotVector degree="{curve.degree}">{" ".join(map(numbers, curve.knots))}</KnotVector>'
+        basis = [' <Basis type="BSplineBasis">', f"  {vector}", " </Basis>"]
+        if not curve.polynomial:
+            weights = " ".join(map(numbers, curve.weights))
+            basis = [' <Basis type="NurbsBasis">', *basis, f"  <weights>{weights}</weights>", " </Basis>"]
+        kind = "BSpline" if curve.polynomial else "Nurbs"
+        lines += [
+            f'<Geometry type="{kind}" id="{i}" label={quoteattr(named.name)}>',
+            *basis,
+            f' <coefs geoDim="{curve.dimension}">',
+            *(" ".join(map(numbers, point)) for point in cartesian(curve)),
+            " </coefs>",
+            "</Geometry>",
+        ]
+    return "\n".join([*lines, "</xml>", ""]).encode()
+
+
+FORMAT = Format("gismo", "G+Smo XML", (".xml",), looks_like, read, write)

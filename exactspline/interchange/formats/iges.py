@@ -1,0 +1,190 @@
+"""IGES text: rational B-spline curves (126), lines (110), circular arcs (100) and conic arcs (104), moved by their
+transformation (124).
+
+An arc is exact where its ends lie exactly on it, a conic where its equation holds exactly at its ends; otherwise it is
+skipped, with the reason. Coordinates are in the units of the file. Curves in the parameter space of a surface (entity
+use 05) are read in the plane.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.iges_records import Entry, entries, formatted
+from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
+from exactspline.interchange.writing import in_space
+
+ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE = 100, 102, 104, 110, 124, 126
+NAMES = {
+    COMPOSITE: "composite curve", 106: "copious data", 108: "plane", 112: "parametric spline curve",
+    114: "parametric spline surface", 116: "point", 118: "ruled surface", 120: "surface of revolution",
+    122: "tabulated cylinder", 128: "rational B-spline surface", 130: "offset curve", 140: "offset surface",
+    141: "boundary", 142: "curve on a surface", 143: "bounded surface", 144: "trimmed surface",
+}  # fmt: skip
+PARAMETER_SPACE = "05"
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether column 73 of the first line is S, with a number behind it."""
+    return bool(re.match(rb"[^\r\n]{72}S[ 0]*1\b", head))
+
+
+class _Values:
+    """The parameters of an entity, one after another."""
+
+    def __init__(self, entry: Entry, found: Collector) -> None:
+        self.texts, self.position, self.found = entry.parameters, 1, found
+
+    def text(self) -> str:
+        """The next parameter as text, empty where it was left out."""
+        if self.position >= len(self.texts):
+            raise CurveFileError(f"only {len(self.texts)} parameters", remedy="complete the record")
+        self.position += 1
+        return self.texts[self.position - 1]
+
+    def whole(self) -> int:
+        """The next parameter as an integer, 0 where it was left out."""
+        return whole(self.text() or "0")
+
+    def numbers(self, count: int) -> list[mpq]:
+        """So many decimals, 0 where one was left out."""
+        self.found.count(count)
+        return [decimal(self.text() or "0", self.found.limits) for _ in range(count)]
+
+    def rows(self, count: int) -> list[list[mpq]]:
+        """So many points in space."""
+        return [self.numbers(3) for _ in range(count)]
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file."""
+    found = Collector("iges", source)
+    directory = {entry.number: entry for entry in entries(source.text, source.limits)}
+    for entry in directory.values():
+        where = f"entity {entry.kind} (DE {entry.number})"
+        reader = _READERS.get(entry.kind)
+        if entry.kind == MATRIX:
+            continue
+        if reader is None:
+            found.skip(NAMES.get(entry.kind, f"entity {entry.kind}"), where, "no entity that is read")
+            continue
+        try:
+            reader(found, entry, where, _placement(found, directory, entry))
+        except ExactSplineError as error:
+            found.skip(f"entity {entry.kind}", where, str(error))
+    return found.reading()
+
+
+def _placement(found: Collector, directory: dict[int, Entry], entry: Entry) -> Affine:
+    """The transformation of an entity, and of its matrix, and so on."""
+    whole_map = Affine.identity(3)
+    for _ in range(found.limits.depth):
+        if not entry.matrix:
+            return whole_map
+        following = directory.get(abs(entry.matrix))
+        if following is None or following.kind != MATRIX:
+            raise CurveFileError(f"no matrix at DE {entry.matrix}", remedy="field 7 names an entity 124")
+        numbers = _Values(following, found).numbers(12)
+        whole_map = Affine([numbers[i : i + 4] for i in (0, 4, 8)]) @ whole_map
+        entry = following
+    raise CurveFileError("matrices go round in a circle or are too many", remedy="correct field 7")
+
+
+def _spline(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    values = _Values(entry, found)
+    last, degree = values.whole(), values.whole()
+    _planar, _closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
+    if last < 0 or degree < 0:
+        raise CurveFileError(f"{last + 1} points of degree {degree}", remedy="counts are positive")
+    knots, weights = values.numbers(last + degree + 2), values.numbers(last + 1)
+    points = [placed(point) for point in values.rows(last + 1)]
+    start, end = values.numbers(2)
+    notes = []
+    if len(knots) > 2 * degree + 1 and (start, end) != (knots[degree], knots[-degree - 1]):
+        notes.append(f"the entity uses the parameters from {start} to {end}; the whole spline is read")
+    if flagged_polynomial and len(set(weights)) > 1:
+        notes.append("flagged polynomial, but its weights differ: read as rational")
+    if periodic and knots[:1] == knots[degree : degree + 1]:
+        notes.append("flagged periodic, but its knots are clamped: read as they stand")
+    equal = len(set(weights)) == 1
+    plain = None if equal and weights[0] == 1 and flagged_polynomial else weights
+    _add(found, entry, where, (degree, knots, points, plain), notes)
+
+
+Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
+
+
+def _add(found: Collector, entry: Entry, where: str, parts: Parts, notes: Sequence[str] = ()) -> None:
+    degree, knots, points, weights = parts
+    if entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points):
+        points, notes = [point[:2] for point in points], [*notes, "in the parameter plane of a surface"]
+    name = f"{entry.label or entry.kind} {entry.number}"
+    found.add(f"entity {entry.kind}", where, degree, knots, points, weights, name=name, notes=notes)
+
+
+def _pieces(found: Collector, entry: Entry, where: str, segments: Sequence[Segment]) -> None:
+    degree, knots, points = joined(segments)
+    weights = [point[-1] for point in points]
+    plain = [[x / point[-1] for x in point[:-1]] for point in points]
+    _add(found, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights))
+
+
+def _line(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    if entry.form:
+        raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
+    values = _Values(entry, found)
+    _pieces(found, entry, where, [polynomial(*(placed(point) for point in values.rows(2)))])
+
+
+def _at_height(placed: Affine, z: mpq, shift: Sequence[mpq] = (mpq(0), mpq(0))) -> Affine:
+    """From the plane of an arc into space."""
+    return placed @ Affine([[1, 0, 0, shift[0]], [0, 1, 0, shift[1]], [0, 0, 1, z]])
+
+
+def _arc(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    z, *numbers = _Values(entry, found).numbers(7)
+    centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
+    u, v = ((point[0] - centre[0], point[1] - centre[1]) for point in (start, end))
+    _pieces(found, entry, where, _lifted(arc_around_origin(u, v), _at_height(placed, z, centre)))
+
+
+def _conic(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    *form, z, x1, y1, x2, y2 = _Values(entry, found).numbers(11)
+    _pieces(found, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
+
+
+def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
+    return mapped([tuple((x, y, mpq(0), w) for x, y, w in segment) for segment in segments], placed)
+
+
+_READERS = {SPLINE: _spline, LINE: _line, ARC: _arc, CONIC: _conic}
+
+#: A number may not run over the end of a line of 64 columns.
+LONGEST_NUMBER = 63
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves as entities 126; a plane curve stands at z = 0 and is flagged planar."""
+    numbers.longest = LONGEST_NUMBER
+    entities = []
+    for i, named in enumerate(curves, 1):
+        curve, points = named.curve, in_space(named.curve)
+        plane = curve.dimension == 2
+        values = [len(points) - 1, curve.degree, int(plane), int(curve.closed), int(curve.polynomial), 0]
+        coordinates = [x for point in points for x in point]
+        weights = [mpq(1)] * len(points) if curve.polynomial else curve.weights
+        reals = [*curve.knots, *weights, *coordinates, *curve.domain, mpq(0), mpq(0), mpq(int(plane))]
+        texts = [*map(str, values), *(with_point(numbers(x)) for x in reals)]
+        entities.append((SPLINE, 0, 0, f"CURVE{i}", texts))
+    return formatted(entities, "Curves written by exactspline: every number is exact unless rounding was asked for.")
+
+
+FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write)

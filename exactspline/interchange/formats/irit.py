@@ -1,0 +1,138 @@
+"""IRIT ``.itd``: ``[CURVE BSPLINE number order type [KV …] [point] …]`` and ``[CURVE BEZIER number type [point] …]``.
+
+A point of type E is Cartesian, one of type P homogeneous with the weight first: (w, w x, w y). ``KVP`` marks a periodic
+curve, which repeats its first control points. Free text between brackets is a comment.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.writing import homogeneous
+
+Node: TypeAlias = "list[str | Node]"
+
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*(?:"|\Z)|[][]|[^][\s"]+|["\\]')
+_POINT = re.compile(r"([EP])(\d)")
+SKIPPED = ("SURFACE", "TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file has an IRIT object near its beginning."""
+    return bool(re.search(rb"\[\s*OBJECT\b|\[\s*CURVE\s+(BSPLINE|BEZIER)\b", head))
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file."""
+    found = Collector("itd", source)
+    waiting: list[tuple[Node, str]] = [(_tree(source, found), "")]
+    number = 0
+    while waiting:
+        node, name = waiting.pop()
+        keyword = node[0] if node and isinstance(node[0], str) else ""
+        if keyword == "OBJECT":
+            name = next((item for item in node[1:] if isinstance(item, str)), "")
+        if keyword == "CURVE":
+            number += 1
+            where = f"curve {number}" + (f" ({name})" if name else "")
+            try:
+                _curve(found, node, where, name)
+            except ExactSplineError as error:
+                found.skip("curve", where, str(error))
+        elif keyword in SKIPPED:
+            found.skip(keyword.lower(), name or "unnamed object", "no spline curve")
+        else:
+            waiting += [(item, name) for item in reversed(node) if isinstance(item, list)]
+    return found.reading()
+
+
+def _tree(source: Source, found: Collector) -> Node:
+    """The brackets as lists in lists."""
+    root: Node = []
+    nodes = [root]
+    for match in _TOKEN.finditer(source.text):
+        token = match[0]
+        if token == "[":
+            found.count(1)
+            if len(nodes) > source.limits.depth:
+                raise CurveFileError("brackets are nested too deep", remedy="read with a larger limit of depth")
+            inner: Node = []
+            nodes[-1].append(inner)
+            nodes.append(inner)
+        elif token == "]":
+            if len(nodes) == 1:
+                found.skip("closing bracket", f"character {match.start()}", "no bracket is open there")
+            else:
+                nodes.pop()
+        else:
+            nodes[-1].append(token)
+    if len(nodes) > 1:
+        raise CurveFileError(f"{len(nodes) - 1} brackets are not closed", remedy="balance the brackets")
+    return root
+
+
+def _curve(found: Collector, node: Node, where: str, name: str) -> None:
+    words = [item for item in node[1:] if isinstance(item, str)]
+    kind = words[0] if words else ""
+    if kind not in ("BSPLINE", "BEZIER") or len(words) < (4 if kind == "BSPLINE" else 3):
+        raise CurveFileError(f"a curve of kind {kind[:20]!r}", remedy="BSPLINE and BEZIER are read")
+    count = whole(words[1])
+    order = whole(words[2]) if kind == "BSPLINE" else count
+    match = _POINT.fullmatch(words[3] if kind == "BSPLINE" else words[2])
+    if not match:
+        raise CurveFileError("an unknown type of points", remedy="E2, E3, P2, P3 and the like are read")
+    rows = [item for item in node[1:] if isinstance(item, list) and not (item and item[0] in ("KV", "KVP"))]
+    vectors = [item for item in node[1:] if isinstance(item, list) and item and item[0] in ("KV", "KVP")]
+    points = [_numbers(found, row) for row in rows if all(isinstance(x, str) and is_decimal(x) for x in row)]
+    dimension, homogeneous = int(match[2]), match[1] == "P"
+    if len(points) != count or any(len(row) != dimension + homogeneous for row in points):
+        raise CurveFileError(
+            f"{len(points)} points where {count} of type {match[0]} are announced", remedy="the two must agree"
+        )
+    notes = []
+    if homogeneous:
+        points = [[*row[1:], row[0]] for row in points]
+    if kind == "BEZIER":
+        knots = [mpq(0)] * order + [mpq(1)] * order
+    elif len(vectors) == 1:
+        knots = _numbers(found, vectors[0][1:])
+        if vectors[0][0] == "KVP":
+            points += points[: order - 1]
+            notes.append("periodic: its first control points are repeated")
+    else:
+        raise CurveFileError(f"{len(vectors)} knot vectors", remedy="a curve has one")
+    found.add("curve", where, order - 1, knots, points, homogeneous=homogeneous, name=name, notes=notes)
+
+
+def _numbers(found: Collector, row: Node) -> list[mpq]:
+    found.count(len(row))
+    return [decimal(item, found.limits) if isinstance(item, str) else mpq(0) for item in row]
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves, one object each."""
+    lines = []
+    for named in curves:
+        curve = named.curve
+        name = re.sub(r"\W+", "_", named.name, flags=re.ASCII) or "CURVE"
+        kind = f"{'E' if curve.polynomial else 'P'}{curve.dimension}"
+        lines += [
+            f"[OBJECT {name}",
+            f" [CURVE BSPLINE {len(curve.control_points)} {curve.degree + 1} {kind}",
+            f"  [KV {' '.join(map(numbers, curve.knots))}]",
+        ]
+        rows = curve.control_points if curve.polynomial else [(row[-1], *row[:-1]) for row in homogeneous(curve)]
+        lines += [f"  [{' '.join(map(numbers, row))}]" for row in rows]
+        lines += [" ]", "]"]
+    return "\n".join([*lines, ""]).encode()
+
+
+FORMAT = Format("itd", "IRIT text", (".itd",), looks_like, read, write)

@@ -1,0 +1,110 @@
+"""exactspline's own JSON: one curve as `exactspline.splines.curve_files` reads it, or ``{"curves": […]}``.
+
+The published schema is `exactspline/interchange/curve.schema.json`. It holds every curve exactly: numbers are integers,
+decimals or text such as "1/3".
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from importlib import resources
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError
+from exactspline.exact import rational
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.json_text import parsed
+from exactspline.interchange.numbers import NumberText, whole
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of the format.
+
+    >>> schema()["title"]
+    'exactspline curve file'
+    """
+    text = resources.files("exactspline.interchange").joinpath("curve.schema.json").read_text(encoding="utf-8")
+    data: dict[str, Any] = json.loads(text)
+    return data
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins as a curve file does."""
+    return head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file."""
+    found = Collector("json", source)
+    data = parsed(source.text)
+    entries = data.get("curves", [data]) if isinstance(data, dict) else data
+    if not isinstance(entries, list):
+        raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
+    for number, entry in enumerate(entries, 1):
+        where = f"curve {number}"
+        try:
+            _curve(found, entry, where)
+        except ExactSplineError as error:
+            found.skip("curve", where, str(error))
+    return found.reading()
+
+
+def _curve(found: Collector, entry: Any, where: str) -> None:
+    if not isinstance(entry, dict):
+        raise CurveFileError("is no object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
+    if "pieces" in entry:
+        curve = curve_from_text(json.dumps(entry), where)
+        found.curves.append(NamedCurve(curve.name, curve, ("what `derive` wrote",)))
+        return
+    if missing := [field for field in REQUIRED if field not in entry]:
+        raise CurveFileError(f"the field {missing[0]!r} is missing", remedy=f"a curve has {', '.join(REQUIRED)}")
+    if unknown := sorted(set(entry) - {*REQUIRED, *OPTIONAL}):
+        raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=f"it may have {', '.join(OPTIONAL)}")
+    found.add(
+        "curve",
+        where,
+        whole(str(entry["degree"])),
+        _row(found, entry["knots"]),
+        [_row(found, row) for row in _list(entry["control_points"])],
+        None if entry.get("weights") is None else _row(found, entry["weights"]),
+        name=str(entry.get("name") or "") or found.source.name,
+    )
+
+
+def _list(value: Any) -> list[Any]:
+    if not isinstance(value, list):
+        raise CurveFileError("a list is missing", remedy="write JSON lists")
+    return value
+
+
+def _row(found: Collector, values: Any) -> list[mpq]:
+    found.count(len(_list(values)))
+    return [_number(value, found) for value in values]
+
+
+def _number(value: Any, found: Collector) -> mpq:
+    if not isinstance(value, str):
+        raise NumberError("a coordinate that is no number", remedy='write 3, 0.1 or "1/3"')
+    mark, most = ("p", 4 * found.limits.exponent) if "x" in value.lower() else ("e", found.limits.exponent)
+    exponent = value.lower().partition(mark)[2].strip()
+    # a few characters of exponent would fill the memory
+    if exponent and (len(exponent) > 7 or not exponent.lstrip("+-").isdecimal() or abs(int(exponent)) > most):
+        raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents to {most} are read")
+    if len(value) > 50 * found.limits.digits:
+        raise NumberError(f"a number of {len(value)} characters", remedy="read with a larger limit of digits")
+    return rational(value)
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """One curve as itself, several as ``{"curves": […]}``; always exact."""
+    entries = [curve_data(named.curve) | {"name": named.name} for named in curves]
+    data: Any = entries[0] if len(entries) == 1 else {"curves": entries}
+    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
+
+
+FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write)

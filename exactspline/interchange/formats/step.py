@@ -1,0 +1,199 @@
+"""STEP part 21: polylines and B-spline curves, plain and rational, of all kinds of knots (with knots, Bézier, uniform,
+quasi-uniform).
+
+Curves stand as they are in the file, in its units; placements of an assembly and the use by edges are not followed.
+Lines and conics are placed by direction vectors that seldom have rational length: they are named as skipped.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
+from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.step_records import Value, instances, parts
+from exactspline.interchange.writing import cartesian
+
+SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "RATIONAL_B_SPLINE_CURVE"
+KINDS = (WITH_KNOTS, "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE")
+SKIPPED = {
+    "LINE": "a line without ends", "CIRCLE": "its axes are normalized", "ELLIPSE": "its axes are normalized",
+    "PARABOLA": "no ends", "HYPERBOLA": "no ends", "TRIMMED_CURVE": "the trimming is not followed",
+    "COMPOSITE_CURVE": "its parts are read one by one", "OFFSET_CURVE_2D": "not rational",
+    "OFFSET_CURVE_3D": "not rational", "B_SPLINE_SURFACE_WITH_KNOTS": "a surface", "B_SPLINE_SURFACE": "a surface",
+    "CLOTHOID": "not rational",
+}  # fmt: skip
+_KEYWORD = re.compile(r"\(?\s*([A-Z0-9_]+)")
+_CURVE = re.compile(rf"\b(?:{SPLINE}|{'|'.join(KINDS)})\b")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins as part 21 demands."""
+    return head.lstrip().startswith(b"ISO-10303-21")
+
+
+class _File:
+    """The instances of a file, points looked up as they are needed."""
+
+    def __init__(self, source: Source, found: Collector) -> None:
+        self.found, self.limits = found, source.limits
+        self.instances = instances(source.text, source.limits)
+        self.points: dict[str, list[mpq]] = {}
+
+    def point(self, reference: Value) -> list[mpq]:
+        """The coordinates of a CARTESIAN_POINT."""
+        if not isinstance(reference, str) or not re.fullmatch(r"#\d{1,12}", reference, re.ASCII):
+            raise CurveFileError("no reference to a point", remedy="write #12")
+        if reference not in self.points:
+            arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get("CARTESIAN_POINT", [])
+            if len(arguments) != 2:
+                raise CurveFileError("is no CARTESIAN_POINT", where=reference, remedy="name a point")
+            self.points[reference] = self.numbers(arguments[1])
+        return self.points[reference]
+
+    def numbers(self, values: Value) -> list[mpq]:
+        """A list of decimals."""
+        return [decimal(text, self.limits) for text in self.texts(values)]
+
+    def texts(self, values: Value) -> list[str]:
+        """A list of plain values."""
+        if not isinstance(values, list):
+            raise CurveFileError("a list is missing", remedy="write (…)")
+        self.found.count(len(values))
+        return [value if isinstance(value, str) else "" for value in values]
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file, in the order of the file."""
+    found = Collector("step", source)
+    file = _File(source, found)
+    for number, text in file.instances.items():
+        where = f"#{number}"
+        match = _KEYWORD.match(text)
+        keyword = match[1] if match else ""
+        if keyword == "POLYLINE" or (_CURVE.search(text) and (text.startswith("(") or keyword in (SPLINE, *KINDS))):
+            try:
+                _curve(file, parts(text, source.limits), where)
+            except ExactSplineError as error:
+                found.skip(keyword, where, str(error))
+        elif keyword in SKIPPED:
+            found.skip(keyword, where, SKIPPED[keyword])
+    return found.reading()
+
+
+def _curve(file: _File, entity: dict[str, list[Value]], where: str) -> None:
+    kind = next((kind for kind in ("POLYLINE", *KINDS) if kind in entity), "")
+    if kind == "POLYLINE":
+        points = [file.point(reference) for reference in file.texts(_last(entity[kind]))]
+        knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
+        file.found.add(kind, where, 1, knots, points, name=_name(entity[kind], where))
+        return
+    if not kind:
+        raise CurveFileError("a B-spline curve without knots", remedy=f"one of {', '.join(KINDS)} is needed")
+    if SPLINE in entity:
+        base, own, name = entity[SPLINE], entity[kind], entity.get("REPRESENTATION_ITEM", [])
+    else:
+        base, own, name = entity[kind][1:], entity[kind][6:], entity[kind]
+    if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(own) < 2):
+        raise CurveFileError("attributes are missing", remedy="complete the instance")
+    degree = whole(base[0])
+    points = [file.point(reference) for reference in file.texts(base[1])]
+    knots = _listed(file, own) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
+    weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
+    notes = [] if kind == WITH_KNOTS else [f"{kind}: the knots that the standard lays down"]
+    file.found.add(kind, where, degree, knots, points, weights, name=_name(name, where), notes=notes)
+
+
+def _last(arguments: list[Value]) -> Value:
+    return arguments[-1] if arguments else ""
+
+
+def _name(arguments: list[Value], where: str) -> str:
+    text = arguments[0] if arguments and isinstance(arguments[0], str) else ""
+    return text.strip("'").replace("''", "'") or where
+
+
+def _listed(file: _File, own: list[Value]) -> list[mpq]:
+    counts, values = [whole(text) for text in file.texts(own[0])], file.numbers(own[1])
+    if len(counts) != len(values) or any(count < 0 for count in counts):
+        raise CurveFileError(f"{len(counts)} multiplicities for {len(values)} knots", remedy="give one a knot")
+    file.found.count(sum(counts))
+    return [knot for knot, times in zip(values, counts, strict=True) for _ in range(times)]
+
+
+def _standard(kind: str, degree: int, count: int) -> list[mpq]:
+    """The knots of ISO 10303-42 for kinds that list none."""
+    if kind == "UNIFORM_CURVE":
+        return [mpq(i - degree) for i in range(count + degree + 1)]
+    times = degree if kind == "BEZIER_CURVE" else 1
+    if degree < 1 or count <= degree or (count - 1 - degree) % times:
+        raise CurveFileError(f"{count} points of degree {degree}", remedy="they do not fit this kind of curve")
+    inner = [mpq(i // times + 1) for i in range(count - 1 - degree)]
+    return [mpq(0)] * (degree + 1) + inner + [mpq((count - 1 - degree) // times + 1)] * (degree + 1)
+
+
+_HEADER = """ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION(('curves'),'2;1');
+FILE_NAME('','',(''),(''),'exactspline','exactspline','');
+FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));
+ENDSEC;
+DATA;
+"""
+
+
+def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
+    """The curves in one set per dimension, each in a context of its dimension."""
+    lines: list[str] = []
+
+    def add(text: str) -> str:
+        lines.append(f"#{len(lines) + 1}={text};")
+        return f"#{len(lines)}"
+
+    units = [add(f"({unit})") for unit in _UNITS]
+    for dimension in sorted({named.curve.dimension for named in curves}):
+        references = [_written(named, numbers, add) for named in curves if named.curve.dimension == dimension]
+        collected = add(f"GEOMETRIC_CURVE_SET('',({','.join(references)}))")
+        context = add(
+            f"(GEOMETRIC_REPRESENTATION_CONTEXT({dimension}) GLOBAL_UNIT_ASSIGNED_CONTEXT(({','.join(units)})) "
+            "REPRESENTATION_CONTEXT('',''))"
+        )
+        add(f"SHAPE_REPRESENTATION('',({collected}),{context})")
+    return (_HEADER + "\n".join(lines) + "\nENDSEC;\nEND-ISO-10303-21;\n").encode()
+
+
+_UNITS = (
+    "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)",
+    "NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.)",
+    "NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT()",
+)
+
+
+def _written(named: NamedCurve, numbers: NumberText, add: Callable[[str], str]) -> str:
+    curve = named.curve
+    points = [add(f"CARTESIAN_POINT('',{_reals(numbers, point)})") for point in cartesian(curve)]
+    closed = ".T." if curve.closed else ".F."
+    base = f"{curve.degree},({','.join(points)}),.UNSPECIFIED.,{closed},.U."
+    counts = ",".join(map(str, curve.knots.multiplicities))
+    knots = f"({counts}),{_reals(numbers, curve.knots.breakpoints)},.UNSPECIFIED."
+    name = "'" + "".join(c for c in named.name if " " <= c <= "~" and c != "\\").replace("'", "''") + "'"
+    if curve.polynomial:
+        return add(f"{WITH_KNOTS}({name},{base},{knots})")
+    weights = _reals(numbers, curve.weights)
+    return add(
+        f"(BOUNDED_CURVE() {SPLINE}({base}) {WITH_KNOTS}({knots}) CURVE() GEOMETRIC_REPRESENTATION_ITEM() "
+        f"{RATIONAL}({weights}) REPRESENTATION_ITEM({name}))"
+    )
+
+
+def _reals(numbers: NumberText, values: Sequence[mpq]) -> str:
+    """A list of reals."""
+    return f"({','.join(with_point(numbers(value)) for value in values)})"
+
+
+FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), looks_like, read, write)

@@ -1,0 +1,147 @@
+"""The records of an IGES file: fixed lines of 80 columns, directory entries, free parameters with Hollerith strings."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from exactspline.errors import CurveFileError
+from exactspline.interchange.limits import Limits
+from exactspline.interchange.numbers import whole
+
+
+@dataclass
+class Entry:
+    """A directory entry: its number (odd), type, form, matrix (a number or 0), use flag and status, label, the
+    parameters as text.
+    """
+
+    number: int
+    kind: int
+    form: int
+    matrix: int
+    use: str
+    label: str
+    parameters: list[str]
+
+
+def sections(text: str) -> dict[str, list[str]]:
+    """The lines of each section by its letter; raises `CurveFileError` where one is none of S, G, D, P, T."""
+    found: dict[str, list[str]] = {letter: [] for letter in "SGDPT"}
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.strip():
+            continue
+        letter = line[72:73]
+        if letter in ("B", "C"):
+            raise CurveFileError("is binary or compressed IGES", where=f"line {number}", remedy="save it as IGES text")
+        if letter not in found:
+            raise CurveFileError(
+                f"{letter!r} in column 73", where=f"line {number}", remedy="IGES lines are marked S, G, D, P or T there"
+            )
+        found[letter].append(line)
+    return found
+
+
+def delimiters(lines: list[str]) -> tuple[str, str]:
+    """What separates parameters and what ends a record, as the global section says."""
+    text = "".join(line[:72] for line in lines).lstrip()
+    separator = text[2:3] if text[:2] == "1H" else ","
+    rest = text[4:] if text[:2] == "1H" else text[1:]
+    ending = rest[2:3] if rest[:2] == "1H" else ";"
+    if not separator.strip() or not ending.strip() or separator == ending:
+        raise CurveFileError("unusable delimiters", where="global section", remedy='usual are "," and ";"')
+    return separator, ending
+
+
+def parameters(text: str, separator: str, ending: str, limits: Limits) -> list[str]:
+    """The parameters of a record, blanks dropped, strings as their text.
+
+    >>> parameters("126,3H,;a, 1.D0,;", ",", ";", Limits())
+    ['126', ',;a', '1.D0', '']
+    """
+    found: list[str] = []
+    position = 0
+    plain = re.compile(f"[^{re.escape(separator + ending)}]*")
+    hollerith = re.compile(r"\s*(\d{1,6})H")
+    while position < len(text) and len(found) <= limits.objects:
+        string = hollerith.match(text, position)
+        if string:
+            end = string.end() + int(string[1])
+            found.append(text[string.end() : end])
+            tail = plain.match(text, end)
+            position = tail.end() if tail else end
+        else:
+            match = plain.match(text, position)
+            assert match is not None
+            found.append("".join(match[0].split()))
+            position = match.end()
+        if text[position : position + 1] == ending:
+            return found
+        position += 1
+    raise CurveFileError("a record is not ended", remedy=f"records end with {ending!r}")
+
+
+def entries(text: str, limits: Limits) -> list[Entry]:
+    """All directory entries with their parameters."""
+    lines = sections(text)
+    if len(lines["D"]) % 2:
+        raise CurveFileError("an odd number of directory lines", remedy="entries take two lines each")
+    separator, ending = delimiters(lines["G"])
+    blocks: dict[int, list[str]] = {}
+    for line in lines["P"]:
+        pointer = line[64:72].strip() or "0"
+        blocks.setdefault(whole(pointer.lstrip("0") or "0"), []).append(line[:64].ljust(64))
+    result = []
+    for i in range(0, len(lines["D"]), 2):
+        first, second = lines["D"][i].ljust(80), lines["D"][i + 1].ljust(80)
+        block = "".join(blocks.get(i + 1, []))
+        result.append(
+            Entry(
+                i + 1,
+                _field(first, 0),
+                _field(second, 4),
+                _field(first, 6),
+                first[64:72].replace(" ", "0")[4:6],
+                second[56:64].strip(),
+                parameters(block, separator, ending, limits) if block else [],
+            )
+        )
+    return result
+
+
+def _field(line: str, index: int) -> int:
+    text = line[8 * index : 8 * index + 8].strip()
+    return whole(text) if text else 0
+
+
+def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) -> bytes:
+    """An IGES file of entities (type, form, use flag, label, parameters)."""
+    start = [title[:72]]
+    settings = ["1H,", "1H;", "11Hexactspline", "9Hcurve.igs", "11Hexactspline", "11Hexactspline", "32", "308", "15"]
+    settings += ["308", "15", "11Hexactspline", "1.", "2", "2HMM", "1", "1.", "13H000101.000000", "1.E-16", "1.E9"]
+    settings += ["", "", "11", "0", "13H000101.000000"]
+    directory: list[str] = []
+    data: list[str] = []
+    for number, (kind, form, use, label, values) in enumerate(entities):
+        pointer = 2 * number + 1
+        lines = _wrapped([str(kind), *values], 64, ",", ";")
+        status = f"0000{use:02}00"
+        directory.append(f"{kind:8}{len(data) + 1:8}" + f"{0:8}" * 6 + status)
+        directory.append(f"{kind:8}{0:8}{0:8}{len(lines):8}{form:8}" + " " * 16 + f"{label[:8]:>8}{0:8}")
+        data += [f"{line:<64} {pointer:7}" for line in lines]
+    sheets = {"S": start, "G": _wrapped(settings, 72, ",", ";"), "D": directory, "P": data}
+    ended = "".join(f"{letter}{len(lines):7}" for letter, lines in sheets.items())
+    sheets["T"] = [ended]
+    return "".join(
+        f"{line:<72}{letter}{i:7}\n" for letter, lines in sheets.items() for i, line in enumerate(lines, 1)
+    ).encode("ascii", "replace")
+
+
+def _wrapped(values: list[str], width: int, separator: str, ending: str) -> list[str]:
+    lines = [""]
+    for i, value in enumerate(values):
+        piece = value + (ending if i == len(values) - 1 else separator)
+        if len(lines[-1]) + len(piece) > width:
+            lines.append("")
+        lines[-1] += piece
+    return lines

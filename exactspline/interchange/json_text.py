@@ -1,0 +1,30 @@
+"""JSON with every number kept as the text it shows."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from exactspline.errors import CurveFileError, NumberError
+
+
+def parsed(text: str) -> Any:
+    """The data, numbers as text.
+
+    >>> parsed('{"a": [1, 0.1, "x"]}')
+    {'a': ['1', '0.1', 'x']}
+
+    Raises `CurveFileError` for what is not JSON, `NumberError` for NaN and the infinities.
+    """
+    try:
+        return json.loads(text, parse_int=str, parse_float=str, parse_constant=_refuse)
+    except RecursionError:
+        raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
+    except json.JSONDecodeError as error:
+        raise CurveFileError(
+            f"is not JSON ({error.msg})", where=f"line {error.lineno}", remedy="correct the text there"
+        ) from None
+
+
+def _refuse(word: str) -> Any:
+    raise NumberError(f"{word} is not a number", remedy="write finite numbers")

@@ -1,0 +1,153 @@
+"""Numbers of text formats, both ways: decimals stay decimals, and no digit passes through a float."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from math import inf
+
+from gmpy2 import isqrt, mpq
+
+from exactspline.errors import NumberError, shown
+from exactspline.exact import rational
+from exactspline.interchange.limits import Limits
+
+_DECIMAL = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
+_WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
+
+
+def decimal(text: str, limits: Limits) -> mpq:
+    """The exact value of a decimal, a Fortran exponent ``1.5D-3`` allowed.
+
+    >>> decimal("0.1", Limits()), decimal("-2.5D1", Limits())
+    (mpq(1,10), mpq(-25,1))
+
+    Raises `NumberError` for anything else, and for numbers beyond the limits.
+    """
+    if len(text) > limits.digits:
+        raise NumberError(f"a number of {len(text)} characters", remedy=f"at most {limits.digits} are read")
+    match = _DECIMAL.fullmatch(text)
+    if not match:
+        raise NumberError(f"{shown(text)} is not a decimal number", remedy='decimals look like "1.5" or "-2E-3"')
+    if match[1] and abs(int(match[1])) > limits.exponent:
+        raise NumberError(f"{shown(text)} has an exponent beyond {limits.exponent}", remedy="scale the data")
+    return rational(text.replace("D", "e").replace("d", "e") if match[1] else text)
+
+
+def whole(text: str) -> int:
+    """A small integer; raises `NumberError` otherwise.
+
+    >>> whole("12")
+    12
+    """
+    if not _WHOLE.fullmatch(text):
+        raise NumberError(f"{shown(text)} is not a small whole number", remedy='whole numbers look like "12"')
+    return int(text)
+
+
+def is_decimal(text: str) -> bool:
+    """Whether text is written as a decimal number."""
+    return bool(_DECIMAL.fullmatch(text))
+
+
+def square_root(value: mpq) -> mpq | None:
+    """The non-negative rational square root, if there is one.
+
+    >>> square_root(mpq(9, 4)), square_root(mpq(2))
+    (mpq(3,2), None)
+    """
+    if value < 0:
+        return None
+    root = mpq(isqrt(value.numerator), isqrt(value.denominator))
+    return root if root * root == value else None
+
+
+def nearest_double(value: mpq) -> float:
+    """The correctly rounded double; raises `NumberError` beyond the range of doubles.
+
+    >>> nearest_double(mpq(1, 3))
+    0.3333333333333333
+    """
+    try:
+        result = int(value.numerator) / int(value.denominator)
+    except OverflowError:
+        result = inf
+    if result == inf or (result == 0 and value):
+        raise NumberError("a number beyond the range of doubles", remedy="scale the curve")
+    return result
+
+
+def decimal_text(value: mpq) -> str | None:
+    """The shortest plain or exponent form of a number with a finite decimal expansion, None for others.
+
+    >>> decimal_text(mpq(-1, 8)), decimal_text(mpq(1200)), decimal_text(mpq(1, 10**9)), decimal_text(mpq(1, 3))
+    ('-0.125', '1200', '1E-9', None)
+    """
+    denominator, twos, fives = value.denominator, 0, 0
+    while denominator % 5 == 0:
+        denominator, fives = denominator // 5, fives + 1
+    twos = denominator.bit_length() - 1
+    if denominator != 1 << twos:
+        return None
+    places = max(twos, fives)
+    digits = str(abs(value.numerator) * 10**places // value.denominator)
+    sign = "-" if value < 0 else ""
+    if places and len(digits) + 4 < places:
+        return f"{sign}{digits[0]}{'.' if digits[1:] else ''}{digits[1:]}E{len(digits) - 1 - places}"
+    digits = digits.rjust(places + 1, "0")
+    return f"{sign}{digits[:-places]}.{digits[-places:]}" if places else sign + digits
+
+
+def with_point(text: str) -> str:
+    """The text of a number with a decimal point, as IGES and STEP demand of a real.
+
+    >>> with_point("3"), with_point("1E-9"), with_point("0.5")
+    ('3.', '1.E-9', '0.5')
+    """
+    mantissa, mark, exponent = text.partition("E")
+    return (mantissa if "." in mantissa else f"{mantissa}.") + mark + exponent
+
+
+@dataclass
+class NumberText:
+    """How a writer writes numbers: exactly or, where that was asked for, as the nearest doubles; `rounded` counts the
+    numbers that lost something.
+
+    >>> numbers = NumberText(rounding=True)
+    >>> numbers(mpq(1, 8)), numbers(mpq(1, 3)), numbers.rounded
+    ('0.125', '0.3333333333333333', 1)
+    >>> NumberText()(mpq(1, 3))
+    Traceback (most recent call last):
+    exactspline.errors.NumberError: 1/3 has no finite decimal expansion; choose the format json, or ask for rounding
+    """
+
+    rounding: bool = False
+    longest: int = 4_000
+    rounded: int = field(default=0, init=False)
+
+    def __call__(self, value: mpq) -> str:
+        """The text of a number; raises `NumberError` where it cannot be exact."""
+        text = decimal_text(value)
+        if text is not None and len(text) <= self.longest:
+            return text
+        if not self.rounding:
+            problem = (
+                "has no finite decimal expansion"
+                if text is None
+                else f"takes {len(text)} characters, where this format allows {self.longest}"
+            )
+            raise NumberError(f"{shown(str(value)).strip(chr(39))} {problem}", remedy=_REMEDY)
+        self.rounded += 1
+        return repr(nearest_double(value)).replace("e", "E")
+
+    def double(self, value: mpq) -> float:
+        """The number as a double; raises `NumberError` where that is not exact and rounding was not asked for."""
+        result = nearest_double(value)
+        if mpq(*result.as_integer_ratio()) != value:
+            if not self.rounding:
+                raise NumberError(f"{shown(str(value)).strip(chr(39))} is no double", remedy=_REMEDY)
+            self.rounded += 1
+        return result
+
+
+_REMEDY = "choose the format json, or ask for rounding"

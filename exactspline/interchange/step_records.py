@@ -1,0 +1,82 @@
+"""STEP part 21 text: instances ``#12 = NAME(…);`` and ``#12 = (NAME(…) NAME(…));``, parsed when asked for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TypeAlias
+
+from exactspline.errors import CurveFileError
+from exactspline.interchange.limits import Limits
+
+#: A value: text of a number, reference, enumeration or string (with its quotes), or a list of values.
+Value: TypeAlias = "str | list[Value]"
+
+# what is not closed runs to the end, so that no opening mark is tried twice
+_NOISE = re.compile(r"/\*.*?(?:\*/|\Z)|'(?:[^']|'')*(?:'|\Z)|;", re.S)
+_INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
+_TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
+_KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
+
+
+def instances(text: str, limits: Limits) -> dict[int, str]:
+    """The text of every instance of the data sections by its number."""
+    found: dict[int, str] = {}
+    for statement in _statements(text):
+        match = _INSTANCE.match(statement)
+        if match:
+            found[int(match[1])] = match[2]
+            if len(found) > limits.objects:
+                raise CurveFileError(f"more than {limits.objects} instances", remedy="read with larger limits")
+    return found
+
+
+def _statements(text: str) -> Iterator[str]:
+    begin = 0
+    pieces: list[str] = []
+    for match in _NOISE.finditer(text):
+        if match[0] == ";":
+            yield "".join([*pieces, text[begin : match.start()]])
+            begin, pieces = match.end(), []
+        elif match[0][0] == "/":
+            pieces.append(text[begin : match.start()] + " ")
+            begin = match.end()
+
+
+def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
+    """The arguments of an instance by keyword, several for a complex instance.
+
+    >>> parts("(A(1.,$) B((#2,#3)))", Limits())
+    {'A': ['1.', '$'], 'B': [['#2', '#3']]}
+    """
+    root: list[Value] = []
+    lists: list[list[Value]] = [root]
+    position = 0
+    text = text.strip()
+    while position < len(text):
+        match = _TOKEN.match(text, position)
+        if not match:
+            raise CurveFileError(f"{text[position : position + 20]!r} is no STEP text", remedy="correct the text there")
+        token, position = match[1], match.end()
+        if token == "(":
+            if len(lists) > limits.depth:
+                raise CurveFileError("brackets are nested too deep", remedy="read with a larger limit of depth")
+            inner: list[Value] = []
+            lists[-1].append(inner)
+            lists.append(inner)
+        elif token == ")":
+            if len(lists) == 1:
+                raise CurveFileError("a closing bracket too many", remedy="balance the brackets")
+            lists.pop()
+        elif token != ",":
+            lists[-1].append(token)
+    if len(lists) > 1:
+        raise CurveFileError("a bracket is not closed", remedy="balance the brackets")
+    if len(root) == 1 and isinstance(root[0], list):
+        root = root[0]
+    found: dict[str, list[Value]] = {}
+    for keyword, arguments in zip(root[::2], root[1::2], strict=False):
+        if not isinstance(keyword, str) or not isinstance(arguments, list) or not _KEYWORD.fullmatch(keyword):
+            raise CurveFileError("no list of keywords with arguments", remedy="write NAME(…)")
+        found[keyword] = arguments
+    return found

@@ -1,0 +1,180 @@
+"""The path data of SVG: ``M L H V C S Q T A Z``, absolute and relative, as exact segments."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from gmpy2 import mpq
+
+from exactspline.errors import ExactSplineError, NumberError
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.angles import quarter_turns_of_degrees
+from exactspline.interchange.limits import Limits
+from exactspline.interchange.numbers import decimal, square_root
+from exactspline.interchange.segments import Segment, arc_around_origin, mapped, polynomial
+
+Point = tuple[mpq, mpq]
+
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_GAP = re.compile(r"[ \t\r\n\f]*,?[ \t\r\n\f]*")
+_SPACE = re.compile(r"[ \t\r\n\f]*")
+#: How many numbers each command takes.
+_COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+
+
+@dataclass
+class Subpath:
+    """Connected segments, or why they cannot be exact."""
+
+    segments: list[Segment] = field(default_factory=list)
+    problem: str = ""
+
+
+class _Pen:
+    """Where the path stands."""
+
+    def __init__(self) -> None:
+        self.at: Point = (mpq(0), mpq(0))
+        self.start = self.at
+        self.control: Point | None = None
+        self.degree = 0
+        self.parts: list[Subpath] = []
+
+    def draw(self, *points: Point) -> None:
+        """A Bézier segment from here over the points."""
+        self.parts[-1].segments.append(polynomial(self.at, *points))
+        self.control, self.degree = (points[-2] if len(points) > 1 else None), len(points)
+        self.at = points[-1]
+
+    def mirrored(self, degree: int) -> Point:
+        """The last control point of a segment of the degree, mirrored in the current point; the current point after
+        others.
+        """
+        if self.control is None or self.degree != degree:
+            return self.at
+        return (2 * self.at[0] - self.control[0], 2 * self.at[1] - self.control[1])
+
+    def arc(self, radii: Point, degrees: mpq, large: bool, sweep: bool, end: Point) -> None:
+        """An elliptic arc to `end`."""
+        start, self.control, self.at = self.at, None, end
+        if start == end:
+            return
+        if not all(radii):
+            self.parts[-1].segments.append(polynomial(start, end))
+            return
+        try:
+            self.parts[-1].segments += elliptic_arc(start, end, radii, degrees, large, sweep)
+        except ExactSplineError as error:
+            self.parts[-1].problem = self.parts[-1].problem or f"an arc: {error}"
+
+
+def elliptic_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bool, sweep: bool) -> list[Segment]:
+    """The arc that the command A means; radii too small are enlarged, as the standard says.
+
+    >>> one, zero = mpq(1), mpq(0)
+    >>> [len(elliptic_arc((one, zero), (zero, one), (one, one), zero, large, True)) for large in (False, True)]
+    [1, 3]
+
+    Raises `NumberError` where the centre or the axes are irrational.
+    """
+    if not sweep:
+        return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True))]
+    rx, ry = abs(radii[0]), abs(radii[1])
+    if rx != ry and quarter_turns_of_degrees(degrees) % 2:
+        rx, ry = ry, rx
+    # in units of the radii the ellipse is the unit circle, or a larger one where the radii are too small
+    p, q = ((x / rx, y / ry) for x, y in (start, end))
+    chord = (q[0] - p[0], q[1] - p[1])
+    square = chord[0] ** 2 + chord[1] ** 2
+    offset = square_root(1 / square - mpq(1, 4)) if square < 4 else mpq(0)
+    if offset is None:
+        raise NumberError("its centre is irrational", remedy="such an arc has no rational control points")
+    side = -offset if large else offset
+    centre = ((p[0] + q[0]) / 2 - side * chord[1], (p[1] + q[1]) / 2 + side * chord[0])
+    arcs = arc_around_origin(*((x - centre[0], y - centre[1]) for x, y in (p, q)))
+    return mapped(arcs, Affine([[rx, 0, rx * centre[0]], [0, ry, ry * centre[1]]]))
+
+
+def subpaths(data: str, limits: Limits) -> tuple[list[Subpath], str]:
+    """The subpaths of path data, and what is wrong with them ("" if nothing): the data count up to there.
+
+    >>> parts, problem = subpaths("M1 2h3v4zM0 0Q1 1 2 0T4 0#", Limits())
+    >>> [len(part.segments) for part in parts], problem
+    ([3, 2], "'#' at character 25 is no path data")
+    """
+    pen = _Pen()
+    problem = _run(pen, data, limits)
+    return [part for part in pen.parts if part.segments or part.problem], problem
+
+
+def _run(pen: _Pen, data: str, limits: Limits) -> str:
+    """Draw path data; what is wrong with them."""
+    position = _skipped(_SPACE, data, 0)
+    while position < len(data):
+        letter = data[position]
+        if letter.upper() not in _COUNTS or not (pen.parts or letter in "Mm"):
+            return f"{letter!r} at character {position} is no path data"
+        following, first = _skipped(_SPACE, data, position + 1), True
+        while first or (_COUNTS[letter.upper()] and _NUMBER.match(data, following)):
+            numbers, position = _arguments(letter.upper(), data, following, limits)
+            if numbers is None:
+                return f"command {letter} breaks off at character {position}"
+            _step(pen, letter, numbers, first)
+            following, first = _skipped(_GAP, data, position), False
+        position = _skipped(_SPACE, data, position)
+    return ""
+
+
+def _skipped(pattern: re.Pattern[str], data: str, position: int) -> int:
+    match = pattern.match(data, position)
+    return match.end() if match else position
+
+
+def _arguments(letter: str, data: str, position: int, limits: Limits) -> tuple[list[mpq] | None, int]:
+    numbers = []
+    for i in range(_COUNTS[letter]):
+        if i:
+            position = _skipped(_GAP, data, position)
+        if letter == "A" and i in (3, 4):
+            if data[position : position + 1] not in ("0", "1"):
+                return None, position
+            numbers.append(mpq(int(data[position])))
+            position += 1
+            continue
+        match = _NUMBER.match(data, position)
+        if not match:
+            return None, position
+        try:
+            numbers.append(decimal(match[0], limits))
+        except NumberError:
+            return None, position
+        position = match.end()
+    return numbers, position
+
+
+def _step(pen: _Pen, letter: str, n: list[mpq], first: bool) -> None:
+    """One command with its numbers; a further pair after M is a line."""
+    command = letter.upper()
+    x0, y0 = pen.at if letter.islower() else (mpq(0), mpq(0))
+    if command == "M" and first:
+        pen.at = pen.start = (n[0] + x0, n[1] + y0)
+        pen.parts.append(Subpath())
+        pen.control = None
+        return
+    if command == "Z":
+        if pen.at != pen.start:
+            pen.draw(pen.start)
+        pen.parts.append(Subpath())
+        pen.control = None
+        return
+    if command in "HV":
+        pen.draw((n[0] + x0, pen.at[1]) if command == "H" else (pen.at[0], n[0] + y0))
+        return
+    if command == "A":
+        pen.arc((n[0], n[1]), n[2], n[3] == 1, n[4] == 1, (n[5] + x0, n[6] + y0))
+        return
+    points = [(x + x0, y + y0) for x, y in zip(n[::2], n[1::2], strict=True)]
+    if command in "ST":
+        points.insert(0, pen.mirrored(3 if command == "S" else 2))
+    pen.draw(*points)

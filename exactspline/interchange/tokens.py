@@ -1,0 +1,87 @@
+"""Words and numbers of a text file, one after another."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from gmpy2 import mpq
+
+from exactspline.errors import CurveFileError, ShapeError
+from exactspline.interchange.limits import Limits
+from exactspline.interchange.numbers import decimal, whole
+
+_WORD = re.compile(r"\S+")
+
+
+class Tokens:
+    """The words of a text from a position on, read lazily.
+
+    >>> words = Tokens("2 0.5 x", Limits())
+    >>> words.whole(), words.number(), words.word(), words.ended
+    (2, mpq(1,2), 'x', True)
+    """
+
+    def __init__(self, text: str, limits: Limits, position: int = 0, pattern: re.Pattern[str] = _WORD) -> None:
+        self.text, self.limits, self.pattern = text, limits, pattern
+        self._counted = (0, 1)
+        self.move(position)
+
+    def move(self, position: int) -> None:
+        """Go on reading at a later position."""
+        self._found: Iterator[re.Match[str]] = self.pattern.finditer(self.text, position)
+        self._next = next(self._found, None)
+        self.position = position
+
+    @property
+    def ended(self) -> bool:
+        """Whether no word is left."""
+        return self._next is None
+
+    @property
+    def line(self) -> int:
+        """The line of the last word read."""
+        start, line = self._counted
+        self._counted = (self.position, line + self.text.count("\n", start, self.position))
+        return self._counted[1]
+
+    def word(self) -> str:
+        """The next word; raises `CurveFileError` at the end."""
+        if self._next is None:
+            raise CurveFileError("the file ends too early", where=f"line {self.line}", remedy="complete the file")
+        self.position = self._next.start()
+        word = self._next[0]
+        self._next = next(self._found, None)
+        return word
+
+    def peek(self) -> str:
+        """The next word without reading it, empty at the end."""
+        return self._next[0] if self._next else ""
+
+    def number(self) -> mpq:
+        """The next word as an exact decimal."""
+        return decimal(self.word(), self.limits)
+
+    def numbers(self, count: int) -> list[mpq]:
+        """So many decimals."""
+        return [self.number() for _ in range(self._checked(count))]
+
+    def rows(self, count: int, length: int) -> list[list[mpq]]:
+        """So many rows of decimals."""
+        self._checked(count * length)
+        return [self.numbers(length) for _ in range(count)]
+
+    def whole(self) -> int:
+        """The next word as a small integer."""
+        return whole(self.word())
+
+    def count(self) -> int:
+        """The next word as a number of things."""
+        return self._checked(self.whole())
+
+    def _checked(self, count: int) -> int:
+        if not 0 <= count <= self.limits.objects:
+            raise ShapeError(
+                f"a count of {count}", where=f"line {self.line}", remedy=f"from 0 to {self.limits.objects} are read"
+            )
+        return count

@@ -1,0 +1,52 @@
+"""What writers ask of a curve: its points as a format stores them."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from gmpy2 import mpq
+
+from exactspline.errors import ShapeError, WeightError
+from exactspline.splines.nurbs import Nurbs
+
+Point = tuple[mpq, ...]
+
+
+def cartesian(curve: Nurbs) -> tuple[Point, ...]:
+    """The control points for a format that stores them Cartesian; raises `WeightError` where one has weight zero (a
+    control vector), which such a format cannot hold.
+    """
+    if not all(curve.weights):
+        raise WeightError(
+            "a control point of weight zero",
+            where=f"weights[{curve.weights.index(mpq(0))}]",
+            remedy="a homogeneous format (g2, itd) or json holds it",
+        )
+    return curve.control_points
+
+
+def homogeneous(curve: Nurbs) -> list[Point]:
+    """The points (w x, w y, …, w)."""
+    rows = zip(curve.control_points, curve.weights, strict=True)
+    return [(*(x * (w or 1) for x in point), w) for point, w in rows]
+
+
+def pen_segments(curve: Nurbs) -> list[list[Point]]:
+    """The Bézier segments of a connected polynomial plane curve of degree 1 to 3, as SVG and pens draw them; raises
+    `ShapeError` for other curves and at a jump.
+    """
+    if curve.dimension != 2 or not curve.polynomial or not 1 <= curve.degree <= 3:
+        raise ShapeError(repr(curve), remedy="polynomial plane curves of degree 1 to 3 can be drawn")
+    columns: list[list[list[mpq]]] = [component.segments for component in curve.p]
+    segments = [[*zip(*rows, strict=True)] for rows in zip(*columns, strict=True)]
+    for before, after in pairwise(segments):
+        if before[-1] != after[0]:
+            raise ShapeError("a jump", remedy="split the curve there")
+    return segments
+
+
+def in_space(curve: Nurbs) -> list[Point]:
+    """The Cartesian control points in space, a plane curve at z = 0; raises `ShapeError` above dimension 3."""
+    if curve.dimension > 3:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this format holds curves in the plane and in space")
+    return [(*point, mpq(0)) if curve.dimension == 2 else point for point in cartesian(curve)]
