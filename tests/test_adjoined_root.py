@@ -7,14 +7,14 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
+from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.arguments import assemble
+from exactspline.language.kinds import PLANE
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
-from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.readings.numeric import numeric_curve
 from exactspline.readings.rational_jet import fraction_argument, fraction_curve
-from exactspline.language.kinds import PLANE
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.splines.examples import example
 
