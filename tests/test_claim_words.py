@@ -38,18 +38,23 @@ def misspelled(table):
             yield f"{field} = {each}", Table(table.place, changed)
 
 
+def refusal(table, source):
+    """What is said of an entry that is refused; empty when it is read."""
+    try:
+        claim_of(table, source)
+    except ClaimError as error:
+        return str(error)
+    return ""
+
+
 def test_every_misspelled_word_is_an_error_that_names_file_and_entry():
     tried, passed = 0, []
     for table, source in ENTRIES:
         for what, wrong in misspelled(table):
             tried += 1
-            try:
-                claim_of(wrong, source)
-            except ClaimError as error:
-                assert str(error).startswith(table.place)
-                assert error.remedy
-            else:
-                passed.append((table.place, what))
+            told = refusal(wrong, source)
+            if not (told.startswith(table.place) and ";" in told):
+                passed.append((table.place, what, told))
     assert tried > 4000
     assert passed == []
 

@@ -139,8 +139,8 @@ def evolute_reduced(c):
 
 @formula("§4.3, footnote b", curve="plane", symbol="E")
 def evolute_by_frenet(c):
-    """``γ + (1/κ)N`` with the normal of the Frenet frame and its κ: ``γ + κN/κ²``, κN the derivative of the unit tangent
-    by arc length.
+    """``γ + (1/κ)N`` with the normal of the Frenet frame and its κ: ``γ + κN/κ²``, κN the derivative of the unit
+    tangent by arc length.
     """
     a, b, speed = c.gamma.d(1), c.gamma.d(2), speed_squared(c)
     return c.gamma + (b / speed - a * (dot(a, b) / speed**2)) / curvature_squared(c)
