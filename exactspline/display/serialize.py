@@ -16,6 +16,7 @@ from exactspline.geometry.trimmed_bisector import TrimmedBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 
 
@@ -35,10 +36,7 @@ def curve_bisector_data(found: CurveBisector) -> dict[str, Any]:
 
 def _control_net(splines: list[TensorSpline]) -> dict[str, Any]:
     """The control nets of several splines over the knots that carry them all."""
-    common = splines[0] * 0
-    for x in splines[1:]:
-        common = common + x * 0
-    splines = [x + common for x in splines]
+    splines = with_common_knots(splines)
     first = splines[0]
     rows = zip(*[x.control_points for x in splines], strict=True)
     return {
@@ -227,10 +225,7 @@ def piece_data(interval: Any, value: Any) -> dict[str, Any]:
 
 def _net(components: list[Any], field: str) -> dict[str, Any]:
     """Control points of several splines over the knots that carry them all."""
-    common = components[0] * 0
-    for c in components[1:]:
-        common = common + c * 0
-    raised = [c + common for c in components]
+    raised = with_common_knots(components)
     knots = raised[0].knots
     return {
         "degree": raised[0].degree,

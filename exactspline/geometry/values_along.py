@@ -69,7 +69,7 @@ def torsion(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> m
     if sign_at(tau.denominator, place, side) == 0:
         raise DomainError(f"the torsion has a pole {_named(place)}", remedy="choose another parameter")
     if not isinstance(place, Root):
-        return tau.numerator(place, side) / tau.denominator(place, side)
+        return _quotient(tau, place, side)
     if sign_at(tau.numerator, place) == 0:
         return mpq(0)
     return value_at((tau.numerator,), tau.denominator, place, digits)[0]
@@ -77,22 +77,22 @@ def torsion(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> m
 
 def _segment(curve: Nurbs, place: mpq | Root, side: str) -> Curve:
     """The curve over the segment that holds a parameter or a root."""
-    left, where = checked_side(side), place
-    if isinstance(place, Root):
-        where, high = place.refine(0)
-        a, b = curve.domain
-        if not a < place < b:
-            raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
-        digits = 10
-        while where < a or curve.mesh.locate(where) != curve.mesh.locate(min(high, b), left=True):
-            where, high = place.refine(digits)
-            digits *= 2
-    i = curve.mesh.locate(where, left=left and not isinstance(place, Root))
+    left = checked_side(side)
+    i = _segment_of_root(curve, place) if isinstance(place, Root) else curve.mesh.locate(place, left=left)
     return part(curve, *curve.breakpoints[i : i + 2])
 
 
+def _segment_of_root(curve: Nurbs, root: Root) -> int:
+    """The number of the segment with an irrational root inside."""
+    a, b = curve.domain
+    if not a < root < b:
+        raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
+    return next(i for i, t in enumerate(curve.breakpoints[1:]) if root < t)
+
+
 def _quotient(value: Rational, t: mpq, side: str) -> mpq:
-    return value.numerator(t, side) / value.denominator(t, side)
+    found: mpq = value.numerator(t, side) / value.denominator(t, side)
+    return found
 
 
 def _refuse_singular(c: Curve, place: mpq | Root, side: str) -> None:

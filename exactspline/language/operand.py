@@ -5,9 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from gmpy2 import mpq, mpz
-
 from exactspline.errors import FormulaError
+from exactspline.exact import mpq, mpz
 from exactspline.language.services import Displayed
 
 #: The constants that may stand in a formula.

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError
+from exactspline.exact import mpq
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import same

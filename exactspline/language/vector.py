@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.exact import mpq
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand, _rational
 from exactspline.language.services import Displayed

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from gmpy2 import mpq
-
 from exactspline.errors import DomainError, ReductionError
-from exactspline.exact import text, to_fmpz
+from exactspline.exact import mpq, text, to_fmpz
 from exactspline.splines import bernstein
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
