@@ -9,6 +9,7 @@ import typer
 from exactspline.cli import (
     bisector,
     conditioning,
+    convert,
     curves,
     degrees,
     derive,
@@ -40,6 +41,7 @@ for command in (
     conditioning.conditioning,
     figures.figures,
     reduce.reduce,
+    convert.convert,
 ):
     app.command()(command)
 
