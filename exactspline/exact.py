@@ -17,7 +17,7 @@ from numbers import Integral
 from typing import Any
 
 import flint
-from gmpy2 import gcd, is_square, isqrt, lcm, mpq, mpz
+from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 
 from exactspline.errors import NumberError, shown
 
@@ -27,6 +27,7 @@ __all__ = [
     "from_float",
     "from_floats",
     "gcd",
+    "iroot",
     "is_square",
     "isqrt",
     "lcm",

@@ -77,7 +77,7 @@ def test_gaps_are_told_with_their_place(tmp_path):
     points = [["0", "0", "0"], ["1", "0", "0"], ["1", "0", "0"], ["1", "2", "3"]]
     file.write_text(json.dumps({"degree": 1, "knots": ["0", "0", "1", "2", "3", "3"], "control_points": points}))
     assert "missing: [1, 2]: the curve stands still" in run("bisector", file, "--point=-1,5,0").stdout
-    assert "missing: [1, 2] × [0, 1]: the curve stands still" in run("bisector", file, "twisted_cubic").stdout
+    assert "no surface: [1, 2] × [0, 1]: the curve stands still" in run("bisector", file, "twisted_cubic").stdout
 
 
 def test_a_derived_net_can_be_read_back():

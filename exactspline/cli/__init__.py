@@ -10,6 +10,7 @@ import typer
 from exactspline.cli import (
     bisector,
     conditioning,
+    convert,
     curves,
     degrees,
     derive,
@@ -28,7 +29,7 @@ from exactspline.errors import ExactSplineError
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 app = typer.Typer(
     help="B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'.",
-    epilog=f"Start with: exactspline prove; exactspline errata; exactspline inspect ellipse. {EXIT_STATUS}",
+    epilog=f"\b\nBegin with:\n  exactspline prove\n  exactspline errata\n  exactspline inspect ellipse\n\n{EXIT_STATUS}",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
@@ -46,13 +47,16 @@ COMMANDS = {
     conditioning.conditioning: ("conditioning", "conditioning my.json --construction zero_curvature"),
     figures.figures: ("figures --out pictures", "figures --out pictures --figure 2"),
     curves.curves: ("curves", "curves --json"),
+    convert.convert: ("convert drawing.dxf curves.json", "convert font.ttf:ampersand ampersand.json"),
     glossary.glossary: ("glossary", "glossary nominal"),
     schema.schema: ("schema", "schema prove"),
 }
 
 
 def _epilog(examples: tuple[str, ...]) -> str:
-    return f"Examples:  {'  |  '.join(f'exactspline {example}' for example in examples)}.  {EXIT_STATUS}"
+    """Examples a line each: click keeps the lines of a paragraph that begins with a backspace."""
+    lines = "\n".join(f"  exactspline {example}" for example in examples)
+    return f"\b\nExamples:\n{lines}\n\n{EXIT_STATUS}"
 
 
 for command, examples in COMMANDS.items():

@@ -7,7 +7,6 @@ from __future__ import annotations
 import inspect
 import io
 import json
-import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -19,6 +18,8 @@ import typer
 from exactspline.errors import ExactSplineError
 
 if TYPE_CHECKING:
+    from typing_extensions import Buffer
+
     from exactspline.display.sheet import Sheet
 
 #: The version of every JSON document; it grows when a field changes its meaning or goes.
@@ -133,36 +134,26 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
     return run
 
 
-class Pipe(io.TextIOWrapper):
+class Guarded(io.FileIO):
     """Standard output that may be closed by its reader (``| head``): what nobody reads is dropped, and the command ends
     with the status that it has earned.
     """
 
-    def write(self, text: str, /) -> int:
+    def write(self, data: Buffer, /) -> int:
         """Write, unless nobody reads."""
         try:
-            return super().write(text)
+            return super().write(data) or 0
         except BrokenPipeError:
-            self._drop()
-            return len(text)
-
-    def flush(self) -> None:
-        """Flush, unless nobody reads."""
-        try:
-            super().flush()
-        except BrokenPipeError:
-            self._drop()
-
-    def _drop(self) -> None:
-        """Send what is still to come nowhere."""
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, self.fileno())
-        os.close(nowhere)
+            return memoryview(data).nbytes
 
 
 def guard_output() -> None:
     """Let standard output survive a reader that leaves, and a terminal that lacks a letter."""
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        old = sys.stdout
-        encoding, buffered = old.encoding, old.line_buffering
-        sys.stdout = Pipe(old.buffer, encoding=encoding, errors="backslashreplace", line_buffering=buffered)
+    old = sys.stdout
+    if isinstance(old, io.TextIOWrapper):
+        old.flush()
+        raw = Guarded(old.fileno(), "wb", closefd=False)
+        encoding, by_line = old.encoding, old.line_buffering
+        sys.stdout = io.TextIOWrapper(
+            io.BufferedWriter(raw), encoding=encoding, errors="backslashreplace", line_buffering=by_line
+        )

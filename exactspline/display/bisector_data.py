@@ -27,6 +27,7 @@ from exactspline.geometry.bisectors import BisectorPatch, CurveBisector, PointBi
 from exactspline.geometry.trimmed_bisector import TrimmedBisector, TrimmedPiece
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root, knot_root
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 
 Data = dict[str, Any]
@@ -66,10 +67,7 @@ def _patch_data(patch: BisectorPatch) -> Data:
 
 def _control_net(splines: list[TensorSpline]) -> Data:
     """The control nets of several splines over the knots that carry them all."""
-    common = splines[0] * 0
-    for x in splines[1:]:
-        common = common + x * 0
-    splines = [x + common for x in splines]
+    splines = with_common_knots(splines)
     first = splines[0]
     rows = zip(*[x.control_points for x in splines], strict=True)
     return {

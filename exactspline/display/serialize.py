@@ -16,6 +16,7 @@ from exactspline.geometry.surds import Angle, Surd
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -185,10 +186,7 @@ def piece_data(interval: Any, value: Any) -> dict[str, Any]:
 
 def _net(components: list[Any], field: str) -> dict[str, Any]:
     """Control points of several splines over the knots that carry them all."""
-    common = components[0] * 0
-    for c in components[1:]:
-        common = common + c * 0
-    raised = [c + common for c in components]
+    raised = with_common_knots(components)
     knots = raised[0].knots
     return {
         "degree": raised[0].degree,

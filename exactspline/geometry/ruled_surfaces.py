@@ -21,6 +21,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
 from exactspline.splines.nurbs import Nurbs
@@ -99,10 +100,7 @@ def as_tensor_product(surface: RuledSurface, a: Any, b: Any) -> Any:
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
     found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
     components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
-    nothing = components[0] * 0
-    for c in components[1:]:
-        nothing = nothing + c * 0
-    components = [c + nothing for c in components]
+    components = with_common_knots(components)
     return Rational(Vector(*components[:3]), components[3]) if isinstance(found, Rational) else Vector(*components)
 
 

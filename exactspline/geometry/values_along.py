@@ -78,19 +78,16 @@ def torsion(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> m
 def _segment(curve: Nurbs, place: mpq | Root, side: str) -> Curve:
     """The curve over the segment that holds a parameter or a root."""
     left = checked_side(side)
-    if isinstance(place, Root):
-        where, high = place.refine(0)
-        a, b = curve.domain
-        if not a < place < b:
-            raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
-        digits = 10
-        while where < a or curve.mesh.locate(where) != curve.mesh.locate(min(high, b), left=True):
-            where, high = place.refine(digits)
-            digits *= 2
-    else:
-        where = place
-    i = curve.mesh.locate(where, left=left and not isinstance(place, Root))
+    i = _segment_of_root(curve, place) if isinstance(place, Root) else curve.mesh.locate(place, left=left)
     return part(curve, *curve.breakpoints[i : i + 2])
+
+
+def _segment_of_root(curve: Nurbs, root: Root) -> int:
+    """The number of the segment with an irrational root inside."""
+    a, b = curve.domain
+    if not a < root < b:
+        raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
+    return next(i for i, t in enumerate(curve.breakpoints[1:]) if root < t)
 
 
 def _quotient(value: Rational, t: mpq, side: str) -> mpq:

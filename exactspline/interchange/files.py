@@ -69,18 +69,29 @@ def write(
     unless `rounding` asks for the nearest doubles, and the `ExactSplineError` of what else it cannot hold.
     """
     chosen = named_format(format) if format else _by_suffix(os.fspath(place))
-    if chosen.write is None:
-        raise CurveFileError(f"{chosen.title} is read, not written", where=os.fspath(place), remedy=_written())
-    numbers = NumberText(rounding)
-    named = [c if isinstance(c, NamedCurve) else NamedCurve(c.name or f"curve {i}", c) for i, c in enumerate(curves, 1)]
-    if not named:
-        raise CurveFileError("no curves to write", where=os.fspath(place), remedy="give at least one")
     try:
-        data = chosen.write(named, numbers)
+        data, notes = encoded(curves, chosen.name, rounding=rounding)
     except ExactSplineError as error:
         raise error.at(os.fspath(place)) from None
     write_atomically(place, lambda stream: stream.write(data))
-    return (f"{numbers.rounded} numbers were rounded to doubles",) if numbers.rounded else ()
+    return notes
+
+
+def encoded(
+    curves: Iterable[Nurbs | NamedCurve], format: str, *, rounding: bool = False
+) -> tuple[bytes, tuple[str, ...]]:
+    """The bytes that `write` writes, and what is to be said about them."""
+    chosen = named_format(format)
+    if chosen.write is None:
+        written = ", ".join(sorted(known.name for known in FORMATS if known.write))
+        raise CurveFileError(f"{chosen.title}: read, not written", remedy=f"written are {written}")
+    named = [c if isinstance(c, NamedCurve) else NamedCurve(c.name or f"curve {i}", c) for i, c in enumerate(curves, 1)]
+    if not named:
+        raise CurveFileError("no curves to write", remedy="give at least one")
+    numbers = NumberText(rounding)
+    data = chosen.write(named, numbers)
+    notes = [f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else []
+    return data, (*notes, *([chosen.loses] if chosen.loses else []))
 
 
 def named_format(name: str) -> Format:
@@ -90,10 +101,6 @@ def named_format(name: str) -> Format:
             return known
     names = ", ".join(sorted(known.name for known in FORMATS))
     raise CurveFileError(f"no format is called {name!r}", remedy=f"there are {names}")
-
-
-def _written() -> str:
-    return f"written are {', '.join(sorted(known.name for known in FORMATS if known.write))}"
 
 
 def _by_suffix(path: str) -> Format:

@@ -69,8 +69,8 @@ class Source:
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its name, a title, the suffixes of its files, how its beginning is told, and its reader and
-    writer.
+    """A file format: its name, a title, the suffixes of its files, how its beginning is told, its reader and its
+    writer, and what every curve written loses.
     """
 
     name: str
@@ -79,3 +79,4 @@ class Format:
     looks_like: Callable[[bytes], bool]
     read: Callable[[Source], Reading]
     write: Callable[[Sequence[NamedCurve], NumberText], bytes] | None = None
+    loses: str = ""

@@ -96,7 +96,9 @@ class Adjoined(FieldOperand):
         result = self
         for _ in range(order):
             stretch = self.square.d(1, by=by) / (self.square * 2)
-            result = Adjoined(result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * stretch, self.square)
+            result = Adjoined(
+                result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * stretch, self.square
+            )
         return result
 
     @property

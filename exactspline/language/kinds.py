@@ -186,7 +186,9 @@ CURVE, PLANE, SPACE = CurveKind("curve", (2, 3)), CurveKind("plane", (2,)), Curv
 PLANE_POINT, POINT_IN_SPACE = CurveKind("plane point", (2,), with_point=True), CurveKind("point", (3,), with_point=True)
 PAIR, TABLE, FRAMED = PairKind(), TableKind(), FramedKind()
 #: The kinds by their names.
-KINDS: dict[str, Kind] = {kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED)}
+KINDS: dict[str, Kind] = {
+    kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED)
+}
 
 
 def kind_of(name: str) -> Kind:

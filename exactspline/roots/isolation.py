@@ -15,9 +15,8 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from flint import fmpz, fmpz_poly, nmod_poly
-from gmpy2 import mpq
 
-from exactspline.exact import ratio
+from exactspline.exact import mpq, ratio
 from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.

@@ -15,9 +15,8 @@ from itertools import pairwise
 from math import comb
 
 from flint import fmpq, fmpz, fmpz_poly
-from gmpy2 import lcm, mpq
 
-from exactspline.exact import ratio, to_fmpq, to_fmpz
+from exactspline.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
 
 Form = tuple[fmpz_poly, fmpz]
 

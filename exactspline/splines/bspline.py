@@ -14,10 +14,9 @@ from operator import sub as minus
 from typing import Any
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import mpq
 
 from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
-from exactspline.exact import rational, text, to_fmpz
+from exactspline.exact import mpq, rational, text, to_fmpz
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf

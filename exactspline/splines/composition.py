@@ -5,10 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from gmpy2 import mpq
-
 from exactspline.errors import DomainError, ReductionError
-from exactspline.exact import text, to_fmpz
+from exactspline.exact import mpq, text, to_fmpz
 from exactspline.splines import bernstein
 from exactspline.splines.knots import Mesh
 

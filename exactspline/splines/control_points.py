@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import NumberError, ShapeError, shown
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 
 
 class Direction(tuple[mpq, ...]):

@@ -13,10 +13,9 @@ from itertools import groupby, pairwise
 from typing import Any
 
 from flint import fmpz
-from gmpy2 import mpq
 
 from exactspline.errors import DomainError, KnotError, NumberError
-from exactspline.exact import rational, text, to_fmpz
+from exactspline.exact import mpq, rational, text, to_fmpz
 from exactspline.language.immutable import Immutable, fill
 
 #: Continuity at a breakpoint where the function has no knot.

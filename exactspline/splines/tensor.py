@@ -14,10 +14,9 @@ from operator import sub as minus
 from typing import Any
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import lcm, mpq
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.exact import rational, text, to_fmpz
+from exactspline.exact import lcm, mpq, rational, text, to_fmpz
 from exactspline.language.arguments import PARAMETERS, Curve, Pair
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand

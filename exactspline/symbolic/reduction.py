@@ -212,7 +212,8 @@ class Part:
         exact division.
         """
         values = [substitute(jet, curve) for jet in self.reduced]
-        surplus = self.true.surplus if self.true and hasattr(values[0], "reduce_degree") else 0
+        in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
+        surplus = self.true.surplus if self.true and in_one_parameter else 0
         lowered = [
             value.reduce_degree(min(surplus, value.degree)) if surplus > 0 and value.degree > 0 else value
             for value in values

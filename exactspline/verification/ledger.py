@@ -40,39 +40,55 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[
 
     Every curve is evaluated by an object of this run, so that runs in several threads can share curves.
     """
-    chosen = list(claims)
+    chosen, proofs = list(claims), Proofs()
     calls: list[Task] = []
     if curves is None:
         curves = [example(name) for name in example_names()]
-        calls += [lambda claim=claim: proved(claim) for claim in chosen]  # type: ignore[misc]
+        calls += [lambda claim=claim: proved(claim, proofs) for claim in chosen]  # type: ignore[misc]
         calls += [
-            lambda claim=claim: checked(claim, Evaluation(spline_table()), TABLE)  # type: ignore[misc]
+            lambda claim=claim: checked(claim, Evaluation(spline_table()), TABLE, proofs)  # type: ignore[misc]
             for claim in chosen
             if claim.curve == ArgumentKind.TABLE
         ]
     for curve in curves:
         own = Evaluation(curve)
         calls += [
-            lambda claim=claim, own=own: checked(claim, own, own.curve.name or UNNAMED)  # type: ignore[misc]
+            lambda claim=claim, own=own: checked(claim, own, own.curve.name or UNNAMED, proofs)  # type: ignore[misc]
             for claim in chosen
             if claim.speaks_of(curve.dimension, curve.polynomial)
         ]
     return calls
 
 
-def proved(claim: Claim) -> Row:
-    """A claim decided for all curves."""
-    start = perf_counter()
+class Proofs:
+    """The proofs of one run of the ledger, each made once."""
+
+    def __init__(self) -> None:
+        self._made: dict[Claim, tuple[str, Finding]] = {}
+
+    def __getitem__(self, claim: Claim) -> tuple[str, Finding]:
+        if claim not in self._made:
+            self._made[claim] = _proof(claim)
+        return self._made[claim]
+
+
+def _proof(claim: Claim) -> tuple[str, Finding]:
     try:
-        reading, finding = claim.prove()
+        return claim.prove()
     except ContradictionError:
         raise
     except ExactSplineError as error:
-        reading, finding = claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+
+
+def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
+    """A claim decided for all curves."""
+    start = perf_counter()
+    reading, finding = (Proofs() if proofs is None else proofs)[claim]
     return row(claim, reading, "", finding, perf_counter() - start)
 
 
-def checked(claim: Claim, own: Evaluation, name: str) -> Row:
+def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
     """A claim checked on one curve. What is refuted there must not be proved for all curves."""
     start = perf_counter()
     try:
@@ -82,6 +98,7 @@ def checked(claim: Claim, own: Evaluation, name: str) -> Row:
     except ExactSplineError as error:
         finding = Finding(UNDECIDED, claim.claims, witness=str(error))
     if finding.verdict == REFUTED:
-        contradict(claim, claim.prove()[1], finding)
+        contradict(claim, proofs[claim][1], finding)
     is_example = name in example_names() and own.curve is example(name)
-    return row(claim, f"spline{own.beside(claim.curve)}", name, finding, perf_counter() - start, is_example=is_example)
+    beside, seconds = own.beside(claim.curve), perf_counter() - start
+    return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -157,6 +157,6 @@ def _where_not_zero(f: Any) -> mpq:
     """A parameter at which a spline that is not zero has another value than 0."""
     for (c, _), a, b in zip(f.forms, f.breakpoints, f.breakpoints[1:], strict=False):
         if c:
-            place: mpq = next(t for j in range(f.degree + 1) if f(t := a + (b - a) * mpq(j, f.degree + 2)))
-            return place
+            places: list[mpq] = [a + (b - a) * mpq(j, f.degree + 2) for j in range(f.degree + 1)]
+            return next(t for t in places if f(t))
     raise AssertionError("the spline is not zero")

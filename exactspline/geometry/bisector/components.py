@@ -154,7 +154,7 @@ class Branch:
 @dataclass(frozen=True)
 class RealZeros:
     """The real zeros of an equation on a closed rectangle: its branches and their limits, the pairs on the border, and
-    the rational pairs at which the equation is singular.
+    singular pairs at which no branches cross.
     """
 
     branches: tuple[Branch, ...] = ()

@@ -6,13 +6,25 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from flint import fmpz_mpoly, fmpz_poly
+from flint import ctx, fmpz_mpoly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
-from exactspline.geometry.bisector.polynomials import Interval, Parameter, Sides, at, exactly, in_one, roots_in, rows_of
-from exactspline.roots.root import Root, between
+from exactspline.geometry.bisector.polynomials import (
+    Interval,
+    Parameter,
+    Sides,
+    at,
+    ball,
+    enclosed,
+    exactly,
+    in_one,
+    roots_in,
+    rows_of,
+    vanish_together,
+)
+from exactspline.roots.root import between
 from exactspline.splines.bernstein import substituted
 
 
@@ -109,13 +121,35 @@ def same_place(one: Place, other: Place) -> bool:
 
 
 def nodes(g: fmpz_mpoly, sides: Sides) -> tuple[list[Place], bool]:
-    """The rational pairs at which an equation and both of its derivatives vanish, and whether these are certainly
-    all on the rectangle.
+    """The singular pairs of an irreducible equation that need not be limits of branches, and whether these are all.
+
+    Where the Hessian is negative two branches cross. A common factor of both derivatives has no zero in common with the
+    equation, which is constant along it.
+
+    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> square = (mpq(-1, 2), mpq(1, 2))
+    >>> nodes(S**3 - S * S - T * T, (square, square))
+    ([(mpq(0,1), mpq(0,1))], True)
     """
     first, second = g.derivative(0), g.derivative(1)
     shared = first.gcd(second)
-    if shared.total_degree() > 0:
-        return [], False
-    found = common_zeros(first, second, sides, [g])
-    rational = [x for x in found.places if not any(isinstance(t, Root) for t in x)]
-    return rational, len(rational) == len(found.places) and not found.undecided and not found.out_of_reach
+    reduced = first / shared, second / shared
+    if any(p.total_degree() == 0 for p in reduced):
+        return [], True
+    found = common_zeros(*reduced, sides, [g])
+    crossing = first.derivative(1) ** 2 - first.derivative(0) * second.derivative(1)
+    places: list[Place] = []
+    complete = not found.undecided and not found.out_of_reach
+    for place in found.places:
+        if _certainly_positive(crossing, place):
+            continue
+        verdict = vanish_together([g], *place)
+        if verdict:
+            places.append(place)
+        complete = complete and verdict is not None
+    return places, complete
+
+
+def _certainly_positive(p: fmpz_mpoly, place: Place) -> bool:
+    with ctx.workprec(400):
+        return bool(enclosed(p, ball(place[0], 40), ball(place[1], 40)) > 0)

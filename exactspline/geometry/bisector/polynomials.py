@@ -8,10 +8,10 @@ from collections.abc import Iterable, Sequence
 from functools import reduce
 from math import lcm
 
-from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 from gmpy2 import mpq
 
-from exactspline.exact import to_fmpq
+from exactspline.exact import rational, to_fmpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE, halves, substituted
@@ -33,6 +33,8 @@ Rows = list[fmpz_poly]
 
 #: Halvings before a box is believed to hold a common zero, and boxes before the search stops.
 DEPTH, BOXES = 9, 3000
+#: The product of two degrees up to which it is decided exactly whether a polynomial vanishes at two irrational numbers.
+ALGEBRAIC = 64
 
 
 # ---- one parameter
@@ -162,19 +164,46 @@ def certainly_not_zero(p: fmpz_mpoly, s: Parameter, t: Parameter, most: int = 60
 
 
 def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> bool | None:
-    """Whether polynomials vanish at a pair, decided exactly where a parameter is rational; otherwise None, if balls do
-    not show that one of them is not zero.
+    """Whether polynomials vanish at a pair, decided exactly where a parameter is rational or both are of low degree;
+    otherwise None, if balls do not show that one of them is not zero.
     """
     if isinstance(s, Root) and isinstance(t, Root):
-        return False if any(certainly_not_zero(p, s, t) for p in polynomials) else None
+        if any(certainly_not_zero(p, s, t) for p in polynomials):
+            return False
+        verdicts = [_vanishes(p, s, t) for p in polynomials if p]
+        return False if False in verdicts else None if None in verdicts else True
     variable, value, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
-    parts = [q for p in polynomials if (q := at(p, variable, value))]
+    parts = [q for p in polynomials if (q := at(p, variable, rational(value)))]
     if not parts:
         return True
     if not isinstance(other, Root):
         return all(q(to_fmpq(other)) == 0 for q in parts)
     minimal = fmpz_poly(other.minimal_polynomial())
     return all(not q % minimal for q in map(_primitive, parts))
+
+
+def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
+    """Whether a polynomial vanishes at two irrational parameters of low degree.
+
+    The product of its values at s and all conjugates of t vanishes exactly where the minimal polynomial of s divides
+    the resultant; balls exclude the others.
+    """
+    first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())
+    for variable, minimal in enumerate((first, second)):
+        if p.degrees()[1 - variable] == 0:
+            return not _primitive(in_one(p, variable)) % minimal
+    if first.degree() * second.degree() > ALGEBRAIC:
+        return None
+    norm = in_one(lifted(second, 1).resultant(p, 1), 0)
+    if norm and _primitive(norm) % first:
+        return False
+    with ctx.workprec(400):
+        at_s = arb_poly([arb_poly(row)(ball(s, 60)) for row in rows_of(p)])
+        own = ball(t, 60)
+        roots = [root for root, _ in second.complex_roots()]
+        others = [root for root in roots if not (root.imag.contains(0) and root.real.overlaps(own))]
+        alone = len(others) == len(roots) - 1 and not any(acb_poly(at_s)(root).contains(0) for root in others)
+    return True if alone else None
 
 
 def _primitive(p: fmpz_poly) -> fmpz_poly:

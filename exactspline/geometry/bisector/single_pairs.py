@@ -114,7 +114,7 @@ def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) ->
     """The single pairs of a patch, `factors` being the equations whose pairs have lines."""
     found = touching(system, meetings)
     planes = [pair.place for pair in found.pairs]
-    others, left_out = _dependent(system, meetings)
+    others, left_out = _dependent(system, factors, meetings)
     lines = [(x, Cause.CROSSING) for x in meetings if not _among(x, planes)]
     lines += [(x, Cause.DEPENDENT) for x in others]
     pairs = [
@@ -135,7 +135,7 @@ def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
     return not certainly_not_zero(g, *place, most=PATIENCE) if verdict is None else verdict
 
 
-def _dependent(system: System, meetings: list[Place]) -> Found:
+def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
     """The pairs with a line of solutions at which the curves do not meet; and what is left out.
 
     Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
@@ -151,9 +151,12 @@ def _dependent(system: System, meetings: list[Place]) -> Found:
         if not combined or determinant.gcd(combined).total_degree() > 0:
             continue
         found = common_zeros(determinant, combined, system.sides, numerators, meetings)
+        # what lies on an equation has its line already, single or not
+        known = [place for place in found.undecided if any(vanish_together([g], *place) for g in factors)]
+        found = found._replace(undecided=[place for place in found.undecided if not _among(place, known)])
         places, left_out = [], _undecided(found, system.sides)
         for place in found.places:
-            if _among(place, meetings):
+            if _among(place, meetings) or any(vanish_together([g], *place) for g in factors):
                 continue
             rank = _has_rank_2(system, place, u)
             if rank:

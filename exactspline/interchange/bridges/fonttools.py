@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from numbers import Integral
 from typing import Any
 
 from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
-from exactspline.exact import from_float
+from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.numbers import nearest_double
 from exactspline.interchange.segments import joined, polynomial
 from exactspline.interchange.writing import pen_segments
@@ -18,15 +17,6 @@ from exactspline.splines.nurbs import Nurbs
 
 Point = tuple[mpq, ...]
 Contour = tuple[int, list[mpq], list[Point]]
-
-
-def exact(value: Any) -> mpq:
-    """The exact value of a coordinate as fontTools holds it: an integer or a double.
-
-    >>> exact(3), exact(0.5)
-    (mpq(3,1), mpq(1,2))
-    """
-    return mpq(int(value)) if isinstance(value, Integral) else from_float(float(value))
 
 
 class ContourPen:

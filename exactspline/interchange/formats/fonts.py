@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 from gmpy2 import mpq
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
-from exactspline.interchange.bridges.fonttools import ContourPen, exact
+from exactspline.interchange.bridges.fonttools import ContourPen
+from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.records import Format, Reading, Source
 

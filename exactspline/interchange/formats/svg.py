@@ -33,6 +33,9 @@ SHAPES = ("path", "line", "polyline", "polygon", "rect", "circle", "ellipse")
 IDENTITY = Affine.identity(2)
 
 
+LOSES = "SVG holds no knots: segments are kept, their parameter intervals are not"
+
+
 def looks_like(head: bytes) -> bool:
     """Whether an element svg begins near the start."""
     return bool(re.search(rb"<(\w+:)?svg[\s>]", head))
@@ -147,4 +150,4 @@ def _pair(numbers: NumberText, point: Sequence[mpq]) -> str:
     return ",".join(map(numbers, point))
 
 
-FORMAT = Format("svg", "SVG paths and shapes", (".svg",), looks_like, read, write)
+FORMAT = Format("svg", "SVG paths and shapes", (".svg",), looks_like, read, write, LOSES)

@@ -1,0 +1,37 @@
+"""geomdl's curves: in exactly, out correctly rounded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.interchange.writing import homogeneous
+from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    import geomdl.abstract
+
+
+def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
+    """The exact curve of the numbers that geomdl holds. By default geomdl has mapped the knots to [0, 1], rounding
+    them; of a rational curve it holds the points times their weights, and these are read.
+    """
+    knots = [exact(t) for t in curve.knotvector]
+    if curve.rational:
+        return Nurbs.from_homogeneous(int(curve.degree), knots, exact_rows(curve.ctrlptsw), name=str(curve.name))
+    return Nurbs(int(curve.degree), knots, exact_rows(curve.ctrlpts), name=str(curve.name))
+
+
+def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
+    """A geomdl curve with the correctly rounded knots and points, its knots left as they are."""
+    from geomdl import NURBS
+    from geomdl import BSpline as Polynomial
+
+    made = Polynomial.Curve(normalize_kv=False) if curve.polynomial else NURBS.Curve(normalize_kv=False)
+    made.degree = curve.degree
+    if curve.polynomial:
+        made.ctrlpts = [doubles(point) for point in curve.control_points]
+    else:
+        made.ctrlptsw = [doubles(point) for point in homogeneous(curve)]
+    made.knotvector = doubles(curve.knots)
+    return made

@@ -1,0 +1,37 @@
+"""mpmath: a curve as a function of an `mpf`, correct to the working precision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from gmpy2 import mpq
+
+from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    import mpmath
+
+
+def to_mpmath(curve: Nurbs) -> Callable[[Any], list[mpmath.mpf]]:
+    """The function that takes a parameter to the point, every coordinate rounded once, to the precision at the call.
+
+    >>> from mpmath import mpf, workdps
+    >>> from exactspline.splines.examples import example
+    >>> with workdps(30):
+    ...     print(to_mpmath(example("circle"))(mpf("0.25"))[0])
+    0.882352941176470588235294117647
+    """
+
+    def value(parameter: Any) -> list[mpmath.mpf]:
+        import mpmath
+        from mpmath.libmp import from_rational, round_nearest, to_rational
+
+        numerator, denominator = to_rational(mpmath.mpmathify(parameter)._mpf_)
+        point = curve(mpq(int(numerator), int(denominator)))
+        return [
+            mpmath.mpf(from_rational(int(x.numerator), int(x.denominator), mpmath.mp.prec, round_nearest))
+            for x in point
+        ]
+
+    return value

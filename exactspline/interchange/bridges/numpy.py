@@ -1,0 +1,41 @@
+"""numpy arrays: correctly rounded doubles of a curve and of its points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from exactspline.interchange.bridges.values import doubles, exact
+from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    import numpy as np
+
+
+class Arrays(NamedTuple):
+    """A curve as arrays: control points Cartesian, of the shape (number, dimension)."""
+
+    degree: int
+    knots: np.ndarray
+    control_points: np.ndarray
+    weights: np.ndarray
+
+
+def to_arrays(curve: Nurbs) -> Arrays:
+    """The correctly rounded data of a curve."""
+    import numpy as np
+
+    points = np.array([doubles(point) for point in curve.control_points])
+    return Arrays(curve.degree, np.array(doubles(curve.knots)), points, np.array(doubles(curve.weights)))
+
+
+def points_at(curve: Nurbs, parameters: Iterable[Any]) -> np.ndarray:
+    """The points at the exact values of floating-point parameters, each coordinate correctly rounded, in the shape
+    (number, dimension).
+
+    Raises `DomainError` outside the domain.
+    """
+    import numpy as np
+
+    rows = np.array([doubles(curve(exact(t))) for t in parameters], dtype=float)
+    return np.reshape(rows, (-1, curve.dimension))

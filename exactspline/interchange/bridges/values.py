@@ -1,0 +1,39 @@
+"""Numbers of other libraries: exact on the way in, correctly rounded on the way out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from numbers import Integral
+from typing import Any
+
+from gmpy2 import mpq
+
+from exactspline.errors import NumberError, shown
+from exactspline.interchange.numbers import nearest_double
+
+
+def exact(value: Any) -> mpq:
+    """The exact value of an integer or a floating-point number of Python or numpy, of any width.
+
+    >>> exact(3), exact(0.5)
+    (mpq(3,1), mpq(1,2))
+
+    Raises `NumberError` for NaN, infinities, complex numbers and what is no number.
+    """
+    if isinstance(value, Integral):
+        return mpq(int(value))
+    try:
+        numerator, denominator = value.as_integer_ratio()
+    except (AttributeError, ValueError, OverflowError, TypeError):
+        raise NumberError(f"{shown(value)} is no finite number", remedy="pass integers or floats") from None
+    return mpq(int(numerator), int(denominator))
+
+
+def exact_rows(rows: Iterable[Iterable[Any]]) -> list[list[mpq]]:
+    """The exact values of rows of numbers."""
+    return [[exact(value) for value in row] for row in rows]
+
+
+def doubles(values: Iterable[mpq]) -> list[float]:
+    """The correctly rounded doubles; raises `NumberError` beyond their range."""
+    return [nearest_double(value) for value in values]
