@@ -54,7 +54,7 @@ def test_a_formula_has_two_forms():
 
 
 def test_the_torsion_at_its_zero_is_zero():
-    data = json.loads(run("inspect", "rational_space_cubic_spline", "--json").stdout)
+    data = json.loads(run("inspect", "rational_space_cubic_spline", "--json").stdout)["rows"][0]
     assert {f["torsion"] for f in data["torsion"] if not f["by_jump"]} <= {"0"}
 
 

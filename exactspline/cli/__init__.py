@@ -29,38 +29,52 @@ from exactspline.errors import ExactSplineError
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 app = typer.Typer(
     help="B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'.",
-    epilog=f"\b\nBegin with:\n  exactspline prove\n  exactspline errata\n  exactspline inspect ellipse\n\n{EXIT_STATUS}",
+    epilog="\b\nBegin with:\n  exactspline prove\n  exactspline errata\n  exactspline inspect ellipse\n\n"
+    + EXIT_STATUS,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-#: Every command with examples of its use.
+#: Every command: what it does in a few words, and examples of its use.
 COMMANDS = {
-    prove.prove: ("prove", "prove --curve my.json", "prove --section 4.2 --verdict refuted"),
-    show.show: ("show", 'show "eq. (12)"', "show C4.2 --latex"),
-    errata.errata: ("errata", "errata C4.2b"),
-    degrees.degrees: ("degrees", "degrees --curve my.json", "degrees --generic"),
-    reduce.reduce: ("reduce rectifying_developable", "reduce my_formulas.py:pedal"),
-    derive.derive: ("derive", "derive evolute ellipse_skew", "derive evolute my.json -o evolute.json"),
-    inspect.inspect: ("inspect ellipse", "inspect my.json --digits 50 --plot my.svg"),
-    bisector.bisector: ("bisector ellipse --point 1,1/2", "bisector twisted_cubic helix_like -o surface.json"),
-    conditioning.conditioning: ("conditioning", "conditioning my.json --construction zero_curvature"),
-    figures.figures: ("figures --out pictures", "figures --out pictures --figure 2"),
-    curves.curves: ("curves", "curves --json"),
-    convert.convert: ("convert drawing.dxf curves.json", "convert font.ttf:ampersand ampersand.json"),
-    glossary.glossary: ("glossary", "glossary nominal"),
-    schema.schema: ("schema", "schema prove"),
+    prove.prove: (
+        "Decide every claim of the paper.",
+        "prove",
+        "prove --curve my.json",
+        "prove --section 4.2 --verdict refuted",
+    ),
+    show.show: ("Spell out one claim.", "show", 'show "eq. (12)"', "show C4.2 --latex"),
+    errata.errata: ("List the errors of the paper.", "errata", "errata C4.2b"),
+    degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees --curve my.json"),
+    reduce.reduce: ("Factor a formula, yours too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
+    derive.derive: ("Evolutes, focal curves, … exactly.", "derive", "derive evolute my.json -o evolute.json"),
+    inspect.inspect: ("Features of curves, certified.", "inspect ellipse", "inspect my.json --digits 50 --plot my.svg"),
+    bisector.bisector: (
+        "Bisectors of curves and points.",
+        "bisector ellipse --point 1,1/2",
+        "bisector twisted_cubic helix_like -o surface.json",
+    ),
+    conditioning.conditioning: ("Condition numbers of zeros.", "conditioning", "conditioning my.json"),
+    figures.figures: ("Draw the figures of the paper.", "figures --out pictures", "figures --out pictures --figure 2"),
+    curves.curves: ("List the example curves.", "curves", "curves --json"),
+    convert.convert: (
+        "Convert files of curves.",
+        "convert drawing.dxf curves.json",
+        "convert font.ttf:ampersand ampersand.json",
+    ),
+    glossary.glossary: ("Explain words and signs.", "glossary", "glossary nominal"),
+    schema.schema: ("The JSON Schema of a command.", "schema", "schema prove"),
 }
 
 
-def _epilog(examples: tuple[str, ...]) -> str:
+def _epilog(examples: list[str]) -> str:
     """Examples a line each: click keeps the lines of a paragraph that begins with a backspace."""
     lines = "\n".join(f"  exactspline {example}" for example in examples)
     return f"\b\nExamples:\n{lines}\n\n{EXIT_STATUS}"
 
 
-for command, examples in COMMANDS.items():
-    app.command(epilog=_epilog(examples))(command)
+for command, (short, *examples) in COMMANDS.items():
+    app.command(short_help=short, epilog=_epilog(examples))(command)
 
 
 def _version(wanted: bool) -> None:

@@ -8,11 +8,11 @@ from typing import Annotated, Any
 
 import typer
 
-from exactspline.cli.output import is_quiet, print_json
+from exactspline.cli.output import is_quiet
 from exactspline.errors import CurveFileError, ExactSplineError
 
 __all__ = [
-    "AsJson",
+    "CURVE_HELP",
     "CurveFiles",
     "Digits",
     "Exact",
@@ -21,14 +21,12 @@ __all__ = [
     "described",
     "load_curve",
     "loaded",
-    "print_json",
     "tracked",
 ]
 CURVE_HELP = "A curve file (JSON), the name of an example curve, or - for standard input."
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
 ]
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
 Digits = Annotated[
     int,
     typer.Option(

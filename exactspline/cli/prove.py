@@ -28,7 +28,7 @@ def prove(
         typer.Option(
             "--claim",
             metavar="ID",
-            help="The id of a claim, or what it begins (C3: all of section 3). May be repeated.",
+            help="The id of a claim, what it begins (C3: all of section 3), or a place (eq. (12)). May be repeated.",
         ),
     ] = None,
     curve: CurveFiles = None,
@@ -54,11 +54,10 @@ def prove(
     """
     from exactspline.display.ledger import WORDS, word
     from exactspline.display.ledger_page import write_page
-    from exactspline.verification.claims import select
     from exactspline.verification.ledger import tasks
 
     wanted = [_word(each, WORDS) for each in verdict or []]
-    claims = _of_sections(select(claim or []), section or [])
+    claims = _of_sections(_named(claim or []), section or [])
     given, good = loaded(curve or [])
     curves = also_in_their_planes(given) if curve else None
     if judge and curve:
@@ -76,6 +75,15 @@ def prove(
         raise typer.Exit(2)
     if not all(row.as_recorded for row in found):
         raise typer.Exit(1)
+
+
+def _named(ids: Sequence[str]) -> Sequence[Claim]:
+    """The claims with these ids or places, in the order of the paper; all of them for none."""
+    from exactspline.display.statement import located
+    from exactspline.verification.claims import all_claims
+
+    keep = {claim.key for name in ids for claim in located(name)}
+    return [claim for claim in all_claims() if not ids or claim.key in keep]
 
 
 def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:

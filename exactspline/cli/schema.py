@@ -45,7 +45,13 @@ def schema_of(name: str) -> dict[str, Any]:
     known = schemas()
     if name not in known:
         raise SchemaError(f"no schema is called {name!r}", remedy=nearest(name, known, listed_by="exactspline schema"))
-    row = {"type": "object", "required": list(known[name]), "properties": known[name], "additionalProperties": False}
+    fields = known[name]
+    row = {
+        "type": "object",
+        "required": [field for field, told in fields.items() if not told.get("optional")],
+        "additionalProperties": False,
+        "properties": {field: {"type": told["type"]} for field, told in fields.items()},
+    }
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": f"exactspline/{name}, version {VERSION}",
