@@ -268,7 +268,7 @@ class Facts:
 
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:
-            return FeatureKind.CUSP if joint.angle.sine.sign == 0 else FeatureKind.CORNER
+            return FeatureKind.CUSP if joint.angle.sine == 0 else FeatureKind.CORNER
         directions = self._directions(self.velocity, joint.parameter)
         return FeatureKind.STOP if all(map(any, directions)) else FeatureKind.REST
 
