@@ -44,8 +44,9 @@ def torsion_value(curve: Nurbs, root: Root, digits: int, side: str = "right") ->
     """τ at a root (where κ = 0 its limit) as an mpmath number that is relatively off by less than ``10^−digits``;
     exactly 0 where τ = 0.
 
-    >>> from exactspline import curvature_extrema, load
-    >>> torsion_value(load("twisted_cubic"), curvature_extrema(load("twisted_cubic"))[0].root, 10)
+    >>> from exactspline import load
+    >>> from exactspline.geometry.features import critical_points
+    >>> torsion_value(load("twisted_cubic"), critical_points(load("twisted_cubic"))[0].root, 10)
     mpf('3.0')
 
     Raises `DomainError` at a singular point and where κ = 0 and τ has a pole.
