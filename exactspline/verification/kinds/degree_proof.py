@@ -142,7 +142,8 @@ def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int
     unequal degrees.
     """
     first = max(3, claim.least_d)
-    for d in (*range(first, first + 1001), *range(claim.least_d, first)):
+    tried: list[int] = [*range(first, first + 1001), *range(claim.least_d, first)]
+    for d in tried:
         if not claim.relation.holds(_at(computed, d), _at(claimed, d)):
             return d
     return first
