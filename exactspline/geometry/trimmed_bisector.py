@@ -318,7 +318,8 @@ def _intersection(
     found = []
     for a, b in one:
         for c, d in other:
-            low, high = (a if c <= a else c), (b if b <= d else d)
+            low: Parameter = a if c <= a else c
+            high: Parameter = b if b <= d else d
             if low < high:
                 found.append((low, high))
     return found
