@@ -237,7 +237,7 @@ def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Sides) -> list[Side
         direction = depth % 2
         side = (first, second)[direction]
         middle = mpq((side[0] + side[1]) / 2)
-        parts = [_halved(rows, m, direction) for rows, m in forms]
+        parts = [halved(rows, m, direction) for rows, m in forms]
         parted: tuple[Interval, Interval] = (side[0], middle), (middle, side[1])
         for k, half in enumerate(parted):
             box: Sides = (half, second) if direction == 0 else (first, half)
@@ -250,11 +250,11 @@ def _patch(p: fmpz_mpoly, sides: Sides) -> tuple[Rows, int]:
     (a, b), (c, d) = sides
     rows = rows_of(p)
     m, n = (int(k) for k in p.degrees())
-    rows = _crossed([as_form(row, m, a, b) for row in rows], m)
-    return _crossed([as_form(row, n, c, d) for row in rows], n), m
+    rows = crossed([as_form(row, m, a, b) for row in rows], m)
+    return crossed([as_form(row, n, c, d) for row in rows], n), m
 
 
-def _crossed(rows: Rows, m: int) -> Rows:
+def crossed(rows: Rows, m: int) -> Rows:
     """Rows of degree m exchanged with columns."""
     return [fmpz_poly([row[i] for row in rows]) for i in range(m + 1)]
 
@@ -268,10 +268,11 @@ def _keeps_sign(rows: Rows, m: int) -> bool:
     return all(row[i] < 0 for row in rows for i in range(m + 1))
 
 
-def _halved(rows: Rows, m: int, direction: int) -> tuple[tuple[Rows, int], tuple[Rows, int]]:
+def halved(rows: Rows, m: int, direction: int) -> tuple[tuple[Rows, int], tuple[Rows, int]]:
+    """A patch of degree m in the first parameter on the two halves of its rectangle, up to one positive constant."""
     if direction == 0:
         pairs = [halves(row, m) for row in rows]
         return ([left for left, _ in pairs], m), ([right for _, right in pairs], m)
     n = len(rows) - 1
-    pairs = [halves(row, n) for row in _crossed(rows, m)]
-    return (_crossed([left for left, _ in pairs], n), m), (_crossed([right for _, right in pairs], n), m)
+    pairs = [halves(row, n) for row in crossed(rows, m)]
+    return (crossed([left for left, _ in pairs], n), m), (crossed([right for _, right in pairs], n), m)
