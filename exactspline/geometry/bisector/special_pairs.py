@@ -96,7 +96,7 @@ def _with_tangents(system: System) -> SpecialPairs:
 def _everywhere(system: System) -> SpecialPairs:
     """Every pair is singular: two arcs of one circle have its axis in common, parts of one line nothing."""
     (a, b), side = system.sides
-    inner = mpq(2 * a + b) / 3
+    inner = mpq((2 * a + b) / 3)
     surface = lines_along(system, Path(constant(inner), (PARAMETER, ONE)), side)
     if surface is None:
         return SpecialPairs()
