@@ -1,4 +1,4 @@
-"""A second judge: sympy's calculus and algebra decide every identity of the ledger as the jets do, and refute false ones."""
+"""A second judge: sympy decides every identity of the ledger as the jets do, and refutes false ones."""
 
 from dataclasses import replace
 
