@@ -209,7 +209,7 @@ def _plot_pair(ax: Any, pair: SinglePair, box: Box) -> None:
             draw(ax, ends, color=VERMILLION, linewidth=1.2, label="line of a single pair", zorder=4)
         return
     point, normal = ruling[0], Vector(*ruling[1])
-    one = next(v for e in (Vector(0, 0, 1), Vector(0, 1, 0)) if any(v := cross(normal, e)))
+    one = next(v for e in (Vector(0, 0, 1), Vector(0, 1, 0)) if any(v := cross(normal, e.mapped(mpq))))
     other = cross(normal, one)
     size = max(b - a for a, b in zip(*box, strict=True))
     steps = [size * mpq(k, ALONG) for k in range(-ALONG, ALONG + 1)]

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from functools import reduce
 from math import lcm
 
-from flint import Ordering, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.exact import rational, to_fmpq
@@ -117,7 +117,7 @@ def rows_of(p: fmpz_mpoly) -> Rows:
     """
     found: list[dict[int, int]] = [{} for _ in range(int(p.degrees()[1]) + 1)] if p else []
     for (i, j), x in p.terms():
-        found[int(j)][int(i)] = x
+        found[int(j)][int(i)] = int(x)
     return [fmpz_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in found]
 
 
@@ -200,7 +200,8 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
     with ctx.workprec(400):
         at_s = arb_poly([arb_poly(row)(ball(s, 60)) for row in rows_of(p)])
         own = ball(t, 60)
-        roots = [root for root, _ in second.complex_roots()]
+        found: list[tuple[acb, int]] = second.complex_roots()  # type: ignore[assignment]  # the stubs forget the multiplicity
+        roots = [root for root, _ in found]
         others = [root for root in roots if not (root.imag.contains(0) and root.real.overlaps(own))]
         alone = len(others) == len(roots) - 1 and not any(acb_poly(at_s)(root).contains(0) for root in others)
     return True if alone else None

@@ -24,7 +24,7 @@ Found = tuple[list[Place], tuple[str, ...]]
 
 def divisor(v: Vector) -> fmpz_mpoly:
     """The greatest common divisor of the components."""
-    found = v[0]
+    found: fmpz_mpoly = v[0]
     for f in list(v)[1:]:
         found = found.gcd(f)
     return found

@@ -119,7 +119,8 @@ class System:
     @cached_property
     def determinant(self) -> fmpz_mpoly:
         """``[a b E]``."""
-        return det(self.a, self.b, self.chord)
+        value: fmpz_mpoly = det(self.a, self.b, self.chord)
+        return value
 
     @cached_property
     def numerators(self) -> ThreeOfTwo:
