@@ -164,7 +164,7 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
     mpq(1,2)
     """
     arguments = list(arguments)
-    zeros, ones = arguments.count(0), arguments.count(1)
+    zeros, ones = arguments.count(mpq(0)), arguments.count(mpq(1))
     points = list(points[ones : len(points) - zeros])
     for t in arguments:
         if t not in (0, 1):
