@@ -51,7 +51,7 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
 
     >>> t = BSpline.identity(0, 1)
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)
-    ('at the parameter 1', '')
+    ('at the parameter 1 (from the left)', '')
     """
     for i, (p, q) in enumerate(zip(a.polynomials, b.polynomials, strict=True)):
         if not p and not q:
