@@ -1,4 +1,4 @@
-"""All contours of the glyphs of two fonts against an oracle in fractions: corners, inflections, extrema, straight pieces.
+"""Contours of the glyphs of two fonts against an oracle in fractions: corners, inflections, extrema, straight pieces.
 
 The fonts are those that matplotlib brings along; fontTools reads them.
 """
