@@ -20,7 +20,8 @@ from exactspline.interchange.writing import homogeneous
 
 Node: TypeAlias = "list[str | Node]"
 
-_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*(?:"|\Z)|[][]|[^][\s"]+|["\\]')
+# a string that is not closed runs to the end, so that no quote is tried twice
+_TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')
 _POINT = re.compile(r"([EP])(\d)")
 SKIPPED = ("SURFACE", "TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
 
