@@ -24,7 +24,7 @@ def test_two_curves():
 def test_the_control_net_is_the_surface():
     data = json.loads(
         run("bisector", "rational_space_cubic", "twisted_cubic", "--variant", "symmetric", "--json").stdout
-    )
+    )["rows"][0]
     patch = data["patches"][0]
     assert patch["degree"] == [11, 8]
     net = patch["homogeneous_control_net"]
@@ -47,7 +47,7 @@ def test_a_point_and_a_plane_curve_is_trimmed():
     done = run("bisector", "ellipse", "--point", "-1,1/3", "--digits", "8")
     assert done.returncode == 0
     assert done.stdout.count("arc") == 2
-    data = json.loads(run("bisector", "parabola", "--point", "0,1", "--json").stdout)
+    data = json.loads(run("bisector", "parabola", "--point", "0,1", "--json").stdout)["rows"][0]
     assert [piece["piece"] for piece in data["pieces"]] == ["arc", "end point", "end point"]
     low = data["pieces"][1]["high"]
     assert mpq(low["interval"][0]) <= mpq(-1, 5) <= mpq(low["interval"][1])
@@ -86,7 +86,7 @@ def test_gaps_are_told_with_their_place(tmp_path):
 
 def test_a_derived_net_can_be_read_back():
     """The directrix of a ruled piece as a curve file."""
-    data = json.loads(run("bisector", "helix_like", "--point", "0,0,1", "--json").stdout)
+    data = json.loads(run("bisector", "helix_like", "--point", "0,0,1", "--json").stdout)["rows"][0]
     directrix = data["pieces"][0]["directrix"]
     points = [[mpq(x) for x in row] for row in directrix["homogeneous_control_points"]]
     curve = curve_from_text(

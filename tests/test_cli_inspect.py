@@ -32,7 +32,7 @@ def inspected(tmp_path, monkeypatch):
     def inspect(curve):
         file = tmp_path / "curve.json"
         file.write_text(json.dumps(curve))
-        return run("inspect", file).output, json.loads(run("inspect", file, "--json").output)
+        return run("inspect", file).output, json.loads(run("inspect", file, "--json").output)["rows"][0]
 
     return inspect
 

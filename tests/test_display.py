@@ -140,7 +140,7 @@ def test_claims_statements_rows_and_errata_show_themselves():
         assert claim.id in text_of(claim)
         assert len(sides(claim)) == len(set(claim.named))
     entry = next(errata())
-    assert entry.printed in text_of(entry)
+    assert entry.statements[0].statement in text_of(entry)
     assert next(statements("C4.2b")).finding.witness in text_of(next(statements("C4.2b")))
     assert REFUTED in text_of(verdicts("C4.2b").rows_of_ledger[0])
 

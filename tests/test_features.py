@@ -180,14 +180,14 @@ def test_inspect_prints_what_it_found(monkeypatch):
     result = run("inspect", "ellipse_skew", "--digits", 50)
     assert result.exit_code == 0
     assert "0.557536515835051410132825074912507419474995695480529" in result.output
-    data = json.loads(run("inspect", "six_segment_cubic", "--json", "--approach", "all").output)
+    data = json.loads(run("inspect", "six_segment_cubic", "--json", "--approach", "all").output)["rows"][0]
     assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6, 6]
     assert [f["kind"] for f in data["inflections"]] == ["inflection"] * 2
     assert "κ′ ≡ 0" in run("inspect", "circle").output
 
 
 def test_a_thousand_digits_enclose_the_root(monkeypatch):
-    data = json.loads(run("inspect", "rational_cubic", "--digits", 1000, "--json").output)
+    data = json.loads(run("inspect", "rational_cubic", "--digits", 1000, "--json").output)["rows"][0]
     low, high = (mpq(x) for x in data["critical"][0]["interval"])
     assert 0 < high - low <= mpq(1, 10**1000)
     f, _ = zero_form(example("rational_cubic"), "critical_curvature", "paper")

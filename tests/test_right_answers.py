@@ -103,7 +103,7 @@ def test_a_torsion_that_vanishes_is_zero(tmp_path):
     for f in found:
         assert f.root.exact is None
         assert torsion_value(curve, f.root, 20) == 0
-    data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)
+    data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]
     assert [f["torsion"] for f in data["torsion"]] == ["0", "0"]
 
 
@@ -147,7 +147,7 @@ def test_a_near_cusp_of_any_size_prints_its_own_digits(tmp_path):
         s, h = mpq(10) ** size, mpq(1, 10) ** 20
         curve = power_curve([0, s], [0, 0, -h * s], domain=(-1, 1))
         (f,) = curvature_extrema(curve)
-        data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["critical"]
+        data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]["critical"]
         assert f.root == 0
         assert data[0]["curvature"] == f"-2.0e-{20 + size}"
 

@@ -238,7 +238,7 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
     assert result.exit_code == 0
     assert "torsion" in result.output
     assert "Approaches to critical curvature" in result.output
-    data = json.loads(run("inspect", "flat_point", "--json").output)
+    data = json.loads(run("inspect", "flat_point", "--json").output)["rows"][0]
     (flat,) = data["inflections"]
     assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0", "2.0")
     assert data["torsion"] == []

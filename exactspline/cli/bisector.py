@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from exactspline.cli.common import AsJson, check_output, described, print_json
+from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve
+from exactspline.cli.output import Output, printing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
+    from exactspline.display.sheet import Sheet
     from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
     from exactspline.geometry.bisectors import BisectorPatch, CurveBisector
     from exactspline.splines.nurbs import Nurbs
@@ -38,14 +40,17 @@ class Answer(NamedTuple):
     draw: Callable[[], Any]
 
 
+@printing
 def bisector(
-    curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
+    out: Output,
+    curve: Annotated[str, typer.Argument(help=CURVE_HELP)],
     other: Annotated[str, typer.Argument(help="A second curve in space; or give a point.")] = "",
-    point: Annotated[str, typer.Option("--point", help='A point, "1,1/2" or "0,0,2".')] = "",
+    point: Annotated[str, typer.Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
     variant: Annotated[
         str,
         typer.Option(
             "--variant",
+            metavar="VARIANT",
             help=(
                 "Two curves: naive, levelled, paper, symmetric, minimal. Point and space curve: naive, "
                 "explicit, direct."
@@ -53,20 +58,21 @@ def bisector(
         ),
     ] = "",
     digits: Annotated[
-        int, typer.Option("--digits", min=1, max=100_000, help="Digits of irrational parameters and lines.")
+        int,
+        typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and lines."),
     ] = 20,
     output: Annotated[
-        str, typer.Option("--output", "-o", help="Write the pieces as exact control points (JSON).")
+        str, typer.Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
     ] = "",
-    plot: Annotated[str, typer.Option("--plot", help="Draw it: a file that ends in .svg or .png.")] = "",
-    as_json: AsJson = False,
+    plot: Annotated[
+        str, typer.Option("--plot", metavar="FILE", help="Draw it: a file that ends in .svg or .png.")
+    ] = "",
 ) -> None:
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
     and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.errors import ShapeError
     from exactspline.splines.curve_files import write_json
-    from exactspline.splines.examples import load
 
     if other and point:
         raise ShapeError(
@@ -74,18 +80,20 @@ def bisector(
         )
     check_output(output, curve, other)
     check_output(plot, curve, other)
-    c = load(curve)
-    answer = _of_two(c, load(other), variant, digits) if other else _of_point(c, _coordinates(point), variant, digits)
+    c = load_curve(curve)
+    answer = (
+        _of_two(c, load_curve(other), variant, digits) if other else _of_point(c, _coordinates(point), variant, digits)
+    )
     if output:
         write_json(output, answer.data)
     if plot:
         from exactspline.display.plot import save
 
         save(answer.draw(), plot)
-    if as_json:
-        print_json(answer.data)
-    elif not output and not plot:
-        _print(c, answer)
+    if out.for_people and (output or plot):
+        return
+    key = f"{c.name} and {other or point}"
+    out.give("bisector", lambda: [{"key": key} | answer.data], lambda: [_sheet(answer)], lambda: _print(c, answer))
 
 
 def _coordinates(point: str) -> list[str]:
@@ -246,13 +254,21 @@ def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) ->
     return Answer(data, rows, f"{title} ({found.variant})", notes, lambda: plot_point_bisector(found, c, point))
 
 
+def _sheet(answer: Answer) -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    made = Sheet("piece", "parameters", "degree", "remark", title=answer.title, prose=["parameters", "remark"])
+    for row in answer.rows:
+        made.add_row(*row)
+    return made
+
+
 def _print(c: Nurbs, answer: Answer) -> None:
     from exactspline.display import console
 
-    out = console.console()
-    made = console.table("piece", "parameters", "degree", "remark", title=f"{answer.title}\n{described(c)}")
-    for row in answer.rows:
-        made.add_row(*row)
-    out.print(made)
+    shown, made = console.console(), _sheet(answer)
+    console.lines(shown, made.title, style="bold")
+    made.title = described(c)
+    shown.print(made)
     for note in answer.notes:
-        out.print(note, markup=False)
+        console.lines(shown, note)

@@ -3,49 +3,79 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import AsJson, also_in_their_planes, described, print_json
+from exactspline.cli.common import CURVE_HELP, also_in_their_planes, described, loaded
+from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.geometry.kinds import JointKind
 
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
 
+
+@printing
 def inspect(
-    curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
+    out: Output,
+    curve: Annotated[list[str], typer.Argument(metavar="CURVE...", help=CURVE_HELP)],
     digits: Annotated[
-        int, typer.Option("--digits", min=1, max=100_000, help="Digits of parameters and curvatures.")
+        int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
     ] = 20,
     approach: Annotated[
-        str, typer.Option("--approach", help="squaring, direct, reduced, lifted, minimal, or all side by side.")
+        str,
+        typer.Option(
+            "--approach", metavar="NAME", help="squaring, direct, reduced, lifted, minimal, or all side by side."
+        ),
     ] = "minimal",
     plot: Annotated[
-        str, typer.Option("--plot", help="Draw the curve and the function that was solved into an SVG or PNG file.")
+        str,
+        typer.Option(
+            "--plot", metavar="FILE", help="Draw the curve and the function that was solved into an SVG or PNG file."
+        ),
     ] = "",
     certificate: Annotated[
         str,
         typer.Option(
-            "--certificate", help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker)."
+            "--certificate",
+            metavar="FILE",
+            help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
         ),
     ] = "",
-    as_json: AsJson = False,
 ) -> None:
-    """Corners, cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified,
+    """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
     to any number of digits.
     """
     from exactspline.splines.curve_files import write_json
-    from exactspline.splines.examples import load
 
-    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes([load(curve)])]
+    if plot and len(curve) > 1:
+        raise OptionsError("--plot and several curves", remedy="draw one curve at a time")
+    given, good = loaded(curve)
+    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes(given)]
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
-    if plot:
+    if plot and inspected:
         _draw(*inspected[0][:2], plot)
-    if as_json:
-        print_json(inspected[0][2] | ({"as_plane_curve": inspected[1][2]} if len(inspected) > 1 else {}))
-        return
-    for c, _, data in inspected:
+    out.give(
+        "inspect",
+        lambda: [{"key": f"{c.name} in R{c.dimension}"} | data for c, _, data in inspected],
+        lambda: [_sheet(c, data) for c, _, data in inspected],
+        lambda: _print_all(out, inspected),
+        by="curve",
+    )
+    if not good:
+        raise typer.Exit(2)
+
+
+def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
+    from exactspline.display import console
+
+    for i, (c, _, data) in enumerate(inspected):
+        if i:
+            console.console().print()
         _print(c, data)
+    if not out.quiet:
+        console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
 
 def _inspected(c: Any, approach: str, digits: int) -> tuple[Any, Any, dict[str, Any]]:
@@ -71,22 +101,24 @@ def _ticking(count: int) -> Any:
 
     @contextmanager
     def bar() -> Any:
-        with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as progress:
+        with Progress(
+            console=Console(stderr=True), transient=True, disable=is_quiet() or not sys.stderr.isatty()
+        ) as progress:
             task = progress.add_task("refining", total=count)
             yield lambda: progress.advance(task)
 
     return bar()
 
 
-def _print(c: Any, data: dict[str, Any]) -> None:
-    from exactspline.display import console
+def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
+    """The features of a curve, one a row."""
     from exactspline.display.serialize import groups_of
+    from exactspline.display.sheet import Sheet
 
-    out = console.console()
     closed = ", closed" if c.closed else ""
     in_space = c.dimension == 3
     columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
-    made = console.table(*columns, title=f"{c.name}: {described(c)}{closed}")
+    made = Sheet(*columns, title=f"{c.name}: {described(c)}{closed}", name=c.name, prose=["remark"], heads=2)
     for group in groups_of(c):
         for f in data[group]:
             kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
@@ -107,21 +139,27 @@ def _print(c: Any, data: dict[str, Any]) -> None:
     for piece in data.get("planar", []):
         interval = _intervals(piece["intervals"])
         made.add_row("planar, τ ≡ 0", interval, interval, "", *empty, f"in the plane {piece['plane']}")
+    return made
+
+
+def _print(c: Any, data: dict[str, Any]) -> None:
+    from exactspline.display import console
+
+    out, made = console.console(), _sheet(c, data)
     nothing = "no singular points, no corners, no inflections, no extrema of the curvature inside" + (
-        ", no zeros of the torsion" if in_space else ""
+        ", no zeros of the torsion" if c.dimension == 3 else ""
     )
-    out.print(made if made.row_count else f"{c.name}: {nothing}", markup=False)
+    if made.row_count:
+        out.print(made)
+    else:
+        console.lines(out, f"{c.name}: {nothing}")
     if data["joints"]:
-        out.print(_continuity(data["joints"]), markup=False)
+        console.lines(out, _continuity(data["joints"]))
     if data.get("plane"):
-        out.print(
-            (
-                f"{c.name} lies in the plane {data['plane']}: it has no torsion, no focal curve and no osculating "
-                "spheres\n"
-            ),
-            markup=False,
-        )
+        told = "it has no torsion, no focal curve and no osculating spheres"
+        console.lines(out, f"{c.name} lies in the plane {data['plane']}: {told}")
     if "approaches" in data:
+        out.print()
         out.print(_approaches(data["approaches"]))
 
 
@@ -173,7 +211,7 @@ def _approaches(rows: list[dict[str, Any]]) -> Any:
     from exactspline.display import console
 
     numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
-    made = console.table("approach", *numbers, title="\nApproaches to critical curvature", right=numbers)
+    made = console.table("approach", *numbers, title="Approaches to critical curvature", right=numbers)
     for row in rows:
         made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
     return made

@@ -9,8 +9,8 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from exactspline.display.console import decimals
 from exactspline.display.latex import fraction, mathematics
+from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
 from exactspline.exact import text
@@ -184,14 +184,18 @@ def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
 
 @html.register
 def _(e: Erratum) -> str:
-    lines = [
-        ("printed", e.printed),
-        ("found", decimals(e.found)),
-        *[("true", line) for line in e.truth],
-        ("why", e.why),
-    ]
-    check = "<br>".join(escape(line) for line in e.check)
-    return facts(f"{e.id}, {e.where}", [(a, escape(b)) for a, b in lines if b] + [("check", f"<code>{check}</code>")])
+    lines: list[tuple[str, str]] = []
+    for each in e.statements:
+        words = f"“{each.words}” " if each.words else ""
+        lines += [
+            (each.place, escape(words)),
+            ("which says", escape(each.statement)),
+            ("found", escape(each.found)),
+            ("witness", escape(decimals(each.witness))),
+            ("check", f"<code>{'<br>'.join(map(escape, each.check))}</code>"),
+        ]
+    lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
+    return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
 
 
 @html.register

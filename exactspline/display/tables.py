@@ -9,6 +9,7 @@ from html import escape
 from typing import Any
 
 from exactspline.display import console
+from exactspline.display.sheet import Sheet
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
@@ -51,10 +52,15 @@ class Grid(Displayed):
         return [row[i] for row in self.rows]
 
     def __repr__(self) -> str:
-        made = console.table(*self.columns, title=self.title)
+        return self.sheet.text(console.width())
+
+    @property
+    def sheet(self) -> Sheet:
+        """The table as it is printed, with CSV and Markdown."""
+        made = Sheet(*self.columns, title=self.title)
         for row in self.rows:
             made.add_row(*row)
-        return console.plain(made)
+        return made
 
     def html(self) -> str:
         """The table as HTML."""

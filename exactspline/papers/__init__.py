@@ -10,13 +10,12 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cache
 from importlib import import_module, resources
 from importlib.resources.abc import Traversable
 from typing import Any
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, nearest
 from exactspline.language.formula import Formula
 
 
@@ -62,8 +61,7 @@ class Paper:
             if name in source.formulas:
                 return source.formulas[name]
         known = [known for source in (self, *self.uses) for known in source.formulas]
-        near = ", ".join(map(repr, get_close_matches(name, known, 3, 0)))
-        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=f"nearest are {near}")
+        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
 
     def claim_tables(self) -> Iterator[Table]:
         """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims."""
@@ -131,7 +129,7 @@ def paper(name: str) -> Paper:
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` with the nearest names.
     """
     for known in papers():
         if known.name == name:
@@ -155,12 +153,13 @@ def find(name: str) -> Formula:
     >>> find("f2"), find("lifted:evolute_lifted").name
     (<formula f2, eq. (8)>, 'evolute_lifted')
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` with the nearest names.
     """
     source, _, own = name.rpartition(":")
     if source:
         return paper(source).find(own)
     known = all_formulas()
     if name not in known:
-        raise FormulaError(f"no formula is called {name!r}", remedy=f"there are {', '.join(known)}")
+        remedy = nearest(name, known, listed_by="exactspline derive")
+        raise FormulaError(f"no formula is called {name!r}", remedy=remedy)
     return known[name]
