@@ -16,10 +16,8 @@ from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from flint import fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import ratio
+from exactspline.exact import mpq, ratio
 from exactspline.geometry.domain import plane, segments
 from exactspline.geometry.kinds import Interval
 from exactspline.language.arguments import Curve

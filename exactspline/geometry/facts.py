@@ -14,9 +14,8 @@ from threading import RLock
 from time import perf_counter
 from typing import Any, Generic, TypeVar, overload
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
+from exactspline.exact import mpq
 from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (

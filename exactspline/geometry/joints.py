@@ -13,9 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gmpy2 import mpq
-
-from exactspline.exact import ratio
+from exactspline.exact import mpq, ratio
 from exactspline.geometry.angles import Angle, angle_between, exact_dot
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve

@@ -19,10 +19,9 @@ from math import lcm
 from typing import Any
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
 from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
 from exactspline.geometry.features import joints, singular_points

@@ -6,9 +6,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from flint import fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import zero_on_segment

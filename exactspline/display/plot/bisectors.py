@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import (
     BLACK,
     GREEN,
@@ -26,7 +24,7 @@ from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisectors import CurveBisector, PointBisector
 from exactspline.geometry.trimmed_bisector import TrimmedBisector

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from flint import fmpz_poly
-from gmpy2 import mpq
 
+from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import Rows, halved
 from exactspline.splines.bernstein import ONE, halves, restrict
 

@@ -9,9 +9,8 @@ from functools import reduce
 from math import lcm
 
 from flint import Ordering, acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import rational, to_fmpq
+from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE, halves, substituted

@@ -11,9 +11,8 @@ from dataclasses import replace
 from itertools import product
 
 from flint import fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import to_fmpq
+from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,

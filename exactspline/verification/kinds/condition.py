@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from gmpy2 import mpq
-
 from exactspline.errors import ClaimError
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.language.parts import split
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
