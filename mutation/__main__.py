@@ -59,9 +59,11 @@ def main() -> int:
     parser.add_argument("--minutes", type=float, default=40, help="stop after so many minutes; the next run goes on")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--file", default="", help="only mutants of files whose names contain this")
+    parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
     parser.add_argument("--results", type=Path, default=RESULTS)
     options = parser.parse_args()
     known, end = read(options.results), monotonic() + 60 * options.minutes
+    known = {name: result for name, result in known.items() if result["verdict"] not in options.again.split(",")}
     options.results.parent.mkdir(parents=True, exist_ok=True)
     chosen: list[Mutant] = []
 

@@ -158,6 +158,8 @@ def _expressions(function: ast.FunctionDef) -> Iterator[ast.expr]:
         node = todo.pop()
         if isinstance(node, (ast.Raise, ast.Import, ast.ImportFrom, ast.JoinedStr)):
             continue
+        if isinstance(node, ast.keyword) and node.arg == "strict":
+            continue
         if isinstance(node, ast.expr):
             yield node
         children = [

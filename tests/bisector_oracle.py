@@ -147,7 +147,7 @@ FAMILIES = {
     "parabolas in one plane": (bezier((-1, 1, 0), (0, -1, 0), (1, 1, 0)), bezier((-1, -3, 0), (0, -1, 0), (1, -3, 0))),
     "a line and a circle around it": (line((0, 0, -1), (0, 0, 1)), circle(1, 0, 2)),
     "a line and a circle through it": (line((1, 0, -1), (1, 0, 1)), circle(1, 0, 2)),
-    "a cusp and a curve through it": (CUSP, bezier(("-1/2", 0, -1), ("-1/2", 1, 0), ("-1/2", -1, 1))),
+    "a cusp and a curve through it": (CUSP, bezier(("-1/2", 1, -1), ("-1/2", -1, 0), ("-1/2", 1, 1))),
     "a cusp and a cubic": (CUSP, CUBIC),
     "two cusps": (CUSP, mapped(CUSP, lambda x, y, z: (y, z + 1, x))),
     "two cusps in one point": (CUSP, mapped(CUSP, lambda x, y, z: (x, z, y))),

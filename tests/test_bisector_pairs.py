@@ -3,6 +3,7 @@
 The oracle solves the three planes of every pair of a grid exactly.
 """
 
+import pickle
 from itertools import product
 from random import Random
 
@@ -230,6 +231,13 @@ def test_curves_in_one_plane_have_a_cylinder():
             x, y, _ = line.line(*branch.sample).direction
             assert x == 0
             assert y == 0
+
+
+def test_what_lies_beside_the_surface_survives_pickle():
+    pair = curve_bisector(*FAMILIES["a cusp and a curve through it"]).pairs[0]
+    assert pickle.loads(pickle.dumps(pair)).exact == pair.exact
+    equation = curve_bisector(*FAMILIES["parallel lines"]).lines[0].equation
+    assert pickle.loads(pickle.dumps(equation)) == equation
 
 
 # ---- single pairs

@@ -110,7 +110,7 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
         return
     for old, new in zip(lowest(rows), lowest([moved(row) for row in rows]), strict=True):
         before, after = old.reduce_degree(surplus).segments[0], new.reduce_degree(surplus).segments[0]
-        assert [x * (a * b) ** m for x in moved(before)] == after
+        assert tuple(x * (a * b) ** m for x in moved(before)) == after
 
 
 def test_what_is_no_covariant_does_not():

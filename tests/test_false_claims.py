@@ -24,6 +24,8 @@ NOT_ZERO |= {"point": "point_bisector_determinant_polynomial", "plane point": "p
 #: Ruled surfaces that are none of those that are claimed to be one with another.
 OTHER = {"space": ("tangent_developable", "binormal_scroll"), "point": ("tangent_developable", "binormal_scroll")}
 TRUE = [claim for claim in all_claims() if claim.expected in (PROVED, VERIFIED)]
+#: What is recorded of polynomial curves: where it is another degree, none holds of both.
+POLYNOMIAL_DEGREES = {(c.formula, c.measure): c.claimed for c in TRUE if c.kind == "degree" and c.of == "polynomial"}
 EVERYWHERE, IN_GENERAL = "false on every curve", "false in general"
 
 
@@ -60,7 +62,7 @@ def of_degree(c):
         if c.measure not in ("height",):
             yield replace(c, claimed=shifted(c, -1), relation="≤"), where
             yield replace(c, claimed=shifted(c, 1), relation="≥"), where
-    if c.measure == "reduced" and c.of == "rational":
+    if c.of == "rational" and POLYNOMIAL_DEGREES.get((c.formula, c.measure), c.claimed) != c.claimed:
         yield replace(c, of="both"), IN_GENERAL
     if c.measure in ("reduced", "lowest terms"):
         yield replace(c, measure="nominal"), IN_GENERAL

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from exactspline.display.sheet import Sheet
     from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
-    from exactspline.geometry.bisectors import CurveBisector
+    from exactspline.geometry.bisectors import BisectorPatch, CurveBisector
     from exactspline.splines.nurbs import Nurbs
 
 #: An equation longer than this is told by its degree.
@@ -112,15 +112,12 @@ def _coordinates(point: str) -> list[str]:
 
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
-    from exactspline.display.bisector_data import counted, curve_bisector_data, degree_of, shown, sides_text
+    from exactspline.display.bisector_data import curve_bisector_data, shown, sides_text
     from exactspline.display.plot.bisectors import plot_curve_bisector
     from exactspline.geometry.bisectors import SurfaceVariant, curve_bisector
 
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
-    rows = [
-        Row("surface", sides_text(patch.sides), degree_of(patch.value), f"{counted(patch.value)} control points")
-        for patch in found.patches
-    ]
+    rows = [_surface_row(patch) for patch in found.patches]
     rows += _grouped(_line_row(line, digits) for line in found.lines)
     rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
     rows += [
@@ -149,6 +146,16 @@ def _grouped(rows: Iterable[Row]) -> list[Row]:
 def _closing(found: CurveBisector) -> str:
     nothing = not (found.patches or found.lines or found.planes or found.pairs)
     return "complete: there is no bisector" if nothing else "complete: nothing is left out"
+
+
+def _surface_row(patch: BisectorPatch) -> Row:
+    from exactspline.display.bisector_data import counted, degree_of, sides_text
+
+    remark = f"{counted(patch.value)} control points"
+    if max(patch.value.degree) == 0:
+        point = patch.value(patch.sides[0][0], patch.sides[1][0])
+        remark = f"one point: ({', '.join(map(str, point))})"
+    return Row("surface", sides_text(patch.sides), degree_of(patch.value), remark)
 
 
 def _line_row(line: LineComponent, digits: int) -> Row:

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from flint import arb
-from gmpy2 import mpq
 
 from exactspline.display.serialize import decimal_of, piece_data
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.geometry.bisector.components import (
     Branch,
     LineComponent,

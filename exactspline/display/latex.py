@@ -6,9 +6,7 @@ import re
 from functools import singledispatch
 from typing import Any
 
-from gmpy2 import mpq
-
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.rational import Rational

@@ -7,13 +7,11 @@ from html import escape
 from io import BytesIO
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.geometry.derived import Derived
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface

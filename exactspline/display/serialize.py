@@ -6,18 +6,20 @@ from collections.abc import Callable
 from typing import Any
 
 from exactspline.errors import ExactSplineError
+from exactspline.exact import mpq
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.enclosures import curvature_value, torsion_value
 from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature
-from exactspline.geometry.surds import Angle, Surd
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surd import Surd, significant
 
 
 def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, Any]:
@@ -53,7 +55,7 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
     return {"cosine": exactly(angle.cosine), "sine": exactly(angle.sine), "degrees": degrees}
 
 
-def exactly(number: Surd) -> str:
+def exactly(number: mpq | Surd) -> str:
     """A number ``a√b`` with the minus sign of programs."""
     return str(number).replace("−", "-")
 
@@ -74,7 +76,9 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, Any]:
         "geometric_continuity": joint.order,
         "angle": angle_data(joint.angle, digits),
         "gap": None if joint.gap is None else exactly(joint.gap),
-        "gap_decimal": None if joint.gap is None else str(nstr(joint.gap.mpf(digits + 8), digits, strip_zeros=True)),
+        "gap_decimal": None
+        if joint.gap is None
+        else str(nstr(significant(joint.gap, digits + 8), digits, strip_zeros=True)),
         "curvatures": [exactly(x) for x in joint.curvatures] if joint.curvatures is not None else None,
         "curvature": value_of(curvature_value, curve, root, digits) if jump else None,
     }

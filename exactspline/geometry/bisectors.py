@@ -16,10 +16,8 @@ from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
@@ -311,7 +309,9 @@ def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
         stops: list[tuple[Root, int]] = [(root, k) for k, root in ahead.items() if isinstance(root, Root)]
         stop, best = max(stops, key=lambda pair: (pair[0], pair[1]))
         after = next(k for k in order if all(r != stop for r in roots[k]))
-        cut = between(max([low, *(r for r in roots[after] if r < stop)]), stop)
+        # the roots are in order
+        before = [r for r in roots[after] if low < r < stop]
+        cut = between(before[-1] if before else low, stop)
         pieces.append((low, cut, best))
         low = cut
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from flint import fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import ratio
+from exactspline.exact import mpq, ratio
 from exactspline.geometry.domain import plane, segments
 from exactspline.geometry.kinds import Interval
-from exactspline.geometry.surds import square_root
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.papers import find
@@ -18,6 +16,7 @@ from exactspline.splines.bernstein import ONE, is_square_class, primitive, zero_
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surd import parts, square_root
 
 
 @dataclass(frozen=True)
@@ -60,10 +59,10 @@ def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:
     if _vanishes(m):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
-    constant = square_root(up / down)
+    coefficient, radicand = parts(square_root(up / down))
     # [γ′ γ″] is f2/w³: its sign is that of f2 only where w > 0
     sign = 1 if n(t) * m(t) * turning(t) * c.w(t) > 0 else -1
-    return CurvaturePiece(interval, constant.radicand, n.scaled(sign * constant.coefficient) / m)
+    return CurvaturePiece(interval, radicand, n.scaled(sign * coefficient) / m)
 
 
 def _inner(interval: Interval, j: int) -> mpq:

@@ -14,9 +14,8 @@ from threading import RLock
 from time import perf_counter
 from typing import Any, Generic, TypeVar, overload
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
+from exactspline.exact import mpq
 from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
@@ -268,7 +267,7 @@ class Facts:
 
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:
-            return FeatureKind.CUSP if joint.angle.sine.sign == 0 else FeatureKind.CORNER
+            return FeatureKind.CUSP if joint.angle.sine == 0 else FeatureKind.CORNER
         directions = self._directions(self.velocity, joint.parameter)
         return FeatureKind.STOP if all(map(any, directions)) else FeatureKind.REST
 

@@ -13,15 +13,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gmpy2 import mpq
-
-from exactspline.exact import ratio
+from exactspline.exact import mpq, ratio
+from exactspline.geometry.angles import Angle, angle_between, exact_dot
 from exactspline.geometry.kinds import JointKind
-from exactspline.geometry.surds import Angle, Surd, angle_between, square_root
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, cross, norm2
 from exactspline.readings.taylor import Series
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.surd import Surd, square_root
 
 Point = tuple[mpq, ...]
 #: A point of the curve and its first three derivatives by the parameter, from one side.
@@ -46,8 +45,8 @@ class Joint:
     order: int | None
     at_seam: bool = False
     angle: Angle | None = None
-    gap: Surd | None = None
-    curvatures: tuple[Surd, Surd] | None = None
+    gap: mpq | Surd | None = None
+    curvatures: tuple[mpq | Surd, mpq | Surd] | None = None
 
     @property
     def tangent_continuous(self) -> bool:
@@ -99,8 +98,8 @@ def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
     """
-    product = _dot(a, b)
-    return bool(product > 0 and product**2 == _dot(a, a) * _dot(b, b))
+    product = exact_dot(a, b)
+    return bool(product > 0 and product**2 == exact_dot(a, a) * exact_dot(b, b))
 
 
 def limit_direction(v: Vector, t: mpq, side: str) -> Point:
@@ -129,40 +128,37 @@ def geometric_order(left: Jet, right: Jet) -> int:
         return -1
     if not same_direction(a[1], b[1]):
         return 0
-    length = _dot(a[1], a[1])
-    first = mpq(_dot(a[1], b[1])) / length
+    length = exact_dot(a[1], a[1])
+    first = mpq(exact_dot(a[1], b[1])) / length
     rest = [y - first * first * x for x, y in zip(a[2], b[2], strict=True)]
-    second = _dot(rest, a[1]) / length
+    second = exact_dot(rest, a[1]) / length
     if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
         return 1
     rest = [
         z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
     ]
-    third = _dot(rest, a[1]) / length
+    third = exact_dot(rest, a[1]) / length
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
 
-def _dot(a: Sequence[mpq], b: Sequence[mpq]) -> mpq:
-    return sum((x * y for x, y in zip(a, b, strict=True)), start=mpq(0))
-
-
-def distance(a: Point, b: Point) -> Surd:
+def distance(a: Point, b: Point) -> mpq | Surd:
     """The distance of two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
-    return square_root(_dot(difference, difference))
+    return square_root(exact_dot(difference, difference))
 
 
-def curvature_of(jet: Jet) -> Surd:
+def curvature_of(jet: Jet) -> mpq | Surd:
     """κ from a jet with γ′ ≠ 0: with its sign in the plane, not negative in space.
 
     >>> print(curvature_of(((0, 0), (1, 1), (0, 1), (0, 0))))
-    1/4·√2
+    (1/4)√2
     """
     v, a = jet[1], jet[2]
-    speed = mpq(_dot(v, v))
+    speed = mpq(exact_dot(v, v))
     if len(v) == 2:
-        turning, root = v[0] * a[1] - v[1] * a[0], square_root(speed)
-        return Surd(turning * root.coefficient / (speed * speed), root.radicand if turning else 1)
+        turning = v[0] * a[1] - v[1] * a[0]
+        signed: mpq | Surd = square_root(speed) * (turning / (speed * speed))
+        return signed
     return square_root(norm2(cross(Vector(*v), Vector(*a))) / (speed * speed * speed))
 
 

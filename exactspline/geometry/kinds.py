@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gmpy2 import mpq
-
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.roots.root import Root
 
 Interval = tuple[mpq, mpq]

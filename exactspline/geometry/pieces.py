@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gmpy2 import mpq
-
+from exactspline.exact import mpq
 from exactspline.geometry.kinds import CurvePiece
 
 

@@ -13,9 +13,8 @@ from math import gcd, lcm
 from typing import Any
 
 from flint import fmpq_mat
-from gmpy2 import mpq
 
-from exactspline.exact import text, to_fmpq
+from exactspline.exact import mpq, text, to_fmpq
 from exactspline.geometry.domain import space
 from exactspline.geometry.kinds import CurvePiece
 from exactspline.geometry.pieces import pieces

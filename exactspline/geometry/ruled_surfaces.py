@@ -10,10 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.geometry.domain import space
 from exactspline.language.parts import numerator

@@ -10,8 +10,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 
-from gmpy2 import mpq
-
+from exactspline.exact import mpq
 from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind

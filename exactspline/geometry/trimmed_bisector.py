@@ -19,10 +19,10 @@ from math import lcm
 from typing import Any
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
+from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
 from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
 from exactspline.geometry.features import joints, singular_points
 from exactspline.geometry.kinds import JointKind
@@ -196,23 +196,31 @@ class _Conditions:
     def kept(self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq]) -> list[tuple[Parameter, Parameter]]:
         """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
         split where B is infinite.
+
+        Parts of the segment on which one condition fails certainly are set aside first, and conditions that hold
+        certainly on the rest. At a border between both a condition fails, so that it is none of the latter.
         """
         x, y, e = forms
-        found: list[tuple[Parameter, Parameter]] = [segment]
         stride = tensor_bernstein.stride_for(n)
-        for square, cx, cy in self.rows:
-            family = e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride)
-            if _of_one_sign(e, family):
+        families = [
+            e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride) for square, cx, cy in self.rows
+        ]
+        rows = [tensor_bernstein.rows(family, stride, self.degree) for family in families]
+        open_parts = possible_parts(rows, e, n)
+        if not open_parts:
+            return []
+        found: list[tuple[Parameter, Parameter]] = [segment]
+        for family, own in zip(families, rows, strict=True):
+            if _of_one_sign(e, family) or all(holds_certainly(own, e, n, part) for part in open_parts):
                 continue
-            rows = tensor_bernstein.rows(family, stride, self.degree)
             candidates, holds = (
                 _candidates(as_mpoly(family, stride), segment),
-                partial(self._holds, rows, e, n, segment),
+                partial(self._holds, own, e, n, segment),
             )
             found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
             if not found:
                 break
-        return found
+        return _on_parts(found, open_parts, segment)
 
     def _holds(self, rows: list[fmpz_poly], e: fmpz_poly, n: int, segment: tuple[mpq, mpq], t: mpq) -> bool:
         """Whether the member at an inner parameter is non-negative, exactly."""
@@ -226,6 +234,19 @@ class _Conditions:
 
         member = fmpz_poly([at(row) for row in rows])
         return is_nonnegative(member if at(e) > 0 else -member, self.degree)
+
+
+def _on_parts(
+    found: list[tuple[Parameter, Parameter]], parts: list[Part], segment: tuple[mpq, mpq]
+) -> list[tuple[Parameter, Parameter]]:
+    """The intervals that are not in a part that was set aside; none is in both."""
+    a, b = segment
+    kept = []
+    for low, high in found:
+        middle = (between(low, high) - a) / (b - a)
+        if any(first <= middle <= last for first, last in parts):
+            kept.append((low, high))
+    return kept
 
 
 def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
@@ -294,7 +315,8 @@ def _cells(
     """
     a, b = segment
     found: list[tuple[Parameter, Parameter]] = []
-    for low, high in pairwise([a, *_distinct([*candidates, *poles]), b]):
+    ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
+    for low, high in pairwise(ends):
         if holds(between(low, high)):
             if found and found[-1][1] == low and not any(low == pole for pole in poles):
                 found[-1] = (found[-1][0], high)
@@ -318,7 +340,8 @@ def _intersection(
     found = []
     for a, b in one:
         for c, d in other:
-            low, high = (a if c <= a else c), (b if b <= d else d)
+            low: Parameter = a if c <= a else c
+            high: Parameter = b if b <= d else d
             if low < high:
                 found.append((low, high))
     return found

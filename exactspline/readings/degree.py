@@ -11,9 +11,8 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError
+from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.kinds import Kind, Symbol, kind_of

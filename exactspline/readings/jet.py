@@ -10,10 +10,9 @@ from __future__ import annotations
 from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
-from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational, to_fmpq
+from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import Kind, kind_of

@@ -9,10 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import DomainError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import CONSTANTS
 from exactspline.language.vector import Vector

@@ -9,9 +9,8 @@ from __future__ import annotations
 from math import factorial
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError
+from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import Kind

@@ -248,28 +248,15 @@ class BSpline(Immutable, _Parts, Operand):
 
     def scaled(self, constant: Any) -> BSpline:
         """The spline times an exact constant."""
-        if type(constant) is int:
-            factor, provenance = fmpz(constant), (MULTIPLE, self.provenance, mpq(constant))
-            return _make(
-                self.degree,
-                self.mesh,
-                self.continuity,
-                tuple([c * factor for c in self.polynomials]),
-                self.denominators,
-                provenance,
-            )
-        q = rational(constant)
-        top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
-        denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
+        q = constant if type(constant) is int else rational(constant)
         provenance = (MULTIPLE, self.provenance, q)
-        return _make(
-            self.degree,
-            self.mesh,
-            self.continuity,
-            tuple([c * top for c in self.polynomials]),
-            denominators,
-            provenance,
-        )
+        if type(q) is int:
+            top, denominators = fmpz(q), self.denominators
+        else:
+            top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
+            denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
+        polynomials = tuple([c * top for c in self.polynomials])
+        return _make(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
         """The derivative of the given order.

@@ -124,7 +124,8 @@ def _points(rows: list[Any]) -> list[Any]:
 def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
     """The only piece of what `derive` or `bisector` wrote."""
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
-    if data.get("layout") or len(pieces) != 1 or not isinstance(pieces[0], dict):
+    curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
+    if data.get("layout") or len(pieces) != 1 or not curves:
         raise CurveFileError(
             "is a derived object, but not one curve in one piece",
             where="pieces",
@@ -137,7 +138,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
             remedy="low and high tell where; a curve file can only end at a rational parameter",
         )
     of = f" of {data['curve']}" if data.get("curve") else ""
-    return {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"} | pieces[0]
+    return {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"} | curves[0]
 
 
 def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:

@@ -132,5 +132,27 @@ def square_root(q: mpq) -> mpq | Surd:
     return Surd(mpq(root, q.denominator), int(n))
 
 
+def parts(number: mpq | Surd) -> tuple[mpq, int]:
+    """The a and b of ``a√b``; b is 1 for a rational number.
+
+    >>> parts(mpq(1, 2)), parts(square_root(mpq(12)))
+    ((mpq(1,2), 1), (mpq(2,1), 3))
+    """
+    return (number.coefficient, number.radicand) if isinstance(number, Surd) else (number, 1)
+
+
+def significant(number: mpq | Surd, digits: int) -> Any:
+    """A number as an mpmath number that is relatively off by less than ``10^−digits``.
+
+    >>> significant(square_root(mpq(2)), 5)
+    mpf('1.4142135624')
+    """
+    from mpmath import mp
+
+    coefficient, radicand = parts(number)
+    with mp.workdps(digits + 5):
+        return mp.sqrt(radicand) * int(coefficient.numerator) / int(coefficient.denominator)
+
+
 def _signed_square(x: Surd) -> mpq:
     return x.square * x.sign

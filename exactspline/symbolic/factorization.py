@@ -9,9 +9,9 @@ from math import gcd, lcm
 from typing import Any
 
 from flint import fmpq_mpoly
-from gmpy2 import mpq
 
 from exactspline.errors import ClaimError
+from exactspline.exact import mpq
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.language.parts import split

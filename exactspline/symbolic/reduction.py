@@ -15,9 +15,9 @@ from functools import cache, cached_property
 from typing import Any
 
 from flint import fmpq_mpoly
-from gmpy2 import mpq
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
+from exactspline.exact import mpq
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.operand import Operand

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
+from exactspline.exact import mpq
 from exactspline.language.arguments import operands
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.jet import Jet

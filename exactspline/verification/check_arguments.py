@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.language.arguments import Curve, Pair, with_point
 from exactspline.language.vector import Vector
 from exactspline.splines.tensor import surface_pair

@@ -6,9 +6,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from flint import fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import zero_on_segment
@@ -51,7 +50,7 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
 
     >>> t = BSpline.identity(0, 1)
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)
-    ('at the parameter 1', '')
+    ('at the parameter 1 (from the left)', '')
     """
     for i, (p, q) in enumerate(zip(a.polynomials, b.polynomials, strict=True)):
         if not p and not q:

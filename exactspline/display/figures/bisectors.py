@@ -6,14 +6,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.exact import mpq
 from exactspline.language.arguments import with_point
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import (
     BLACK,
     GREEN,
@@ -26,11 +24,11 @@ from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
-from exactspline.exact import rational
-from exactspline.geometry.bisector.components import LineComponent, LinePiece, SinglePair, Solutions
+from exactspline.exact import mpq, rational
+from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisectors import CurveBisector, PointBisector
 from exactspline.geometry.trimmed_bisector import TrimmedBisector
-from exactspline.language.vector import cross, dot
+from exactspline.language.vector import Vector, cross, dot
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
@@ -60,7 +58,10 @@ def plot_curve_bisector(found: CurveBisector, ax: Any = None, *, box: Box | None
     for curve, label in zip(found.curves, ("curve of s", "curve of t"), strict=True):
         plot_curve(curve, ax, control_polygon=False, knots=False, label=label)
     for patch in found.patches:
-        _plot(ax, tensor_mesh(patch.value, box), "surface", SKY)
+        if max(patch.value.degree) == 0:
+            mark_points(ax, [patch.value(*[a for a, _ in patch.sides])], "surface (one point)", SKY)
+        else:
+            _plot(ax, tensor_mesh(patch.value, box), "surface", SKY)
     for line in found.lines:
         label = f"lines of {_short(line)}"
         for rulings in _rulings(line):
@@ -83,7 +84,7 @@ def _box_of(curves: Iterable[Nurbs], more: Iterable[Point] = ()) -> Box:
 
 
 def _unit_around(point: Point) -> Box:
-    return tuple(x - 1 for x in point), tuple(x + 1 for x in point)
+    return tuple(mpq(x - 1) for x in point), tuple(mpq(x + 1) for x in point)
 
 
 def _plot(ax: Any, mesh: SurfaceMesh, label: str, color: str) -> None:
@@ -158,10 +159,10 @@ def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
             run.append(_middle(line.line(s, inside[branch.index], DIGITS)) if branch.index < len(inside) else None)
         found.append(run)
     if line.fixed is not None:
-        own = 0 if line.correspondence.startswith("s") else 1
-        for k, u in enumerate([_between(*line.sides[1 - own])]):
-            places = [(line.fixed, x) if own == 0 else (x, line.fixed) for x in u]
-            found.append([_middle(line.line(*place, DIGITS)) for place in places][k:])
+        own = 0 if line.correspondence is Correspondence.FIRST_FIXED else 1
+        others = _between(*line.sides[1 - own])
+        places = [(line.fixed, x) if own == 0 else (x, line.fixed) for x in others]
+        found.append([_middle(line.line(s, t, DIGITS)) for s, t in places])
     return found
 
 
@@ -190,7 +191,7 @@ def _middle(flat: Any) -> Ruling | None:
 
 def _rational(x: Any) -> mpq:
     mantissa, exponent = x.mid().man_exp()
-    return mpq(int(mantissa)) * mpq(2) ** int(exponent)
+    return mpq(int(mantissa) * mpq(2) ** int(exponent))
 
 
 def _plot_pair(ax: Any, pair: SinglePair, box: Box) -> None:
@@ -205,14 +206,14 @@ def _plot_pair(ax: Any, pair: SinglePair, box: Box) -> None:
         if ends is not None:
             draw(ax, ends, color=VERMILLION, linewidth=1.2, label="line of a single pair", zorder=4)
         return
-    point, normal = ruling
-    one = next(v for e in ((0, 0, 1), (0, 1, 0)) if any(v := tuple(cross(normal, e))))
-    other = tuple(cross(normal, one))
+    point, normal = ruling[0], Vector(*ruling[1])
+    one = next(v for e in (Vector(0, 0, 1), Vector(0, 1, 0)) if any(v := cross(normal, e.mapped(mpq))))
+    other = cross(normal, one)
     size = max(b - a for a, b in zip(*box, strict=True))
     steps = [size * mpq(k, ALONG) for k in range(-ALONG, ALONG + 1)]
     square = dot(other, other)
     starts = [tuple(x + k * y / _root(square) for x, y in zip(point, other, strict=True)) for k in steps]
-    _plot(ax, lines_mesh([(start, one) for start in starts], box), "plane of a single pair", PURPLE)
+    _plot(ax, lines_mesh([(start, tuple(one)) for start in starts], box), "plane of a single pair", PURPLE)
 
 
 def _root(x: mpq) -> mpq:

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from gmpy2 import iroot, mpq
-
 from exactspline.display.plot.canvas import (
     BLACK,
     BLUE,
@@ -23,6 +21,7 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
+from exactspline.exact import iroot, mpq
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
 from exactspline.splines.bspline import BSpline

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import PlotError, Point
+from exactspline.exact import mpq
 from exactspline.language.rational import Rational
 from exactspline.splines.common import with_common_knots
 

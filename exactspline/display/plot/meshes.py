@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.errors import ShapeError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface

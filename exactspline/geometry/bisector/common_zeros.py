@@ -13,9 +13,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
-from gmpy2 import mpq
 
-from exactspline.exact import to_fmpq
+from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.polynomials import (
     Interval,
     Parameter,

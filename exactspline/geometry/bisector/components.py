@@ -7,10 +7,9 @@ from enum import StrEnum
 from typing import Any
 
 from flint import arb, fmpz_mpoly
-from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.system import System

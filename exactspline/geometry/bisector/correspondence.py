@@ -7,8 +7,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from flint import ctx, fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
+from exactspline.exact import mpq
 from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
 from exactspline.geometry.bisector.polynomials import (

@@ -7,8 +7,8 @@ from enum import Flag, auto
 from typing import Any, Generic, TypeVar
 
 from flint import arb, ctx, fmpz_mpoly
-from gmpy2 import mpq
 
+from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import Parameter, ball, enclosed, lifted
 from exactspline.geometry.bisector.system import System
 from exactspline.language.vector import Vector, cross, dot, norm2

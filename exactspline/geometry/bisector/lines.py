@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import to_fmpz
+from exactspline.exact import mpq, to_fmpz
 from exactspline.geometry.bisector.flats import ALL, Conditions
 from exactspline.geometry.bisector.polynomials import Interval, as_splines, common_divisor, lifted, rows_of
 from exactspline.geometry.bisector.system import System

@@ -8,10 +8,9 @@ from collections.abc import Iterable, Sequence
 from functools import reduce
 from math import lcm
 
-from flint import Ordering, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
-from gmpy2 import mpq
+from flint import Ordering, acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
-from exactspline.exact import rational, to_fmpq
+from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE, halves, substituted
@@ -48,7 +47,7 @@ def of_segment(f: BSpline, i: int) -> tuple[fmpz_poly, int]:
     """
     a, b = f.mesh.breaks[i : i + 2]
     m = lcm(int(a.denominator), int(b.denominator))
-    low, high = int(a * m), int(b * m)
+    low, high = int(mpq(a * m)), int(mpq(b * m))
     n = max(f.degree, 0)
     top = substituted(f.polynomials[i], n, fmpz_poly([high, -m]), fmpz_poly([-low, m]))
     bottom = f.denominators[i] * (high - low) ** n
@@ -59,7 +58,7 @@ def of_segment(f: BSpline, i: int) -> tuple[fmpz_poly, int]:
 def as_form(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
     """The form of degree n over [a, b] of a polynomial, up to a positive constant that depends on n alone."""
     m = lcm(int(a.denominator), int(b.denominator))
-    return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(a * m), int(b * m)]))
+    return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(mpq(a * m)), int(mpq(b * m))]))
 
 
 def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline]:
@@ -117,7 +116,7 @@ def rows_of(p: fmpz_mpoly) -> Rows:
     """
     found: list[dict[int, int]] = [{} for _ in range(int(p.degrees()[1]) + 1)] if p else []
     for (i, j), x in p.terms():
-        found[int(j)][int(i)] = x
+        found[int(j)][int(i)] = int(x)
     return [fmpz_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in found]
 
 
@@ -200,7 +199,8 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
     with ctx.workprec(400):
         at_s = arb_poly([arb_poly(row)(ball(s, 60)) for row in rows_of(p)])
         own = ball(t, 60)
-        roots = [root for root, _ in second.complex_roots()]
+        found: list[tuple[acb, int]] = second.complex_roots()  # type: ignore[assignment]  # the stubs forget the multiplicity
+        roots = [root for root, _ in found]
         others = [root for root in roots if not (root.imag.contains(0) and root.real.overlaps(own))]
         alone = len(others) == len(roots) - 1 and not any(acb_poly(at_s)(root).contains(0) for root in others)
     return True if alone else None
@@ -236,10 +236,11 @@ def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Sides) -> list[Side
             continue
         direction = depth % 2
         side = (first, second)[direction]
-        middle = (side[0] + side[1]) / 2
-        parts = [_halved(rows, m, direction) for rows, m in forms]
-        for k, half in enumerate(((side[0], middle), (middle, side[1]))):
-            box = (half, second) if direction == 0 else (first, half)
+        middle = mpq((side[0] + side[1]) / 2)
+        parts = [halved(rows, m, direction) for rows, m in forms]
+        parted: tuple[Interval, Interval] = (side[0], middle), (middle, side[1])
+        for k, half in enumerate(parted):
+            box: Sides = (half, second) if direction == 0 else (first, half)
             todo.append((depth + 1, box, [pair[k] for pair in parts]))
     return found
 
@@ -249,11 +250,11 @@ def _patch(p: fmpz_mpoly, sides: Sides) -> tuple[Rows, int]:
     (a, b), (c, d) = sides
     rows = rows_of(p)
     m, n = (int(k) for k in p.degrees())
-    rows = _crossed([as_form(row, m, a, b) for row in rows], m)
-    return _crossed([as_form(row, n, c, d) for row in rows], n), m
+    rows = crossed([as_form(row, m, a, b) for row in rows], m)
+    return crossed([as_form(row, n, c, d) for row in rows], n), m
 
 
-def _crossed(rows: Rows, m: int) -> Rows:
+def crossed(rows: Rows, m: int) -> Rows:
     """Rows of degree m exchanged with columns."""
     return [fmpz_poly([row[i] for row in rows]) for i in range(m + 1)]
 
@@ -267,10 +268,11 @@ def _keeps_sign(rows: Rows, m: int) -> bool:
     return all(row[i] < 0 for row in rows for i in range(m + 1))
 
 
-def _halved(rows: Rows, m: int, direction: int) -> tuple[tuple[Rows, int], tuple[Rows, int]]:
+def halved(rows: Rows, m: int, direction: int) -> tuple[tuple[Rows, int], tuple[Rows, int]]:
+    """A patch of degree m in the first parameter on the two halves of its rectangle, up to one positive constant."""
     if direction == 0:
         pairs = [halves(row, m) for row in rows]
         return ([left for left, _ in pairs], m), ([right for _, right in pairs], m)
     n = len(rows) - 1
-    pairs = [halves(row, n) for row in _crossed(rows, m)]
-    return (_crossed([left for left, _ in pairs], n), m), (_crossed([right for _, right in pairs], n), m)
+    pairs = [halves(row, n) for row in crossed(rows, m)]
+    return (crossed([left for left, _ in pairs], n), m), (crossed([right for _, right in pairs], n), m)

@@ -24,7 +24,7 @@ Found = tuple[list[Place], tuple[str, ...]]
 
 def divisor(v: Vector) -> fmpz_mpoly:
     """The greatest common divisor of the components."""
-    found = v[0]
+    found: fmpz_mpoly = v[0]
     for f in list(v)[1:]:
         found = found.gcd(f)
     return found
@@ -130,9 +130,10 @@ def _among(place: Place, places: list[Place]) -> bool:
 
 
 def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
-    """Whether a pair is one of a curve of pairs, which has its line already."""
-    verdict = vanish_together([g], *place)
-    return not certainly_not_zero(g, *place, most=PATIENCE) if verdict is None else verdict
+    """Whether a pair is one of a curve of pairs, which has its line already; where that is not decided, it is listed
+    once more.
+    """
+    return bool(vanish_together([g], *place))
 
 
 def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
@@ -152,11 +153,11 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
             continue
         found = common_zeros(determinant, combined, system.sides, numerators, meetings)
         # what lies on an equation has its line already, single or not
-        known = [place for place in found.undecided if any(vanish_together([g], *place) for g in factors)]
+        known = [place for place in found.undecided if any(_lies_on(g, place) for g in factors)]
         found = found._replace(undecided=[place for place in found.undecided if not _among(place, known)])
         places, left_out = [], _undecided(found, system.sides)
         for place in found.places:
-            if _among(place, meetings) or any(vanish_together([g], *place) for g in factors):
+            if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
                 continue
             rank = _has_rank_2(system, place, u)
             if rank:

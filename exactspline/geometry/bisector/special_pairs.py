@@ -11,9 +11,8 @@ from dataclasses import replace
 from itertools import product
 
 from flint import fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import to_fmpq
+from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,
@@ -96,7 +95,7 @@ def _with_tangents(system: System) -> SpecialPairs:
 def _everywhere(system: System) -> SpecialPairs:
     """Every pair is singular: two arcs of one circle have its axis in common, parts of one line nothing."""
     (a, b), side = system.sides
-    inner = mpq(2 * a + b) / 3
+    inner = mpq((2 * a + b) / 3)
     surface = lines_along(system, Path(constant(inner), (PARAMETER, ONE)), side)
     if surface is None:
         return SpecialPairs()

@@ -40,10 +40,20 @@ class Piece:
     tangent: Three
     cusps: tuple[fmpz_poly, ...]
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # polynomials of FLINT do not pickle
+        parts = [self.p, [self.w], self.tangent, self.cusps]
+        return _piece, (self.interval, [[[int(x) for x in f.coeffs()] for f in part] for part in parts])
+
     @property
     def stands_still(self) -> bool:
         """Whether the segment is one point."""
         return not any(self.tangent)
+
+
+def _piece(interval: Interval, parts: list[list[list[int]]]) -> Piece:
+    p, (w,), tangent, cusps = ([fmpz_poly(f) for f in part] for part in parts)
+    return Piece(interval, p, w, tangent, tuple(cusps))
 
 
 def piece(curve: Any, i: int) -> Piece:
@@ -73,6 +83,10 @@ class System:
 
     first: Piece
     second: Piece
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # what was computed is computed again when it is asked for
+        return System, (self.first, self.second)
 
     @property
     def sides(self) -> Sides:
@@ -105,7 +119,8 @@ class System:
     @cached_property
     def determinant(self) -> fmpz_mpoly:
         """``[a b E]``."""
-        return det(self.a, self.b, self.chord)
+        value: fmpz_mpoly = det(self.a, self.b, self.chord)
+        return value
 
     @cached_property
     def numerators(self) -> ThreeOfTwo:

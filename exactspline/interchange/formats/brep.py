@@ -10,9 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
@@ -81,6 +80,9 @@ def _spline(found: Collector, words: Tokens, dimension: int, where: str) -> None
     points, weights = _poles(words, count, dimension, rational)
     found.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
+    if degree > found.limits.degree or any(times > degree + 1 for _, times in pairs):
+        found.skip("B-spline curve", where, f"degree {degree}, multiplicities to {max(times for _, times in pairs)}")
+        return
     found.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
     notes = []

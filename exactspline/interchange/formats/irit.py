@@ -10,9 +10,8 @@ import re
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
@@ -20,7 +19,8 @@ from exactspline.interchange.writing import homogeneous
 
 Node: TypeAlias = "list[str | Node]"
 
-_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*(?:"|\Z)|[][]|[^][\s"]+|["\\]')
+# a string that is not closed runs to the end, so that no quote is tried twice
+_TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')
 _POINT = re.compile(r"([EP])(\d)")
 SKIPPED = ("SURFACE", "TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.language.parts import split
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
@@ -92,8 +92,7 @@ class Condition(Claim):
 def _condition(f: BSpline, root: Root) -> Interval:
     """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and stays so."""
     if root.at_knot:
-        zero = root.low * 0
-        return zero, zero
+        return mpq(0), mpq(0)
     if root.segment is None:
         raise ClaimError("a zero without a segment", remedy="report this")
     i = f.breakpoints.index(root.segment[0])
@@ -101,7 +100,8 @@ def _condition(f: BSpline, root: Root) -> Interval:
 
 
 def _middle(interval: Interval) -> str:
-    return f"{float(sum(interval) / 2):.4g}"
+    low, high = interval
+    return f"{float(mpq((low + high) / 2)):.4g}"
 
 
 def _place(root: Root) -> str:

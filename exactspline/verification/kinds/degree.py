@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
-from gmpy2 import mpq
-
 from exactspline.errors import ClaimError
+from exactspline.exact import mpq
 from exactspline.language.arguments import Pair
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational

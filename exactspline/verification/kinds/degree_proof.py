@@ -141,9 +141,9 @@ def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int
     """The least d from max(3, least d) on, then below it, at which the relation fails; 3 where the operands have
     unequal degrees.
     """
-    first: int = max(3, claim.least_d)
-    candidates: tuple[int, ...] = (*range(first, first + 1001), *range(claim.least_d, first))
-    for d in candidates:
+    first = max(3, claim.least_d)
+    tried: list[int] = [*range(first, first + 1001), *range(claim.least_d, first)]
+    for d in tried:
         if not claim.relation.holds(_at(computed, d), _at(claimed, d)):
             return d
     return first

@@ -1,0 +1,162 @@
+"""Strangers' files: whatever is done to a file, a reader answers with curves or an `ExactSplineError`, soon and in
+little memory.
+"""
+
+import contextlib
+import re
+import subprocess
+import sys
+import time
+import tracemalloc
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactspline.errors import ExactSplineError
+from exactspline.interchange import read
+from tests.interchange_seeds import cff, seeds, truetype
+
+#: Seconds that a small file may take.
+SOON = 2
+MEMORY = 200 << 20
+
+NASTY = [
+    *b"0 -1 1e999999999 1e400 -1e-400 99999999 999999999999999999 nan inf 1/0 - 0x1p99999 1.5.5 1e 100 7 2 50".split(),
+    *b"[ ]]]]]]]]] \" ' /* &a; #1 1H, 999999H NaN ; , \0 \xff\xfe".split(),
+    *(b"(" * 200, b"{" * 99, b"<g>" * 99, b"1" * 3000, b"<!DOCTYPE x [<!ENTITY a '&b;'>]>"),
+    *("٣".encode(), "é".encode(), b"\r\n", b"\n", b" "),
+]
+_WORD = re.compile(rb"[\w.+-]+")
+
+
+@st.composite
+def mutated(draw, originals):
+    """A file with a few words replaced, bytes changed, and pieces cut out, doubled or moved."""
+    data = draw(st.sampled_from(originals))
+    for _ in range(draw(st.integers(0, 4))):
+        kind = draw(st.sampled_from(["word", "word", "word", "byte", "cut", "double", "insert", "truncate"]))
+        if kind == "word":
+            words = list(_WORD.finditer(data))
+            if words:
+                word = words[draw(st.integers(0, len(words) - 1))]
+                data = data[: word.start()] + draw(st.sampled_from(NASTY)) + data[word.end() :]
+            continue
+        a, b = sorted((draw(st.integers(0, len(data))), draw(st.integers(0, len(data)))))
+        if kind == "byte":
+            data = data[:a] + draw(st.binary(max_size=3)) + data[a + 1 :]
+        elif kind == "cut":
+            data = data[:a] + data[b:]
+        elif kind == "double":
+            data = data[:b] + data[a:b] + data[b:]
+        elif kind == "insert":
+            data = data[:a] + draw(st.sampled_from(NASTY)) + data[a:]
+        else:
+            data = data[:a]
+    return data
+
+
+def survives(data: bytes, name: str) -> None:
+    start = time.perf_counter()
+    try:
+        reading = read(data, name)
+    except ExactSplineError:
+        reading = None
+    for named in reading.curves if reading else ():
+        assert len(named.curve.control_points) == len(named.curve.knots) - named.curve.degree - 1
+    assert time.perf_counter() - start < SOON
+
+
+SEEDS = seeds()
+
+
+@pytest.mark.parametrize("name", SEEDS)
+def test_a_damaged_text_file_is_read_or_refused(name):
+    @settings(max_examples=250)
+    @given(mutated(SEEDS[name]))
+    def run(data):
+        survives(data, name)
+
+    run()
+
+
+@pytest.mark.parametrize("build", [truetype, cff])
+def test_a_damaged_font_is_read_or_refused(build):
+    pytest.importorskip("fontTools")
+    original = build()
+
+    @settings(max_examples=150)
+    @given(mutated([original]))
+    def run(data):
+        survives(data, "font")
+
+    run()
+
+
+def test_a_damaged_archive_is_read_or_refused():
+    """In a process of its own: the library behind it is not ours."""
+    pytest.importorskip("rhino3dm")
+    code = """
+import random
+from exactspline.errors import ExactSplineError
+from exactspline.interchange import read
+from exactspline.interchange.files import encoded
+from tests.interchange_seeds import CURVES
+good = bytearray(encoded(CURVES, "3dm", rounding=True)[0])
+chance = random.Random(7)
+for _ in range(20):
+    data = bytearray(good)
+    for _ in range(chance.randrange(1, 9)):
+        data[chance.randrange(32, len(data))] = chance.randrange(256)
+    try:
+        read(bytes(data), "3dm")
+    except ExactSplineError:
+        pass
+print("done")
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout == "done\n", done.stderr[-2000:]
+
+
+@pytest.mark.parametrize("data", [
+    pytest.param(b"/*" * 300_000, id="step"),
+    pytest.param(b"'" + b"''" * 300_000, id="step"),
+    pytest.param(b'"\\' + b'"\\' * 300_000, id="itd"),
+    pytest.param(b"[" * 300_000, id="itd"),
+    pytest.param(b"[" * 300_000, id="json"),
+    pytest.param(b"[" + b"1," * 300_000, id="json"),
+    pytest.param(b'{"degree": 2, "knots": [0, "0x1p99999999"], "control_points": []}', id="json"),
+    pytest.param(b"<a>" * 300_000, id="gismo"),
+    pytest.param(b"<svg><path d='" + b"M0 0" + b"L1e300 1e-300" * 1_000 + b"'/></svg>", id="svg"),
+    pytest.param(b"<svg><path d='" + b"M" * 300_000 + b"'/></svg>", id="svg"),
+    pytest.param(b"<svg><path transform='" + b"scale(1e300)" * 20_000 + b"' d='M0 0L1 1'/></svg>", id="svg"),
+    pytest.param(b"130 1 0 0\n" * 30_000, id="g2"),
+    pytest.param(b"100 1 0 0 3 0 999999999 4", id="g2"),
+    pytest.param(b"100 1 0 0 3 0 2000000 2000000" + b" 0" * 100_000, id="g2"),
+    pytest.param(b"Curves 999999999\n" + b"8 0 1\n" * 20_000, id="brep"),
+    pytest.param(b"Curves 1\n7 0 1 900000 3 4 0 0 1 1 1 1 1 1 1 0 900001 1 1 2 1 3 900001", id="brep"),
+    pytest.param(b"0\nSECTION\n2\nENTITIES\n" + b"0\nSPLINE\n" * 20_000, id="dxf"),
+])  # fmt: skip
+def test_what_is_built_to_exhaust_ends_soon_in_little_memory(data, request):
+    name = request.node.callspec.id.rstrip("0123456789")
+    survives(data, name)
+    tracemalloc.start()
+    with contextlib.suppress(ExactSplineError):
+        read(data, name)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < MEMORY
+
+
+def test_entities_are_not_expanded():
+    bomb = b'<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><svg><path d="&b;"/></svg>'
+    with pytest.raises(ExactSplineError, match="entity 'a'"):
+        read(bomb, "svg")
+
+
+def test_a_curve_that_would_take_too_long_is_named():
+    knots = " ".join(str(i) for i in range(80))
+    data = f"100 1 0 0\n2 0\n49 31\n{knots}\n" + "\n".join(f"{i}.123456789012345 {i * i}" for i in range(49))
+    refused = read(data.encode())
+    assert not refused.curves
+    assert "too much work" in refused.skipped[0].why
