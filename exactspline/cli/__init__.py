@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from typing import Annotated
 
 import typer
@@ -36,7 +37,7 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 #: Every command: what it does in a few words, and examples of its use.
-COMMANDS = {
+COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     prove.prove: (
         "Decide every claim of the paper.",
         "prove",

@@ -88,7 +88,7 @@ class Count(Claim):
     def examine(self, argument: Any, own: Evaluation) -> Finding:
         """Only what is claimed is computed."""
         value = self.find(self.formula)(argument)
-        value = getattr(value, "joined", value)
+        value = joined(value)
         numerators = split(value)[0]
         counters: dict[Counter, Callable[[], int]] = {
             Counter.DEGREE: lambda: int(value.degree),
