@@ -141,7 +141,7 @@ def test_the_table_at_80_columns_loses_nothing(name, tmp_path):
 
 
 def test_json_has_all_components(tmp_path):
-    data = json.loads(run("bisector", *files(tmp_path, "a cusp and a curve through it"), "--json").stdout)
+    data = json.loads(run("bisector", *files(tmp_path, "a cusp and a curve through it"), "--json").stdout)["rows"][0]
     assert data["complete"]
     assert data["left_out"] == []
     (line,) = [x for x in data["lines"] if x["cause"] == "the first curve has no tangent"]
@@ -156,7 +156,7 @@ def test_json_has_all_components(tmp_path):
 
 def test_lines_in_json_are_the_lines(tmp_path):
     """Directrix and generator of the plane between two circles, from their control points."""
-    data = json.loads(run("bisector", *files(tmp_path, "coaxial circles of one radius"), "--json").stdout)
+    data = json.loads(run("bisector", *files(tmp_path, "coaxial circles of one radius"), "--json").stdout)["rows"][0]
     pieces = [piece for line in data["lines"] if line["equation"]["text"] == "s - t = 0" for piece in line["pieces"]]
     assert len(pieces) == 2
     for piece in pieces:
@@ -165,7 +165,7 @@ def test_lines_in_json_are_the_lines(tmp_path):
 
 
 def test_irrational_pairs_have_their_polynomials():
-    data = json.loads(run("bisector", "rational_space_cubic", "twisted_cubic", "--json").stdout)
+    data = json.loads(run("bisector", "rational_space_cubic", "twisted_cubic", "--json").stdout)["rows"][0]
     (irrational, *_) = [pair["s"] for pair in data["pairs"] if pair["s"]["parameter"] is None]
     p, (low, high) = list(map(mpq, irrational["polynomial"])), map(mpq, irrational["interval"])
     values = [sum(c * t**k for k, c in enumerate(p)) for t in (low, high)]
@@ -179,7 +179,7 @@ def test_an_arc_is_written_trimmed(tmp_path):
     """A line so long that only a part of its parabola is kept; its ends are rational."""
     line, file = tmp_path / "line.json", tmp_path / "arc.json"
     write_json(line, curve_data(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])))
-    data = json.loads(run("bisector", line, "--point", "0,2", "--json").stdout)
+    data = json.loads(run("bisector", line, "--point", "0,2", "--json").stdout)["rows"][0]
     for piece in data["pieces"]:
         low, high = mpq(piece["low"]["parameter"]), mpq(piece["high"]["parameter"])
         assert [mpq(piece["knots"][0]), mpq(piece["knots"][-1])] == [low, high]
@@ -193,7 +193,7 @@ def test_an_arc_is_written_trimmed(tmp_path):
 
 def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
     file = tmp_path / "arc.json"
-    data = json.loads(run("bisector", "circle", "--point", "3,0", "--json").stdout)
+    data = json.loads(run("bisector", "circle", "--point", "3,0", "--json").stdout)["rows"][0]
     piece = next(x for x in data["pieces"] if x["piece"] == "arc")
     assert piece["cut"]
     irrational = [end["polynomial"] for end in (piece["low"], piece["high"]) if end["parameter"] is None]
