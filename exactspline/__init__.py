@@ -66,7 +66,6 @@ if TYPE_CHECKING:
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
     from exactspline.geometry.trimmed_bisector import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.zero_forms import zero_form as zero_form
-    from exactspline.language.arguments import with_point as with_point
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
     from exactspline.language.rational import Rational as Rational
@@ -80,9 +79,9 @@ if TYPE_CHECKING:
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
-    from exactspline.readings.degree import degree_curve as degree_curve
+    from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
-    from exactspline.readings.jet import jet_curve as jet_curve
+    from exactspline.readings.jet import JetReading as JetReading
     from exactspline.readings.taylor import series_curve as series_curve
     from exactspline.readings.tree import trace as trace
     from exactspline.roots.checker import check as check_certificate  # noqa: F401
@@ -180,15 +179,14 @@ _HOMES = {
     "triple": "language.vector:triple",
     "wronskian": "language.vector:wronskian",
     # readings: what a formula can be handed
-    "degree_curve": "readings.degree:degree_curve",
-    "jet_curve": "readings.jet:jet_curve",
+    "DegreeReading": "readings.degree:DegreeReading",
+    "JetReading": "readings.jet:JetReading",
     "jets_for": "symbolic.factorization:jets_for",
     "series_curve": "readings.taylor:series_curve",
     "surface_pair": "splines.tensor:surface_pair",
     "table_1_degrees": "verification.generic_proof:degree_table",
     "table_1_splines": "verification.curve_check:spline_table",
     "trace": "readings.tree:trace",
-    "with_point": "language.arguments:with_point",
     # statements
     "PROVED": "verification.verdict:PROVED",
     "REFUTED": "verification.verdict:REFUTED",

@@ -16,10 +16,10 @@ from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, papers
-from exactspline.readings.degree import degree_argument
+from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetRing
-from exactspline.readings.rational_jet import JetFraction, fraction_argument
+from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.splines.examples import example
 from exactspline.verification.claims import Claim, all_claims
 from exactspline.verification.generic_proof import degree_table
@@ -141,10 +141,10 @@ def _meanings(names: list[str], place: Place) -> Iterator[tuple[str, Any]]:
         for dimension in DIMENSIONS[formula.curve]:
             for polynomial in (False, True):
                 for parameter in ("s", "s̄") if formula.curve == "pair" else ("s",):
-                    c = degree_argument(formula.curve, dimension, polynomial=polynomial, parameter=parameter)
+                    c = DegreeReading(parameter=parameter).argument(formula.kind, dimension, polynomial=polynomial)
                     yield name, _text(formula(c).degree)
             if name in own or not own:
-                c = fraction_argument(formula.curve, dimension, order_of(formula, dimension))
+                c = RationalJetReading(order_of(formula, dimension)).argument(formula.kind, dimension)
                 yield name, _jets(formula(c))
 
 

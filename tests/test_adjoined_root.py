@@ -9,24 +9,24 @@ from gmpy2 import mpq
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.arguments import assemble
-from exactspline.language.kinds import PLANE
+from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.numeric import numeric_curve
-from exactspline.readings.rational_jet import fraction_argument, fraction_curve
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.splines.examples import example
 
 
 @pytest.fixture(scope="module")
 def space():
-    return framed(fraction_curve(3, 3, polynomial=True)).remembering()
+    return framed(RationalJetReading(3).argument(CURVE, 3, polynomial=True)).remembering()
 
 
 @pytest.fixture(scope="module")
 def plane():
-    return framed(fraction_curve(2, 3, polynomial=True)).remembering()
+    return framed(RationalJetReading(3).argument(CURVE, 2, polynomial=True)).remembering()
 
 
 def one(c):
@@ -38,7 +38,7 @@ def vanishes(value):
 
 
 def test_the_root_is_a_root_and_no_element_of_the_field_below():
-    c = fraction_curve(2, 3)
+    c = RationalJetReading(3).argument(CURVE, 2)
     square = norm2(c.gamma.d(1))
     sigma = root_of(square)
     assert sigma**2 == sigma.lifted(square)
@@ -49,7 +49,7 @@ def test_the_root_is_a_root_and_no_element_of_the_field_below():
 
 
 def test_every_element_but_zero_has_an_inverse():
-    c = fraction_curve(2, 1)
+    c = RationalJetReading(1).argument(CURVE, 2)
     sigma = root_of(norm2(c.p))
     element = sigma.lifted(c.w) + sigma * 3
     assert element * (1 / element) == sigma.constant(1)
@@ -61,7 +61,7 @@ def test_every_element_but_zero_has_an_inverse():
 
 
 def test_elements_of_two_extensions_do_not_mix():
-    c = fraction_curve(2, 1)
+    c = RationalJetReading(1).argument(CURVE, 2)
     with pytest.raises(FormulaError, match="two extensions"):
         root_of(c.w) + root_of(c.p[0])
 
@@ -141,7 +141,7 @@ def test_footnote_b_the_frenet_normal_with_positive_curvature_gives_the_same_evo
 
 def test_offsets_are_parallel_and_their_evolute_is_that_of_the_curve():
     """γ + rN for an indeterminate r: (γ + rN)′ = (1 − rκ) γ′, curvature κ/|1 − rκ|, centre E."""
-    c = framed(fraction_argument("plane point", 2, 3, polynomial=True)).remembering()
+    c = framed(RationalJetReading(3).argument(PLANE_POINT, 2, polynomial=True)).remembering()
     r, n, kappa = c.point[0], frames.unit_normal_in_plane(c), frames.signed_curvature(c)
     offset = c.gamma + n * r
     shrink = 1 - r * kappa
@@ -179,6 +179,8 @@ def test_the_same_at_eighty_digits():
 
 
 def test_a_frame_needs_a_curve_that_can_be_divided_by():
-    still = assemble("curve", 2, lambda name: fraction_curve(2, 1).w.constant(mpq(1)), None, polynomial=True)
+    still = assemble(
+        "curve", 2, lambda name: RationalJetReading(1).argument(CURVE, 2).w.constant(mpq(1)), None, polynomial=True
+    )
     with pytest.raises(FormulaError, match="root of what vanishes"):
         framed(still)

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from exactspline import Nurbs
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.bisectors import AXES, CURVE_FORMS, curve_bisector, point_bisector
-from exactspline.language.arguments import with_point
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
@@ -68,7 +67,7 @@ def test_a_ruled_bisector_is_a_bisector(name, point):
     try:
         found = point_bisector(curve, point)
     except ShapeError:
-        assert find("point_bisector_generator_polynomial")(with_point(curve, q)).is_zero
+        assert find("point_bisector_generator_polynomial")(curve.with_point(q)).is_zero
         return
     for piece in found.pieces:
         k = AXES.index(piece.moved)
@@ -244,7 +243,7 @@ def test_bad_input_is_refused():
 
 @given(nurbs(dimension=3, low=1, high=2, most=1), st.tuples(*[st.integers(-3, 3)] * 3))
 def test_random_curves_and_points(curve, point):
-    generator = find("point_bisector_generator_polynomial")(with_point(curve, tuple(map(mpq, point))))
+    generator = find("point_bisector_generator_polynomial")(curve.with_point(tuple(map(mpq, point))))
     if generator.is_zero:
         with pytest.raises(ShapeError, match=r"passes through the point|stands still"):
             point_bisector(curve, point)

@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import Nurbs
+from exactspline.language.kinds import CURVE
 from exactspline.papers import find
-from exactspline.readings.jet import jet_curve
-from exactspline.readings.leading_terms import common_roots, expansion_curve
+from exactspline.readings.jet import JetReading
+from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.splines.examples import example
 from exactspline.symbolic.covariants import product_of, true_degree
 from exactspline.symbolic.reduction import reduction
@@ -32,7 +33,7 @@ def test_an_expansion_has_the_leading_coefficients_of_the_polynomial(a, b, order
     """x, w of degree d in the power basis: of x⁽ᵏ⁾, of x⁽ᵏ⁾w and of (x w′)⁽ᵏ⁾ the first three, for this d."""
     d, terms = max(len(a), len(b)) - 1, 3
     x, w = fmpq_poly([0] * (d + 1 - len(a)) + a), fmpq_poly([0] * (d + 1 - len(b)) + b)
-    c = expansion_curve(2, terms)
+    c = LeadingTermsReading(terms).argument(CURVE, 2)
     names = c.w.context.names()
     known = {"d": fmpq(d)} | {n: fmpq(0) for n in names if n[0] == "y"}
     for name, p in (("x", x), ("w", w)):
@@ -85,7 +86,7 @@ def test_common_roots_are_the_degrees_at_which_all_coefficients_vanish(roots, al
 )
 @pytest.mark.parametrize("exponent", [1, 2])
 def test_a_product_has_the_degree_that_its_factors_tell(one, other, dimension, exponent):
-    c = jet_curve(dimension, 3)
+    c = JetReading(3).argument(CURVE, dimension)
     f, g = find(one)(c), find(other)(c)
     told = product_of([(true_degree(f), 1), (true_degree(g), exponent)])
     assert told == true_degree(f * g**exponent)

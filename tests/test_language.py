@@ -12,8 +12,8 @@ from exactspline import BSpline, Vector, cross, det, dot, generalized_cross, nor
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
-from exactspline.readings.degree import Degree, degree_curve
-from exactspline.readings.jet import jet_curve
+from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor import series_curve
 from exactspline.readings.tree import TreeReading
 from tests.strategies import numbers, splines_on_one_domain, vectors
@@ -145,8 +145,8 @@ def operands():
         t / t,
         Vector(t, t),
         Vector(t, t) / t,
-        jet_curve(2, 1).w,
-        degree_curve(2).w,
+        JetReading(1).argument(CURVE, 2).w,
+        DegreeReading().argument(CURVE, 2).w,
         series_curve(curve, 1, 2).w,
         TreeReading().argument(CURVE, 3).w,
         TreeReading().argument(CURVE, 3).p,
@@ -171,7 +171,7 @@ def test_powers_are_positive_integers(exponent):
 
 def test_readings_do_not_mix():
     t = BSpline.identity(0, 1)
-    for other in (jet_curve(2, 1).w, Degree.named("d")):
+    for other in (JetReading(1).argument(CURVE, 2).w, Degree.named("d")):
         for wrong in (lambda x: t + x, lambda x: t - x, lambda x: t * x, lambda x: x + t, lambda x: x * t):
             with pytest.raises((TypeError, FormulaError)):
                 wrong(other)

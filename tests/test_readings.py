@@ -14,9 +14,9 @@ from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import Jet, JetReading, jet_curve
+from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
@@ -84,10 +84,10 @@ def order_curve(dimension):
 READINGS = {
     "spline": lambda n: CURVES[n],
     "polynomial spline": lambda n: POLYNOMIALS[n],
-    "jet": jet_curve,
-    "polynomial jet": lambda n, order: jet_curve(n, order, polynomial=True),
-    "degree": degree_curve,
-    "polynomial degree": lambda n: degree_curve(n, polynomial=True),
+    "jet": lambda n, order: JetReading(order).argument(CURVE, n),
+    "polynomial jet": lambda n, order: JetReading(order).argument(CURVE, n, polynomial=True),
+    "degree": lambda n: DegreeReading().argument(CURVE, n),
+    "polynomial degree": lambda n: DegreeReading().argument(CURVE, n, polynomial=True),
     "series": lambda n: series_curve(CURVES[n], "1/2", 8),
     "order": order_curve,
 }
@@ -184,19 +184,25 @@ POLYNOMIAL_DEGREES = {
 @pytest.mark.parametrize("name", RATIONAL_DEGREES)
 def test_naive_degrees_of_rational_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
-        assert equal_from(FORMULAS[name](degree_curve(dimension)).degree, parse(RATIONAL_DEGREES[name])) == 1
+        assert (
+            equal_from(FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse(RATIONAL_DEGREES[name]))
+            == 1
+        )
 
 
 @pytest.mark.parametrize("name", POLYNOMIAL_DEGREES)
 def test_naive_degrees_of_polynomial_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
-        found = FORMULAS[name](degree_curve(dimension, polynomial=True)).degree
+        found = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=True)).degree
         assert equal_from(found, parse(POLYNOMIAL_DEGREES[name])) is not None
         assert all(found.at({"d": d}) == parse(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
 
 
 def test_two_terms_of_g0_have_the_degrees_of_the_paper():
-    assert [repr(FORMULAS[name](degree_curve(2)).degree) for name in ("g0_term_1", "g0_term_2")] == ["14d", "12d"]
+    assert [repr(FORMULAS[name](DegreeReading().argument(CURVE, 2)).degree) for name in ("g0_term_1", "g0_term_2")] == [
+        "14d",
+        "12d",
+    ]
 
 
 @pytest.mark.parametrize("kind", ["rational", "polynomial"])
@@ -206,7 +212,7 @@ def test_the_represented_degree_is_the_counted_one(name, dimension, kind):
     if (name, kind) in product(("f2", "D1_D2_D3", "velocity", "evolute"), ("rational",)):
         curves.append(example("rational_cubic" if dimension == 2 else "rational_space_cubic"))
     for curve in curves:
-        counted = FORMULAS[name](degree_curve(dimension, polynomial=kind == "polynomial"))
+        counted = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=kind == "polynomial"))
         result = FORMULAS[name](curve)
         assert result.degree == counted.degree.at({"d": curve.degree})
         if isinstance(result, Rational):
@@ -217,7 +223,9 @@ def test_the_represented_degree_is_the_counted_one(name, dimension, kind):
 #: The formulas that are polynomials in the curve. (Not so quotients: the quotient rule raises degrees, and a jet has
 #: none to raise.)
 HOMOGENEOUS = [
-    (name, n) for name, n in OF_CURVES if not isinstance(FORMULAS[name](degree_curve(n)), (Rational, RuledSurface))
+    (name, n)
+    for name, n in OF_CURVES
+    if not isinstance(FORMULAS[name](DegreeReading().argument(CURVE, n)), (Rational, RuledSurface))
 ]
 
 
@@ -226,7 +234,10 @@ def test_the_grading_of_a_jet_gives_its_degree(name, dimension):
     """Degree k in the curve and weight m mean nominal degree kd − m; only a formula that vanishes on every curve has
     none.
     """
-    jet, degree = FORMULAS[name](jet_curve(dimension, 6)), FORMULAS[name](degree_curve(dimension))
+    jet, degree = (
+        FORMULAS[name](JetReading(6).argument(CURVE, dimension)),
+        FORMULAS[name](DegreeReading().argument(CURVE, dimension)),
+    )
     pairs = zip(jet, degree, strict=True) if isinstance(jet, Vector) else [(jet, degree)]
     for j, counted in pairs:
         assert j.is_zero == (name == "D1_D2_D21")
@@ -242,14 +253,14 @@ def test_the_graded_formulas_are_many():
 
 def test_derivatives_of_constants_and_of_zero_are_zero():
     for polynomial in (False, True):
-        c = jet_curve(2, 1, polynomial=polynomial)
+        c = JetReading(1).argument(CURVE, 2, polynomial=polynomial)
         assert c.p[0].constant(5).d(3).is_zero
         assert (c.p[0] - c.p[0]).d(2).is_zero
-    assert jet_curve(2, 2, polynomial=True).w.d(2).is_zero
+    assert JetReading(2).argument(CURVE, 2, polynomial=True).w.d(2).is_zero
 
 
 def test_an_inhomogeneous_jet_has_no_grading():
-    c = jet_curve(2, 2)
+    c = JetReading(2).argument(CURVE, 2)
     for x in (c.w + 1, c.w + c.w.d(), c.w * 0):
         with pytest.raises(FormulaError, match="homogeneous"):
             _ = x.grading
@@ -260,10 +271,10 @@ def test_an_inhomogeneous_jet_has_no_grading():
 @over_curves
 def test_the_order_of_a_formula_is_the_highest_derivative_in_its_jet(name, dimension):
     order = order_of(FORMULAS[name], dimension)
-    assert FORMULAS[name](jet_curve(dimension, order)) is not None
+    assert FORMULAS[name](JetReading(order).argument(CURVE, dimension)) is not None
     if order:
         with pytest.raises(FormulaError, match=f"the derivative of order {order}"):
-            FORMULAS[name](jet_curve(dimension, order - 1))
+            FORMULAS[name](JetReading(order - 1).argument(CURVE, dimension))
 
 
 # ---- series against splines
@@ -334,7 +345,7 @@ def test_a_tree_keeps_what_is_written():
 
 def test_formulas_called_within_one_another_are_evaluated_anew_on_every_curve():
     """What is remembered while one formula is evaluated is forgotten with it, also when it fails."""
-    first, second = jet_curve(2, 1), jet_curve(2, 2)
+    first, second = JetReading(1).argument(CURVE, 2), JetReading(2).argument(CURVE, 2)
     for _ in range(2):
         with pytest.raises(FormulaError, match="order 2"):
             FORMULAS["f1"](first)

@@ -7,13 +7,14 @@ from gmpy2 import mpq
 
 from exactspline import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import all_formulas, find
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.factored_jet import FactoredJet, factored_argument
-from exactspline.readings.jet import Jet, jet_argument
+from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
+from exactspline.readings.jet import Jet, JetReading
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.symbolic.assumptions import ASSUMPTIONS
@@ -90,7 +91,7 @@ def test_the_identity_holds_in_plain_jets(name):
     """The naive numerator and denominator of the jet reading, multiplied out, against the product of what was found."""
     f = find(name)
     dimension = 2 if "plane" in f.curve else 3
-    value = f(jet_argument(f.curve, dimension, order_of(f, dimension)))
+    value = f(JetReading(order_of(f, dimension)).argument(f.kind, dimension))
     sides = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
     for side, part in zip(sides, reduction(name, dimension).parts, strict=True):
         numerators, denominator = split(side)
@@ -237,7 +238,7 @@ def test_a_plain_function_finds_its_dimension():
 
 def test_the_factored_reading_is_the_jet_reading():
     """Sums, products, derivatives and equality of products against polynomials multiplied out."""
-    c, plain = factored_argument("curve", 2, 3), jet_argument("curve", 2, 3)
+    c, plain = FactoredJetReading(3).argument(CURVE, 2), JetReading(3).argument(CURVE, 2)
 
     def expression(c):
         a = c.p[0] * c.w * c.w + c.p[1] * c.w

@@ -13,7 +13,6 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry import trimmed_bisector as module
 from exactspline.geometry.trimmed_bisector import trimmed_bisector
-from exactspline.language.arguments import with_point
 from exactspline.papers import find
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
@@ -61,7 +60,7 @@ def inner(low, high, part):
 def test_200_random_points_of_the_untrimmed_bisector_against_distances(curve, point):
     """A parameter is kept exactly where no point of the curve lies inside the circle around B through Q."""
     random, result = Random(7), trimmed_bisector(curve, point)
-    untrimmed = find("plane_bisector_polynomial")(with_point(curve, exact(point)))
+    untrimmed = find("plane_bisector_polynomial")(curve.with_point(exact(point)))
     a, b = curve.domain
     places = [a + (b - a) * mpq(k, 300) for k in range(301)]
     decided = 0

@@ -14,11 +14,10 @@ INDENT = "    "
 def code_lines(line: str, width: int) -> list[str]:
     """A statement in lines of at most that width where its tokens allow it; all of them together are the statement.
 
-    >>> for part in code_lines('print(find("f2")(degree_argument("plane", 2)))', 30):
+    >>> for part in code_lines('print(DegreeReading().of(find("f2"), 2))', 30):
     ...     print(part)
-    print(find("f2")(
-        degree_argument("plane", 2
-        )))
+    print(DegreeReading().of(
+        find("f2"), 2))
     >>> code_lines("from exactspline.papers import find", 30)
     ['from exactspline.papers \\\\', '    import find']
     """

@@ -6,7 +6,6 @@ from typing import Any
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisectors import CurveBisector, PointBisector, curve_bisector, exact_point, point_bisector
-from exactspline.language.arguments import with_point
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.splines.lowest_terms import where_it_exists
@@ -37,5 +36,5 @@ def bisector(first: Nurbs, second: Any) -> CurveBisector | PointBisector | Ratio
         return point_bisector(first, second)
     if first.dimension != 2:
         raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
-    value: Rational = find("plane_bisector_polynomial")(with_point(first, exact_point(first, second, 2)))
+    value: Rational = find("plane_bisector_polynomial")(first.with_point(exact_point(first, second, 2)))
     return where_it_exists(value)

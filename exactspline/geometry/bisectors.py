@@ -21,7 +21,7 @@ from exactspline.exact import mpq, rational, text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
-from exactspline.language.arguments import Curve, with_point
+from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross
@@ -230,7 +230,7 @@ def point_bisector(curve: Any, point: Any, variant: str = "direct") -> PointBise
     """
     if variant not in (*POINT_FORMS, "direct"):
         raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(POINT_FORMS)}, direct")
-    c = with_point(curve, exact_point(curve, point, 3))
+    c = curve.with_point(exact_point(curve, point, 3))
     generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
     missing, good = [], []
     for i, (a, b) in enumerate(pairwise(curve.w.breakpoints)):

@@ -26,7 +26,7 @@ from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, p
 from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
 from exactspline.geometry.features import joints, singular_points
 from exactspline.geometry.kinds import JointKind
-from exactspline.language.arguments import Curve, with_point
+from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.papers import find
@@ -148,7 +148,7 @@ def _around(curve: Any, q: tuple[mpq, ...]) -> Curve:
     """The curve with Q moved to the origin and w positive."""
     sign = 1 if curve.w(curve.domain[0]) > 0 else -1
     p = Vector(*[(x - curve.w * y).scaled(sign) for x, y in zip(curve.p, q, strict=True)])
-    return with_point(Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial), (0, 0))
+    return Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial).with_point((0, 0))
 
 
 def _refuse_point_on(c: Curve) -> None:

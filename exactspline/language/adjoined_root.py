@@ -19,9 +19,9 @@ from exactspline.language.vector import cross, norm2
 
 class Adjoined(FieldOperand):
     """``plain + rooted · σ``; `square` is S, an operand of the reading below that is no square there.
-
-    >>> from exactspline.readings.rational_jet import fraction_curve
-    >>> c = fraction_curve(2, 2)
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> c = RationalJetReading(2).argument(CURVE, 2)
     >>> sigma = root_of(norm2(c.gamma.d(1)))
     >>> sigma * sigma == sigma.lifted(norm2(c.gamma.d(1)))
     True
@@ -146,9 +146,9 @@ class FramedCurve(Curve):
 
 def framed(curve: Curve) -> FramedCurve:
     """A curve of a reading that can divide (jets, Taylor series, sympy) with the roots of its frame adjoined.
-
-    >>> from exactspline.readings.rational_jet import fraction_curve
-    >>> c = framed(fraction_curve(2, 3))
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> c = framed(RationalJetReading(3).argument(CURVE, 2))
     >>> tangent = c.gamma.d(1) / c.sigma
     >>> norm2(tangent) == c.sigma.constant(1)
     True

@@ -143,16 +143,6 @@ PARAMETERS = ("s", "s̄")
 COORDINATES, BARRED, POINT = "xyzuvst", "XYZUVST", "abcefgh"
 
 
-def operands(argument: Evaluated) -> dict[str, Any]:
-    """The operands of an argument by name: what `assemble` puts together."""
-    return argument.operands()
-
-
-def with_point(curve: Curve[T], point: Any) -> Curve[T]:
-    """A curve and a point as the argument of formulas."""
-    return curve.with_point(point)
-
-
 def embedded(c: Curve[T]) -> Curve[T]:
     """A plane curve (and its point) in the plane z = 0 of space."""
     zero = c.w.constant(0)

@@ -6,7 +6,7 @@ A new kind is a new class here and an entry in `KINDS`; no reading changes.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -189,6 +189,15 @@ PAIR, TABLE, FRAMED = PairKind(), TableKind(), FramedKind()
 KINDS: dict[str, Kind] = {
     kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED)
 }
+
+
+def common_kind(kinds: Iterable[Kind]) -> Kind:
+    """The kind of argument on which formulas of all these kinds can be evaluated, in the dimensions that they share.
+
+    >>> common_kind([PLANE, PLANE_POINT]), common_kind([CURVE, SPACE])
+    (<kind plane point>, <kind curve>)
+    """
+    return next((kind for kind in kinds if not any(kind is k for k in (CURVE, PLANE, SPACE))), CURVE)
 
 
 def kind_of(name: str) -> Kind:

@@ -15,7 +15,7 @@ from exactspline.errors import FormulaError
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
-from exactspline.language.kinds import Kind, Symbol, kind_of
+from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, Operand, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational
@@ -240,16 +240,6 @@ def parse(text: str) -> Degree:
     return Degree([term])
 
 
-def degree_curve(dimension: int, *, polynomial: bool = False, name: str = "d") -> Curve:
-    """A curve of that many coordinates whose degree is the name.
-
-    >>> degree_curve(2).gamma.d(2).degree
-    4d
-    """
-    curve: Curve = degree_argument("curve", dimension, polynomial=polynomial, name=name)
-    return curve
-
-
 class DifferentiatedPartByPart(Rational[Degree]):
     """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one.
 
@@ -299,10 +289,3 @@ class DegreeReading(Reading):
                 if isinstance(curve, Curve) and not polynomial:
                     curve.gamma = DifferentiatedPartByPart(curve.p, curve.w)
         return argument
-
-
-def degree_argument(
-    kind: str, dimension: int, *, polynomial: bool = False, name: str = "d", parameter: str = "s", counting: str = ""
-) -> Any:
-    """What formulas of a kind are handed in the degree reading."""
-    return DegreeReading(name, parameter, counting).argument(kind_of(kind), dimension, polynomial=polynomial)

@@ -13,7 +13,7 @@ from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
@@ -28,7 +28,11 @@ Powers = tuple[tuple[fmpq_mpoly, int], ...]
 class FactoredJet(Operand):
     """``unit · Π baseᵉ``; the bases are monic but need not be irreducible.
 
-    >>> c = factored_argument("curve", 2, 1)
+    >>> from exactspline.language.kinds import CURVE
+
+    >>> from exactspline.readings.factored_jet import FactoredJetReading
+
+    >>> c = FactoredJetReading(1).argument(CURVE, 2)
     >>> (c.p[0] * c.w * c.w + c.p[1] * c.w).powers
     ((w0, 1), (x0*w0 + y0, 1))
     """
@@ -204,8 +208,3 @@ class FactoredJetReading(Reading):
         jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
         argument: Evaluated = jets.mapped(FactoredJet.of)
         return argument
-
-
-def factored_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
-    """The indeterminate argument of formulas of a kind."""
-    return FactoredJetReading(order).argument(kind_of(kind), dimension, polynomial=polynomial)

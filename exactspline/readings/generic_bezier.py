@@ -14,7 +14,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
-from exactspline.language.kinds import CURVE, Kind
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.reading import Reading
 
@@ -123,8 +123,3 @@ class GenericReading(Reading):
         }
         one = Generic(context, [context.constant(1)])
         return kind.argument(dimension, lambda symbol: functions[symbol.name], one, polynomial=polynomial)
-
-
-def generic_curve(dimension: int, degree: int, *, polynomial: bool = False) -> Any:
-    """The generic Bézier segment of that dimension and degree."""
-    return GenericReading(degree).argument(CURVE, dimension, polynomial=polynomial)

@@ -14,8 +14,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
@@ -198,18 +197,3 @@ class JetReading(Reading):
         """Every operand an indeterminate; a polynomial curve has the denominator 1."""
         ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
         return kind.argument(dimension, lambda symbol: ring[symbol.name], ring.number(1), polynomial=polynomial)
-
-
-def jet_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
-    """The indeterminate curve with its derivatives up to `order`.
-
-    >>> jet_curve(2, 2).w.d(2)
-    w″
-    """
-    curve: Curve = jet_argument("curve", dimension, order, polynomial=polynomial)
-    return curve
-
-
-def jet_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
-    """The indeterminate argument of formulas of a kind."""
-    return JetReading(order).argument(kind_of(kind), dimension, polynomial=polynomial)

@@ -15,8 +15,8 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS, Curve
-from exactspline.language.kinds import Kind, Symbol, kind_of
+from exactspline.language.arguments import PARAMETERS
+from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
@@ -32,7 +32,11 @@ class Expansion(Operand):
     d and the coefficients of the curve, known to a few terms. What is exactly zero has no part at all; a part whose
     known terms vanish is not thereby zero.
 
-    >>> c = expansion_curve(2, 2)
+    >>> from exactspline.language.kinds import CURVE
+
+    >>> from exactspline.readings.leading_terms import LeadingTermsReading
+
+    >>> c = LeadingTermsReading(2).argument(CURVE, 2)
     >>> d1 = c.p.d(1) * c.w - c.p * c.w.d(1)
     >>> sorted((d1[0] + c.w).parts), (c.w * 0).parts
     ([(1, 0), (2, 1)], {})
@@ -185,17 +189,6 @@ class LeadingTermsReading(Reading):
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
 
-def expansion_argument(kind: str, dimension: int, terms: int, order: int, *, polynomial: bool = False) -> Any:
-    """What formulas of a kind are handed at infinity of the first parameter."""
-    return LeadingTermsReading(terms, order).argument(kind_of(kind), dimension, polynomial=polynomial)
-
-
-def expansion_curve(dimension: int, terms: int, *, polynomial: bool = False) -> Curve:
-    """The generic curve at infinity, to so many terms."""
-    curve: Curve = expansion_argument("curve", dimension, terms, 0, polynomial=polynomial)
-    return curve
-
-
 def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
     """``(k, m, drop, exceptions)``: on the generic rational curve of degree d the formula has true degree ``k d − m −
     drop``.
@@ -211,7 +204,9 @@ def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int
     `generic_true_degree`).
     """
     order = order_of(formula, dimension)
-    return drop_of(formula, lambda terms: expansion_argument(formula.curve, dimension, terms, order), formula.name)
+    return drop_of(
+        formula, lambda terms: LeadingTermsReading(terms, order).argument(formula.kind, dimension), formula.name
+    )
 
 
 def generic_true_degree(formula: Any, dimension: int, *, polynomial: bool = False) -> Degree:
@@ -229,7 +224,7 @@ def generic_true_degree(formula: Any, dimension: int, *, polynomial: bool = Fals
     order = order_of(formula, dimension)
     found = _resolved(
         formula,
-        lambda terms: expansion_argument(formula.curve, dimension, terms, order, polynomial=polynomial),
+        lambda terms: LeadingTermsReading(terms, order).argument(formula.kind, dimension, polynomial=polynomial),
         formula.name,
     )
     degrees = [parse(f"{k}d-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]

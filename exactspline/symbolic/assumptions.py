@@ -17,6 +17,7 @@ from flint import fmpq_mpoly
 from exactspline.errors import ClaimError
 from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
 from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.vector import Vector, norm2
 from exactspline.papers import find
@@ -61,7 +62,7 @@ def _formula(name: str) -> Callable[[Any], Any]:
 
     def value(c: Any) -> Any:
         formula = find(name)
-        found = formula(c if formula.curve == "pair" else _first(c))
+        found = formula(c if formula.kind is PAIR_OF_CURVES else _first(c))
         return norm2(found) if isinstance(found, Vector) else found
 
     return value
@@ -141,9 +142,9 @@ def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumpti
     """The assumption by which an irreducible jet polynomial has no zero: it divides the polynomial that has none.
 
     Without a list all assumptions of that kind count: those of a regular curve without points of zero curvature.
-
-    >>> from exactspline.readings.jet import jet_curve
-    >>> c = jet_curve(2, 2)
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(2).argument(CURVE, 2)
     >>> zero_free(c.w).name, zero_free(norm2(find("D1")(c))).name, zero_free(find("f2")(c))
     ('w', 'γ′', None)
     """

@@ -13,7 +13,7 @@ from flint import fmpq_mpoly
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind
+from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import split
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
@@ -21,7 +21,7 @@ from exactspline.papers import Paper, find, papers
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
-from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute
 
@@ -82,9 +82,9 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     (1) / (1)
     """
     chosen = [find(each) if isinstance(each, str) else each for each in formulas]
-    kind = next((each.curve for each in chosen if each.curve in ("pair", "point", "plane point")), "curve")
+    kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
-    return fraction_argument(kind, dimension, order, polynomial=polynomial)
+    return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
 
 
 def find_factor(left: Any, right: Any) -> Factor | None:

@@ -19,18 +19,18 @@ from flint import fmpq_mpoly
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import DIMENSIONS
+from exactspline.language.kinds import CURVE, TABLE, Kind
 from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, degree_argument
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import (
     FactoredJet,
+    FactoredJetReading,
     Powers,
-    factored_argument,
     merged,
     multiplied,
     shared,
@@ -285,22 +285,27 @@ def reduction(name: str, dimension: int, polynomial: bool = False) -> Reduction:
 
 
 def _dimensions(formula: Any) -> list[int]:
-    kind = getattr(formula, "curve", "curve")
-    if kind == "table":
+    kind = _kind(formula)
+    if kind is TABLE:
         raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="reduce formulas of a curve")
-    return list(DIMENSIONS[kind])
+    return list(kind.dimensions)
+
+
+def _kind(formula: Any) -> Kind:
+    """What a formula is handed; any other function a curve."""
+    return formula.kind if isinstance(formula, Formula) else CURVE
 
 
 def name_of_function(formula: Any) -> str:
     """The name of a formula or a function."""
-    return str(getattr(formula, "__name__", formula))
+    return formula.name if isinstance(formula, Formula) else str(getattr(formula, "__name__", formula))
 
 
 def _reduced(formula: Any, dimension: int, polynomial: bool) -> Reduction:
     name = name_of_function(formula)
-    kind = getattr(formula, "curve", "curve")
-    degrees = _parts(formula(degree_argument(kind, dimension, polynomial=polynomial)), name)
-    value = formula(factored_argument(kind, dimension, order_of(formula, dimension), polynomial=polynomial))
+    kind = _kind(formula)
+    degrees = _parts(formula(DegreeReading().argument(kind, dimension, polynomial=polynomial)), name)
+    value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
     parts = [
         _part(role, naive.degree, part) for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
     ]

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import DIMENSIONS
+from exactspline.language.kinds import kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
@@ -209,7 +209,7 @@ class Claim(Displayed):
     @property
     def dimensions(self) -> tuple[int, ...]:
         """The dimensions of which it speaks."""
-        return DIMENSIONS[self.curve]
+        return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about single curves of that dimension and kind."""

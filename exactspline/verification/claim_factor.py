@@ -8,7 +8,6 @@ from typing import Any
 
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
-from exactspline.language.arguments import operands
 from exactspline.language.formula import Formula
 from exactspline.papers import find as find_anywhere
 
@@ -43,7 +42,7 @@ def factor_of_text(text: str, curve: Any, find: Callable[[str], Formula] = find_
 
     Raises `ClaimError` when it cannot be read.
     """
-    known = operands(curve)
+    known = curve.operands()
     one = known["w"]
     top = bottom = one.constant(1)
     for name, exponent in factor_parts(text):

@@ -13,11 +13,11 @@ from exactspline.geometry.constructions import MINIMAL, Construction, all_constr
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import DIMENSIONS
+from exactspline.language.kinds import CURVE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, degree_argument, degree_curve
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
@@ -80,7 +80,7 @@ def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
     else:
         text, nominal = (
             print_text(trace(formula, curve.dimension)),
-            str(formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree),
+            str(formula(DegreeReading().argument(CURVE, curve.dimension, polynomial=curve.polynomial)).degree),
         )
     start = perf_counter()
     try:
@@ -190,7 +190,7 @@ def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
     numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
     found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))
     witnesses = [attained(c.name, d, polynomial=polynomial) for d in WITNESSES]
-    operands = degree_curve(c.dimension, polynomial=polynomial)
+    operands = DegreeReading().argument(CURVE, c.dimension, polynomial=polynomial)
     return GenericRow(
         c.title,
         str(first(operands).degree),
@@ -209,7 +209,7 @@ def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
 def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
     naive, paper, lifted = map(find, names)
     found = true_degree(reduction(lifted.name, 3, polynomial).main.reduced)
-    operands = degree_curve(3, polynomial=polynomial)
+    operands = DegreeReading().argument(CURVE, 3, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
         value = reduction(lifted.name, 3, polynomial).main.on(witness(3, d, polynomial=polynomial))
@@ -231,11 +231,11 @@ def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) ->
 
 def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
     naive, paper, lifted = map(find, names)
-    (dimension,) = DIMENSIONS[lifted.curve]
+    (dimension,) = lifted.kind.dimensions
     numerator, denominator = reduction(lifted.name, dimension, polynomial).main.lowest
     parts = [part for jet in (*numerator, denominator) for part in graded(jet)]
     found = max(map(true_degree, parts), key=lambda t: t.at(WITNESSES[-1]))
-    operands = degree_argument(lifted.curve, dimension, polynomial=polynomial)
+    operands = DegreeReading().argument(lifted.kind, dimension, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
         handed = _bisected(lifted.curve, witness(dimension, d, polynomial=polynomial))

@@ -153,12 +153,12 @@ def check(claim: Claim) -> tuple[str, ...]:
             f'print(lowest_degree(find("{claim.formula}"), {d}))',
         )
     if isinstance(claim, DegreeClaim):
-        parameter = f', parameter="{claim.parameter}"' if claim.parameter != Parameter.S else ""
+        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.S else ""
         return (
             "from exactspline.papers import find",
-            "from exactspline.readings.degree import degree_argument",
-            f'print(find("{claim.formula}")(degree_argument("{claim.find(claim.formula).curve}", {d}, '
-            f"polynomial={claim.of == 'polynomial'}{parameter})).degree)",
+            "from exactspline.readings.degree import DegreeReading",
+            f'print(DegreeReading({parameter}).of(find("{claim.formula}"), {d}, '
+            f"polynomial={claim.of == 'polynomial'}).degree)",
         )
     if isinstance(claim, Count):
         return (

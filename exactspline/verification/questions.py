@@ -14,11 +14,11 @@ from typing import Any
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import DIMENSIONS
+from exactspline.language.kinds import common_kind
 from exactspline.language.parts import split
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import Factor, find_factor
 from exactspline.symbolic.reduction import Reduction, reduce
@@ -86,7 +86,7 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     vanishes identically or the factor cannot be read.
     """
     sides = _formulas(left, right)
-    common = [n for n in (2, 3) if all(n in DIMENSIONS[f.curve] for f in sides)]
+    common = [n for n in (2, 3) if all(n in f.kind.dimensions for f in sides)]
     if not common or (dimension is not None and dimension not in common):
         raise FormulaError(
             f"{sides[0].name} and {sides[1].name} are not both defined in "
@@ -94,9 +94,9 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
             remedy="compare formulas of one kind of curve",
         )
     n = common[0] if dimension is None else dimension
-    kind = next((f.curve for f in sides if f.curve in ("pair", "point", "plane point")), "curve")
+    kind = common_kind(f.kind for f in sides)
     named = [find(name) for name in re.findall(r"[A-Za-z]\w*", factor) if name not in ("w", "W")]
-    curve = fraction_argument(kind, n, max(order_of(f, n) for f in (*sides, *named)))
+    curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
     quotient = find_factor(sides[0](curve), sides[1](curve))
     top, bottom = factor_of_text(factor, curve)
     (ps, _), (qs, _) = (split(f(curve)) for f in sides)

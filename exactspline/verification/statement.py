@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import DIMENSIONS
+from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, degree_argument
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import Node, trace
@@ -136,7 +136,7 @@ def _side(name: str, role: str, claim: Claim) -> Side:
 
 def _dimension(name: str, claim: Claim) -> int:
     """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
-    own = DIMENSIONS[find(name).curve]
+    own = find(name).kind.dimensions
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
@@ -146,10 +146,10 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
     if isinstance(claim, DegreeClaim):
         parameter, counting = str(claim.parameter), str(claim.counting)
     handed = (
-        degree_argument(
-            formula.curve, _dimension(name, claim), polynomial=polynomial, parameter=parameter, counting=counting
+        DegreeReading(parameter=parameter, counting=counting).argument(
+            formula.kind, _dimension(name, claim), polynomial=polynomial
         )
-        if formula.curve != "table"
+        if formula.kind is not TABLE
         else degree_table()
     )
     degree: Degree = formula(handed).degree

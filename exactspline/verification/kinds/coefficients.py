@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.kinds import CURVE
 from exactspline.language.vector import Vector
-from exactspline.readings.bernstein_term import every_coefficient, monomial_curve
+from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
 from exactspline.readings.differential_order import is_polynomial
-from exactspline.readings.generic_bezier import generic_curve
+from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.notation import symbol
@@ -64,14 +65,16 @@ class Coefficients(Claim):
         once, or degree by degree.
         """
         formula = self.find(self.formula)
-        if not polynomial and _exists(lambda: every_coefficient(formula(monomial_curve(dimension)))):
+        if not polynomial and _exists(
+            lambda: every_coefficient(formula(BernsteinTermReading().argument(CURVE, dimension)))
+        ):
             told = (
                 "none vanishes for any d ≥ 1: coefficients 2k and 2k + 1 contain the product of control "
                 "point k + 1 and weight k"
             )
             return Finding(PROVED, NONE, told)
         for d in GENERIC_DEGREES:
-            value = formula(generic_curve(dimension, d, polynomial=polynomial))
+            value = formula(GenericReading(d).argument(CURVE, dimension, polynomial=polynomial))
             components = list(value) if isinstance(value, Vector) else [value]
             for i, parts in enumerate(zip(*[c.coefficients for c in components], strict=True)):
                 if not any(parts):

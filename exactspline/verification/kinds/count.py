@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.geometry.features import curvature_extrema
-from exactspline.language.parts import split
+from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
@@ -88,7 +88,7 @@ class Count(Claim):
     def examine(self, argument: Any, own: Evaluation) -> Finding:
         """Only what is claimed is computed."""
         value = self.find(self.formula)(argument)
-        value = getattr(value, "joined", value)
+        value = joined(value)
         numerators = split(value)[0]
         counters: dict[Counter, Callable[[], int]] = {
             Counter.DEGREE: lambda: int(value.degree),

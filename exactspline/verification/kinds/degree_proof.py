@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from exactspline.errors import FormulaError
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
-from exactspline.readings.degree import Degree, degree_argument, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.leading_terms import generic_true_degree
@@ -54,8 +54,8 @@ def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
         handed = degree_table()
     else:
         counting = "part by part" if claim.counting == "part by part" else ""
-        handed = degree_argument(
-            formula.curve, dimension, polynomial=polynomial, parameter=str(claim.parameter), counting=counting
+        handed = DegreeReading(parameter=str(claim.parameter), counting=counting).argument(
+            formula.kind, dimension, polynomial=polynomial
         )
     degree: Degree = formula(handed).degree
     return degree

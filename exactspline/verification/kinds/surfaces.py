@@ -11,7 +11,7 @@ from exactspline.language.arguments import embedded
 from exactspline.language.parts import split
 from exactspline.language.ruled import RuledSurface
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
@@ -143,7 +143,7 @@ class IsoCurve(Claim):
         """As quotients of differential polynomials."""
         left, right = self.find(self.left), self.find(self.right)
         order = max(order_of(left, dimension), order_of(right, dimension + 1))
-        c = fraction_argument(left.curve, dimension, order, polynomial=polynomial)
+        c: Any = RationalJetReading(order).argument(left.kind, dimension, polynomial=polynomial)
         plane, space = left(c), right(embedded(c)).directrix
         if all(plane[i].is_zero for i in range(2)):
             return vacuous(ZETA)
