@@ -30,7 +30,7 @@ from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_poly
 from sympy.polys.rings import ring
 
 from exactspline import Nurbs, Vector
-from exactspline.language.arguments import Curve, Pair, with_point
+from exactspline.language.arguments import Curve, Pair
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.rational import Rational
 from exactspline.papers import find
@@ -81,7 +81,7 @@ def ours(name, segments):
     def run():
         fresh(first)
         fresh(second)
-        return finished(formula(with_point(first, POINT) if name in POINTS else surface_pair(first, second)))
+        return finished(formula(first.with_point(POINT) if name in POINTS else surface_pair(first, second)))
 
     return run
 

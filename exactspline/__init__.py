@@ -1,54 +1,268 @@
 """exactspline: B-splines and NURBS in exact rational arithmetic, and the proofs that go with them.
 
->>> from exactspline import BSpline
->>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
+>>> import exactspline as xs
+>>> f = xs.BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
 >>> (f * f - f**2).is_zero
 True
+
+Everything that a user looks for is here; a name is imported when it is first used.
 """
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.language.services import register
 
+if TYPE_CHECKING:
+    from exactspline.display.figures.bisectors import figure_4 as figure_4
+    from exactspline.display.figures.bisectors import figure_5 as figure_5
+    from exactspline.display.figures.bisectors import figure_6 as figure_6
+    from exactspline.display.figures.plane import figure_1 as figure_1
+    from exactspline.display.figures.plane import figure_2 as figure_2
+    from exactspline.display.figures.plane import figure_3 as figure_3
+    from exactspline.display.latex import mathematics as mathematics
+    from exactspline.display.plot.anything import plot as plot
+    from exactspline.display.plot.canvas import new_figure as new_figure
+    from exactspline.display.plot.comparisons import plot_approaches as plot_approaches
+    from exactspline.display.plot.curves import plot_curve as plot_curve
+    from exactspline.display.plot.curves import plot_evolute as plot_evolute
+    from exactspline.display.plot.curves import plot_features as plot_features
+    from exactspline.display.plot.curves import plot_quotient as plot_quotient
+    from exactspline.display.plot.functions import greville_abscissae as greville_abscissae
+    from exactspline.display.plot.functions import plot_function as plot_function
+    from exactspline.display.plot.functions import plot_roots as plot_roots
+    from exactspline.display.plot.surfaces import plot_bisector as plot_bisector
+    from exactspline.display.plot.surfaces import plot_ruled_surface as plot_ruled_surface
+    from exactspline.display.serialize import derived_data as derived_data
+    from exactspline.display.serialize import inspection_data as inspection_data
+    from exactspline.display.tables import Grid as Grid
+    from exactspline.display.tables import approaches_table as approaches_table
+    from exactspline.display.tables import degree_table as degree_table
+    from exactspline.display.tables import measured as measured
+    from exactspline.display.tables import numerical_claims as numerical_claims
+    from exactspline.display.tables import printed_numbers as printed_numbers
+    from exactspline.display.tables import reduction_table as reduction_table
+    from exactspline.display.tables import symbolic_table as symbolic_table
+    from exactspline.display.tables import verdicts as verdicts
+    from exactspline.errors import ExactSplineError as ExactSplineError
+    from exactspline.exact import from_float as from_float
+    from exactspline.exact import from_floats as from_floats
+    from exactspline.exact import rational as rational
+    from exactspline.geometry.analysis import analyse as analyse
+    from exactspline.geometry.any_bisector import bisector as bisector
+    from exactspline.geometry.constructions import construction as construction
+    from exactspline.geometry.curvature import curvature as curvature
+    from exactspline.geometry.derived import derive as derive
+    from exactspline.geometry.derived import evolute as evolute
+    from exactspline.geometry.derived import focal_curve as focal_curve
+    from exactspline.geometry.derived import torsion as torsion
+    from exactspline.geometry.features import corners as corners
+    from exactspline.geometry.features import curvature_extrema as curvature_extrema
+    from exactspline.geometry.features import inflections as inflections
+    from exactspline.geometry.features import joints as joints
+    from exactspline.geometry.features import singular_points as singular_points
+    from exactspline.geometry.features import torsion_zeros as torsion_zeros
+    from exactspline.geometry.inspection import inspect_curve as inspect_curve
+    from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
+    from exactspline.geometry.trimmed_bisector import trimmed_bisector as trimmed_bisector
+    from exactspline.geometry.zero_forms import zero_form as zero_form
+    from exactspline.language.formula import formula as formula
+    from exactspline.language.parts import numerator as numerator
+    from exactspline.language.rational import Rational as Rational
+    from exactspline.language.vector import Vector as Vector
+    from exactspline.language.vector import cross as cross
+    from exactspline.language.vector import det as det
+    from exactspline.language.vector import dot as dot
+    from exactspline.language.vector import generalized_cross as generalized_cross
+    from exactspline.language.vector import norm2 as norm2
+    from exactspline.language.vector import perp as perp
+    from exactspline.language.vector import triple as triple
+    from exactspline.language.vector import wronskian as wronskian
+    from exactspline.papers import find as find
+    from exactspline.readings.degree import DegreeReading as DegreeReading
+    from exactspline.readings.degree import parse as parse_degree  # noqa: F401
+    from exactspline.readings.jet import JetReading as JetReading
+    from exactspline.readings.taylor import series_curve as series_curve
+    from exactspline.readings.tree import trace as trace
+    from exactspline.roots.checker import check as check_certificate  # noqa: F401
+    from exactspline.roots.enclosure import Enclosure as Enclosure
+    from exactspline.roots.root import Root as Root
+    from exactspline.roots.zero_set import ZeroSet as ZeroSet
+    from exactspline.roots.zero_set import zeros as zeros
+    from exactspline.splines.bspline import BSpline as BSpline
+    from exactspline.splines.control_points import Direction as Direction
+    from exactspline.splines.curve_files import curve_from_text as curve_from_text
+    from exactspline.splines.curve_files import save as save
+    from exactspline.splines.examples import example as example
+    from exactspline.splines.examples import example_names as example_names
+    from exactspline.splines.examples import load as load
+    from exactspline.splines.knots import KnotVector as KnotVector
+    from exactspline.splines.lowest_terms import control_point_count as control_point_count
+    from exactspline.splines.nurbs import Nurbs as Nurbs
+    from exactspline.splines.surd import Surd as Surd
+    from exactspline.splines.tensor import TensorSpline as TensorSpline
+    from exactspline.splines.tensor import surface_pair as surface_pair
+    from exactspline.symbolic.factorization import jets_for as jets_for
+    from exactspline.verification.claims import all_claims as all_claims
+    from exactspline.verification.claims import select as select_claims  # noqa: F401
+    from exactspline.verification.curve_check import spline_table as table_1_splines  # noqa: F401
+    from exactspline.verification.errata import errata as errata
+    from exactspline.verification.generic_proof import degree_table as table_1_degrees  # noqa: F401
+    from exactspline.verification.generic_proof import factor_of as factor_of
+    from exactspline.verification.measure import measurable as measurable
+    from exactspline.verification.measure import measure as measure
+    from exactspline.verification.questions import prove as prove
+    from exactspline.verification.questions import reduction as reduction
+    from exactspline.verification.questions import verify as verify
+    from exactspline.verification.statement import statements as statements
+    from exactspline.verification.verdict import PROVED as PROVED
+    from exactspline.verification.verdict import REFUTED as REFUTED
+    from exactspline.verification.verdict import VERIFIED as VERIFIED
+
 __version__ = "0.1.0"
 
-_SERVICES = {
-    "quotient": "exactspline.language.rational:Rational",
-    "formula_text": "exactspline.readings.printing.text:print_text",
-    "html": "exactspline.display.notebook:html",
-    "latex": "exactspline.display.latex:latex",
-    "short": "exactspline.display.notebook:short",
-}
-register(_SERVICES)
-
+#: The front door: name → ``module:attribute`` inside the package; what type checkers read stands above.
 _HOMES = {
-    "BSpline": "splines.bspline",
-    "KnotVector": "splines.knots",
-    "Nurbs": "splines.nurbs",
-    "Vector": "language.vector",
-    "Rational": "language.rational",
-    "formula": "language.formula",
-    "dot": "language.vector",
-    "cross": "language.vector",
-    "det": "language.vector",
-    "perp": "language.vector",
-    "norm2": "language.vector",
-    "triple": "language.vector",
-    "generalized_cross": "language.vector",
-    "wronskian": "language.vector",
-    "rational": "exact",
-    "from_float": "exact",
+    # values
+    "BSpline": "splines.bspline:BSpline",
+    "Direction": "splines.control_points:Direction",
+    "Enclosure": "roots.enclosure:Enclosure",
+    "ExactSplineError": "errors:ExactSplineError",
+    "KnotVector": "splines.knots:KnotVector",
+    "Nurbs": "splines.nurbs:Nurbs",
+    "Rational": "language.rational:Rational",
+    "Root": "roots.root:Root",
+    "Surd": "splines.surd:Surd",
+    "TensorSpline": "splines.tensor:TensorSpline",
+    "Vector": "language.vector:Vector",
+    "ZeroSet": "roots.zero_set:ZeroSet",
+    # numbers and files
+    "from_float": "exact:from_float",
+    "from_floats": "exact:from_floats",
+    "rational": "exact:rational",
+    "curve_from_text": "splines.curve_files:curve_from_text",
+    "example": "splines.examples:example",
+    "example_names": "splines.examples:example_names",
+    "load": "splines.examples:load",
+    "save": "splines.curve_files:save",
+    # what a curve has
+    "construction": "geometry.constructions:construction",
+    "analyse": "geometry.analysis:analyse",
+    "corners": "geometry.features:corners",
+    "curvature_extrema": "geometry.features:curvature_extrema",
+    "inspect_curve": "geometry.inspection:inspect_curve",
+    "inflections": "geometry.features:inflections",
+    "joints": "geometry.features:joints",
+    "singular_points": "geometry.features:singular_points",
+    "torsion_zeros": "geometry.features:torsion_zeros",
+    "zero_form": "geometry.zero_forms:zero_form",
+    "zeros": "roots.zero_set:zeros",
+    "check_certificate": "roots.checker:check",
+    # what is made of curves
+    "bisector": "geometry.any_bisector:bisector",
+    "curvature": "geometry.curvature:curvature",
+    "derive": "geometry.derived:derive",
+    "evolute": "geometry.derived:evolute",
+    "focal_curve": "geometry.derived:focal_curve",
+    "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
+    "torsion": "geometry.derived:torsion",
+    "trimmed_bisector": "geometry.trimmed_bisector:trimmed_bisector",
+    # the language of formulas
+    "cross": "language.vector:cross",
+    "det": "language.vector:det",
+    "dot": "language.vector:dot",
+    "find": "papers:find",
+    "formula": "language.formula:formula",
+    "generalized_cross": "language.vector:generalized_cross",
+    "norm2": "language.vector:norm2",
+    "perp": "language.vector:perp",
+    "triple": "language.vector:triple",
+    "wronskian": "language.vector:wronskian",
+    # readings: what a formula can be handed
+    "DegreeReading": "readings.degree:DegreeReading",
+    "JetReading": "readings.jet:JetReading",
+    "jets_for": "symbolic.factorization:jets_for",
+    "series_curve": "readings.taylor:series_curve",
+    "surface_pair": "splines.tensor:surface_pair",
+    "table_1_degrees": "verification.generic_proof:degree_table",
+    "table_1_splines": "verification.curve_check:spline_table",
+    "trace": "readings.tree:trace",
+    # statements
+    "PROVED": "verification.verdict:PROVED",
+    "REFUTED": "verification.verdict:REFUTED",
+    "VERIFIED": "verification.verdict:VERIFIED",
+    "all_claims": "verification.claims:all_claims",
+    "control_point_count": "splines.lowest_terms:control_point_count",
+    "degree_table": "display.tables:degree_table",
+    "errata": "verification.errata:errata",
+    "factor_of": "verification.generic_proof:factor_of",
+    "measurable": "verification.measure:measurable",
+    "measure": "verification.measure:measure",
+    "numerator": "language.parts:numerator",
+    "parse_degree": "readings.degree:parse",
+    "prove": "verification.questions:prove",
+    "reduction": "verification.questions:reduction",
+    "select_claims": "verification.claims:select",
+    "statements": "verification.statement:statements",
+    "verify": "verification.questions:verify",
+    # tables
+    "Grid": "display.tables:Grid",
+    "approaches_table": "display.tables:approaches_table",
+    "derived_data": "display.serialize:derived_data",
+    "inspection_data": "display.serialize:inspection_data",
+    "mathematics": "display.latex:mathematics",
+    "measured": "display.tables:measured",
+    "numerical_claims": "display.tables:numerical_claims",
+    "printed_numbers": "display.tables:printed_numbers",
+    "reduction_table": "display.tables:reduction_table",
+    "symbolic_table": "display.tables:symbolic_table",
+    "verdicts": "display.tables:verdicts",
+    # pictures
+    "figure_1": "display.figures.plane:figure_1",
+    "figure_2": "display.figures.plane:figure_2",
+    "figure_3": "display.figures.plane:figure_3",
+    "figure_4": "display.figures.bisectors:figure_4",
+    "figure_5": "display.figures.bisectors:figure_5",
+    "figure_6": "display.figures.bisectors:figure_6",
+    "greville_abscissae": "display.plot.functions:greville_abscissae",
+    "new_figure": "display.plot.canvas:new_figure",
+    "plot": "display.plot.anything:plot",
+    "plot_approaches": "display.plot.comparisons:plot_approaches",
+    "plot_bisector": "display.plot.surfaces:plot_bisector",
+    "plot_curve": "display.plot.curves:plot_curve",
+    "plot_evolute": "display.plot.curves:plot_evolute",
+    "plot_features": "display.plot.curves:plot_features",
+    "plot_function": "display.plot.functions:plot_function",
+    "plot_quotient": "display.plot.curves:plot_quotient",
+    "plot_roots": "display.plot.functions:plot_roots",
+    "plot_ruled_surface": "display.plot.surfaces:plot_ruled_surface",
 }
+
+#: What objects offer though it lives further right than they do (see `exactspline.language.services`).
+_SERVICES = {
+    "at": "roots.enclosure:at",
+    "curvature": "geometry.values_along:curvature",
+    "formula_text": "readings.printing.text:print_text",
+    "html": "display.notebook:html",
+    "latex": "display.latex:latex",
+    "plot": "display.plot.curves:plot_curve",
+    "quotient": "language.rational:Rational",
+    "short": "display.notebook:short",
+    "torsion": "geometry.values_along:torsion",
+}
+register({name: f"exactspline.{home}" for name, home in _SERVICES.items()})
 
 __all__ = [*_HOMES, "__version__"]  # noqa: PLE0604
 
+if not TYPE_CHECKING:
 
-def __getattr__(name: str) -> Any:
-    """Import a public name when it is first used, so that importing the package costs next to nothing."""
-    if name not in _HOMES:
-        raise AttributeError(f"module 'exactspline' has no attribute {name!r}")
-    return getattr(import_module(f"exactspline.{_HOMES[name]}"), name)
+    def __getattr__(name):
+        """Import a public name when it is first used, so that importing the package costs next to nothing."""
+        if name not in _HOMES:
+            raise AttributeError(f"module 'exactspline' has no attribute {name!r}")
+        module, _, attribute = _HOMES[name].partition(":")
+        found = globals()[name] = getattr(import_module(f"exactspline.{module}"), attribute)
+        return found
 
 
 def __dir__() -> list[str]:

@@ -6,6 +6,8 @@ Every message says what was wrong, where, and what would be right; programs read
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from difflib import SequenceMatcher
 from typing import Any
 
 
@@ -46,6 +48,25 @@ def shown(value: object, limit: int = 40) -> str:
             else f"a {type(value).__name__} too long to print"
         )
     return text if len(text) <= limit else f"{text[:limit]}…"
+
+
+def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
+    """What would be right instead of a name that nobody knows: the three nearest that there are, and what lists all.
+
+    >>> nearest("evolut", ["evolute", "torsion", "focal_curve", "f2"])
+    'the nearest are evolute, torsion, focal_curve'
+    >>> nearest("C9", ["C8"], listed_by="exactspline show")
+    'the nearest is C8; `exactspline show` lists all'
+    """
+
+    def likeness(other: str) -> float:
+        a, b = name.lower(), other.lower()
+        # who mistypes a name mostly gets its first letter right
+        return 5 * SequenceMatcher(None, a, b).ratio() + (a[:1] == b[:1])
+
+    near = sorted(known, key=likeness, reverse=True)[:3]
+    told = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
+    return told + (f"; `{listed_by}` lists all" if listed_by else "")
 
 
 class NumberError(ExactSplineError):

@@ -2,23 +2,44 @@
 
 gmpy2 takes floats without a word (``mpq(0.1)`` is a 55-bit number nobody wrote, ``mpq(1, 3) + 0.5`` is an ``mpfr``), so
 every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from foreign
-data.
+data. What the package needs of gmpy2 it imports from here, so that another implementation can stand in for it.
 """
 
 from __future__ import annotations
 
+import operator
 import re
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from fractions import Fraction
-from math import isfinite
+from math import inf, isfinite, nextafter
+from numbers import Integral
 from typing import Any
 
 import flint
-from gmpy2 import mpq, mpz
+from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 
 from exactspline.errors import NumberError, shown
 
-__all__ = ["MAX_EXPONENT", "MAX_TEXT", "from_float", "mpq", "mpz", "ratio", "rational", "text", "to_fmpq", "to_fmpz"]
+__all__ = [
+    "MAX_EXPONENT",
+    "MAX_TEXT",
+    "from_float",
+    "from_floats",
+    "gcd",
+    "iroot",
+    "is_square",
+    "isqrt",
+    "lcm",
+    "mpq",
+    "mpz",
+    "nearest_double",
+    "ratio",
+    "rational",
+    "text",
+    "to_fmpq",
+    "to_fmpz",
+]
 
 _TYPES = {type(mpq()), type(mpz()), int, Fraction}
 #: Largest decimal or binary exponent read from text: beyond it a few characters would fill the memory.
@@ -34,14 +55,14 @@ _HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+
 def rational(value: Any) -> mpq:
     """The exact value of a number as ``gmpy2.mpq``.
 
-    Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, and text:
-    ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
+    Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers of
+    other libraries (numpy's too), and text: ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
 
     >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
     (mpq(1,10), mpq(3,4), mpq(3,16))
 
-    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy scalar is refused, since its decimal
-    look is not its value.
+    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy float is refused, since its decimal look
+    is not its value.
 
     >>> rational(0.1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
@@ -62,6 +83,8 @@ def rational(value: Any) -> mpq:
         return mpq(int(value))
     if kind is float:
         raise _refuse_float(value)
+    if isinstance(value, Integral) and not isinstance(value, int):
+        return mpq(operator.index(value))
     name = f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
     raise NumberError(
         f"{shown(value)} is of type {name}, which is not taken as an exact number",
@@ -82,6 +105,69 @@ def from_float(value: float) -> mpq:
     if not isfinite(value):
         raise NumberError(f"{float(value)} has no exact value", remedy="write a finite number")
     return mpq(*float(value).as_integer_ratio())
+
+
+def from_floats(values: Iterable[Any]) -> list[Any]:
+    """The exact binary values of floats in a sequence, or in a sequence of sequences such as control points.
+
+    >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
+    [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
+
+    Raises `NumberError` with the place of what is no float.
+    """
+    found: list[Any] = []
+    for i, value in enumerate(values):
+        try:
+            nested = isinstance(value, Iterable) and not isinstance(value, str)
+            found.append(from_floats(value) if nested else from_float(value))
+        except NumberError as error:
+            raise error.at(f"[{i}]") from None
+    return found
+
+
+def nearest_double(enclosed: Callable[[int], tuple[mpq, mpq]], sign_above: Callable[[mpq], int]) -> float:
+    """The double nearest to a real number, of two equally near ones the even one.
+
+    ``enclosed(digits)`` are rational numbers with the number between them, at most ``10^−digits`` apart, and
+    ``sign_above(t)`` is the sign of the number minus t, exactly.
+
+    >>> third = mpq(1, 3)
+    >>> nearest_double(lambda digits: (third, third), lambda t: (third > t) - (third < t)) == 1 / 3
+    True
+
+    Raises `OverflowError` for a number beyond the largest double, like ``float`` of an int.
+    """
+    digits = 20
+    while True:
+        low, high = map(_rounded, enclosed(digits))
+        if low == high:
+            return _finite(low)
+        if nextafter(low, inf) == high:
+            middle = (_unrounded(low) + _unrounded(high)) / 2
+            side = sign_above(middle)
+            return _finite(high if side > 0 else low if side < 0 else _rounded(middle))
+        digits *= 2
+
+
+def _rounded(value: mpq) -> float:
+    """The nearest double to a rational number, infinite beyond the largest."""
+    try:
+        return int(value.numerator) / int(value.denominator)
+    except OverflowError:
+        return inf if value > 0 else -inf
+
+
+def _unrounded(value: float) -> mpq:
+    """The value of a double; an infinite one stands where the next finite one would be."""
+    if isfinite(value):
+        return mpq(*value.as_integer_ratio())
+    return mpq(2) ** 1024 * (1 if value > 0 else -1)
+
+
+def _finite(value: float) -> float:
+    if not isfinite(value):
+        raise OverflowError("the number is too large for a float")
+    return value
 
 
 def to_fmpq(value: mpq) -> flint.fmpq:

@@ -36,7 +36,7 @@ def test_naive_counts_of_rational_curves():
     """Not those of the paper by either policy of Table 1; all of them come out if γ′ had the degree that (24) gives
     it.
     """
-    assert verdict_for_all("C6.1b", "d − 1, either polynomial or rational: rational") == ["REFUTED"]
+    assert verdict_for_all("C6.1b", "γ′ is d − 1, either polynomial or rational: rational") == ["REFUTED"]
     assert set(verdict_for_all("C6.1b", "of (24): the paper adds as Table 1 does")) == {"PROVED"}
     assert set(verdict_for_all("C6.1b", "by Table 1")) == {"PROVED"}
     for what in (

@@ -11,8 +11,9 @@ from theorem import establish, verdict_for_all
 
 from exactspline import Vector, dot
 from exactspline.geometry.constructions import all_constructions, construction
+from exactspline.language.kinds import CURVE
 from exactspline.papers import find
-from exactspline.readings.jet import jet_curve
+from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor import Series, series_curve
 from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.covariants import true_degree
@@ -58,7 +59,7 @@ def test_covariants():
 def test_a_wronskian_of_functions_of_degree_d_is_a_covariant():
     """W(f₁, …, fₙ) has k = n, weight n(n − 1)/2, height 0: order n(d − n + 1)."""
     for n in (2, 3, 4):
-        c = jet_curve(n, n - 1, polynomial=True)
+        c = JetReading(n - 1).argument(CURVE, n, polynomial=True)
         from exactspline import wronskian
 
         found = true_degree(wronskian(c.p) if n > 2 else c.p[0] * c.p[1].d() - c.p[1] * c.p[0].d())
@@ -146,7 +147,7 @@ def test_what_reduce_finds_is_what_the_lifts_give():
     ):
         dimension = 2 if naive == "g0" else 3
         found = reduction(naive, dimension).main.reduced
-        value = find(lifted)(jet_curve(dimension, 3))
+        value = find(lifted)(JetReading(3).argument(CURVE, dimension))
         expected = list(value) if isinstance(value, Vector) else [value]
         assert [jet.polynomial.terms() and dict(by_names(jet)) for jet in found] == [
             dict(by_names(jet)) for jet in expected

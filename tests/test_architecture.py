@@ -1,6 +1,7 @@
 """The house: which room may import which, what a formula may contain, and how heavy an import is."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -8,66 +9,70 @@ from pathlib import Path
 import pytest
 
 import exactspline
+from tests import import_graph
 
 ROOT = Path(exactspline.__file__).parent
+ARCHITECTURE = Path(__file__).parent.parent / "docs" / "architecture.md"
 
-#: A package imports only from those in lines above its own.
-ORDER = [
-    ["errors"],
-    ["exact", "atomic_write"],
-    ["language"],
-    ["splines", "readings", "papers"],
-    ["roots", "symbolic"],
-    ["geometry"],
-    ["verification"],
-    ["display", "interchange"],
-    ["cli"],
-]
-FLOOR = {room: i for i, rooms in enumerate(ORDER) for room in rooms}
 MODULES = sorted(ROOT.rglob("*.py"))
+GRAPH = import_graph.module_graph()
+#: Above every floor: the front door and the two ways to start the command line.
+FRONT = {"", "__main__"}
 
 
-def room_of(path: Path) -> str:
-    return path.relative_to(ROOT).parts[0].removesuffix(".py")
+def test_a_package_imports_only_from_those_left_of_it():
+    packages = import_graph.package_graph(GRAPH)
+    assert set(packages) == {name.split(".")[0] for name in GRAPH} - FRONT
+    for package, targets in packages.items():
+        for other in targets:
+            assert import_graph.FLOOR[other] < import_graph.FLOOR[package], f"{package} imports {other}"
 
 
-def imports(tree: ast.AST) -> set[str]:
-    """Rooms imported anywhere but under TYPE_CHECKING, lazily or not."""
-    skipped = {
-        id(inner)
-        for node in ast.walk(tree)
-        if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
-        for inner in ast.walk(node)
-    }
-    found = set()
-    for node in ast.walk(tree):
-        if id(node) in skipped:
-            continue
-        names = []
-        if isinstance(node, ast.ImportFrom) and node.module:
-            names = [node.module] if node.module != "exactspline" else [f"exactspline.{a.name}" for a in node.names]
-        elif isinstance(node, ast.Import):
-            names = [a.name for a in node.names]
-        found |= {name.split(".")[1] for name in names if name.startswith("exactspline.")}
-    return found
+def test_no_circle_of_modules_lazy_imports_included():
+    assert import_graph.circles(GRAPH) == []
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_a_room_imports_only_from_floors_below(path):
-    room = room_of(path)
-    if room in ("__init__", "__main__"):
-        return
-    assert room in FLOOR, f"{room} has no floor"
-    for other in imports(ast.parse(path.read_text(encoding="utf-8"))) - {room, "__version__"}:
-        assert FLOOR[other] < FLOOR[room], f"{room} imports {other} from the same floor or above"
+def test_nothing_imports_the_front_door():
+    assert [name for name, targets in GRAPH.items() if "" in targets and name not in FRONT] == []
 
 
-PAPERS = [p for p in MODULES if room_of(p) == "papers" and p.name != "__init__.py"]
+def test_a_circle_and_an_arrow_that_points_up_are_seen():
+    assert import_graph.circles({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}) == [["a", "b", "c"]]
+    lazily = ast.parse("def f():\n    from exactspline.cli import prove")
+    assert import_graph.imported(lazily, {"cli", "cli.prove"}) == {"cli.prove"}
+
+
+@pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")
+def test_the_picture_in_the_documents_is_that_of_the_code():
+    assert import_graph.text_picture(import_graph.package_graph(GRAPH)) in ARCHITECTURE.read_text(encoding="utf-8")
+
+
+def in_a_paper(path: Path) -> bool:
+    return path.relative_to(ROOT).parts[0] == "papers" and len(path.relative_to(ROOT).parts) > 2
+
+
+PAPERS = [p for p in MODULES if in_a_paper(p) and p.name != "__init__.py"]
 
 
 def test_formulas_import_the_language_and_formulas_alone():
     for path in PAPERS:
-        assert imports(ast.parse(path.read_text(encoding="utf-8"))) <= {"language", "papers"}
+        names = import_graph.imported(ast.parse(path.read_text(encoding="utf-8")), set(GRAPH))
+        assert {name.split(".")[0] for name in names} <= {"language", "papers"}
+
+
+def test_nothing_outside_papers_names_one():
+    names = {path.parent.name for path in PAPERS}
+    for path in MODULES:
+        if path.relative_to(ROOT).parts[0] != "papers":
+            code = ast.unparse(without_docstrings(ast.parse(path.read_text(encoding="utf-8"))))
+            assert not [name for name in names if re.search(rf"papers\.{name}\b|paper\(['\"]{name}['\"]", code)], path
+
+
+def without_docstrings(tree: ast.Module) -> ast.Module:
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node) is not None:
+            node.body = node.body[1:] or [ast.Pass()]
+    return tree
 
 
 FORBIDDEN = (ast.If, ast.IfExp, ast.Compare, ast.While, ast.For, ast.BoolOp, ast.Try, ast.Match, ast.Assert, ast.Lambda)
@@ -86,7 +91,7 @@ def test_formulas_contain_no_branch_no_comparison_no_float(path):
 def test_rooms_are_small_and_without_floats(path):
     text = path.read_text(encoding="utf-8")
     assert text.count("\n") <= 500
-    if room_of(path) not in ("display", "roots", "verification"):
+    if path.relative_to(ROOT).parts[0] not in ("display", "roots", "verification"):
         assert not [
             n.value for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Constant) and isinstance(n.value, float)
         ]

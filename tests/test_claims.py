@@ -10,8 +10,6 @@ from exactspline.papers import find
 from exactspline.readings.degree import Degree, equal_from, parse
 from exactspline.splines.examples import example
 from exactspline.symbolic.factorization import find_factor, jets_for
-from exactspline.verification import curve_check as on_one_curve
-from exactspline.verification import generic_proof as on_all_curves
 from exactspline.verification.claim_factor import factor_of_text
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.ledger import audit
@@ -41,32 +39,31 @@ def test_ids_select_what_they_begin():
 )
 def test_a_wrong_identity_is_refuted_with_the_exact_quotient(field, wrong):
     false = replace(claim("C4.1a"), **{field: wrong})
-    reading, finding = on_all_curves.prove(false)
+    reading, finding = (false).prove()
     assert (reading, finding.verdict) == ("jet", "REFUTED")
     assert finding.witness
-    assert on_one_curve.check(false, example("rational_cubic")).verdict == "REFUTED"
+    assert false.check(example("rational_cubic")).verdict == "REFUTED"
 
 
 def test_a_factor_changes_no_zero_set_only_where_the_claim_assumes_that_it_has_no_zero():
     for claim_id in ("C4.1b", "C4.2c", "C5.2c"):
         chosen = next(c for c in select([claim_id]) if c.kind == "zero set" and c.expected == "PROVED")
-        assert on_all_curves.prove(chosen)[1].verdict == "PROVED"
-        assert on_all_curves.prove(replace(chosen, without_zero=()))[1].verdict != "PROVED"
+        assert (chosen).prove()[1].verdict == "PROVED"
+        assert (replace(chosen, assumes=())).prove()[1].verdict != "PROVED"
 
 
 def test_a_wrong_degree_is_refuted():
-    for wrong in ("3d − 2", "3d", "max(3d − 3, 9)"):
-        finding = on_all_curves.prove(replace(next(c for c in select(["C4.1c"]) if c.formula == "f2"), claimed=wrong))[
-            1
-        ]
-        assert (finding.verdict, finding.computed.split(" (")[0]) == (
-            "PROVED" if "max" in wrong else "REFUTED",
-            "3d − 3",
-        )
+    """One that agrees from some d on is wrong too: a claim for all d fails if it fails for one."""
+    degree = next(c for c in select(["C4.1c"]) if c.formula == "f2")
+    for wrong in ("3d − 2", "3d", "max(3d − 3, 9)", "max(3d − 3, 2000)"):
+        _, finding = replace(degree, claimed=wrong).prove()
+        assert finding.verdict == "REFUTED"
+        assert finding.computed.startswith("3d − 3")
+    assert replace(degree, claimed="max(3d − 3, 9)", least_d=4).prove()[1].verdict == "PROVED"
 
 
 def test_a_wrong_vanishing_is_refuted_at_a_parameter_where_it_does_not_vanish():
-    finding = on_one_curve.check(replace(claim("C3c"), left="D1_D2_D3"), example("rational_space_cubic"))
+    finding = replace(claim("C3c"), left="D1_D2_D3").check(example("rational_space_cubic"))
     assert finding.verdict == "REFUTED"
     assert "at the parameter" in finding.witness
 
@@ -78,8 +75,8 @@ def test_zero_equals_zero_is_vacuous_not_a_success():
 
 def test_a_zero_set_that_differs_is_seen_on_the_curve():
     false = replace(claim("C4.1b"), formulas=("f2", "velocity_jerk"))
-    assert on_one_curve.check(false, example("rational_cubic_s")).verdict == "REFUTED"
-    assert on_one_curve.check(claim("C4.1b"), example("rational_cubic_s")).verdict == "VERIFIED"
+    assert false.check(example("rational_cubic_s")).verdict == "REFUTED"
+    assert claim("C4.1b").check(example("rational_cubic_s")).verdict == "VERIFIED"
 
 
 def sympy_naive_derivative(p, w, t, order):

@@ -27,7 +27,7 @@ def test_the_input_is_not_written_over(tmp_path, command):
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="a device that is always full is needed")
 def test_a_full_disk_is_bad_output_and_no_verdict():
-    command = [sys.executable, "-m", "exactspline.cli", "prove", "--claim", "C4.1c"]
+    command = [sys.executable, "-m", "exactspline", "prove", "--claim", "C4.1c"]
     with open("/dev/full", "w") as full:
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == 2
@@ -54,7 +54,7 @@ def test_a_formula_has_two_forms():
 
 
 def test_the_torsion_at_its_zero_is_zero():
-    data = json.loads(run("inspect", "rational_space_cubic_spline", "--json").stdout)
+    data = json.loads(run("inspect", "rational_space_cubic_spline", "--json").stdout)["rows"][0]
     assert {f["torsion"] for f in data["torsion"] if not f["by_jump"]} <= {"0"}
 
 
@@ -83,7 +83,7 @@ def test_what_is_no_curve_is_not_read_as_one(tmp_path):
         assert run("derive", name, curve, "-o", file).returncode == 0
         done = run("inspect", file)
         assert done.returncode == 2
-        assert "not one curve in one piece" in done.stderr
+        assert "no curve" in done.stderr or "not one curve" in done.stderr
     for net in ([[1, "x", 1]], [1], None, [[]], [["1", "1"]]):
         piece = {"kind": "rational", "degree": 1, "knots": [0, 0, 1, 1], "homogeneous_control_points": net}
         file.write_text(json.dumps({"pieces": [piece]}))

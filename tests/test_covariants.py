@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs, Vector
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve
+from exactspline.language.kinds import CURVE
 from exactspline.papers import all_formulas, find
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import jet_curve
-from exactspline.readings.leading_terms import drop_of, expansion_curve
+from exactspline.readings.jet import JetReading
+from exactspline.readings.leading_terms import LeadingTermsReading, drop_of
 from exactspline.symbolic.covariants import generic_degree, graded, true_degree
 from exactspline.symbolic.substitution import substitute
 
@@ -22,7 +23,7 @@ POLYNOMIAL = [(f.name, n) for f in all_formulas().values() for n in DIMENSIONS.g
 
 
 def jets(name, dimension, *, polynomial=False):
-    value = find(name)(jet_curve(dimension, order_of(find(name), dimension), polynomial=polynomial))
+    value = find(name)(JetReading(order_of(find(name), dimension)).argument(CURVE, dimension, polynomial=polynomial))
     return list(value) if isinstance(value, Vector) else [value]
 
 
@@ -41,7 +42,9 @@ def test_two_readings_agree_on_every_polynomial_formula(name, dimension, polynom
             return value[i] if isinstance(value, Vector) else value
 
         found = true_degree(jet)
-        k, m, drop, _ = drop_of(component, lambda terms: expansion_curve(dimension, terms, polynomial=polynomial), name)
+        k, m, drop, _ = drop_of(
+            component, lambda terms: LeadingTermsReading(terms).argument(CURVE, dimension, polynomial=polynomial), name
+        )
         assert (k, m, m - drop) == (found.k, found.m, found.j)
 
 
@@ -110,7 +113,7 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
         return
     for old, new in zip(lowest(rows), lowest([moved(row) for row in rows]), strict=True):
         before, after = old.reduce_degree(surplus).segments[0], new.reduce_degree(surplus).segments[0]
-        assert [x * (a * b) ** m for x in moved(before)] == after
+        assert tuple(x * (a * b) ** m for x in moved(before)) == after
 
 
 def test_what_is_no_covariant_does_not():
@@ -166,7 +169,7 @@ def test_the_formula_behind_the_proof():
 
 
 def test_heights_add():
-    c = jet_curve(2, 3)
+    c = JetReading(3).argument(CURVE, 2)
     D2, D3 = find("D2")(c)[0], find("D3")(c)[0]
     assert true_degree(D2 * D3).j == true_degree(D2).j + true_degree(D3).j == 3
     assert true_degree(D2 * find("f2")(c)).j == 1
@@ -174,7 +177,7 @@ def test_heights_add():
 
 def test_mixed_gradings_take_the_maximum():
     """x′² + y: true degree max(2d − 2, d), on a curve of each degree."""
-    c = jet_curve(2, 1, polynomial=True)
+    c = JetReading(1).argument(CURVE, 2, polynomial=True)
     mixed = c.p[0].d() ** 2 + c.p[1]
     with pytest.raises(FormulaError, match="gradings"):
         true_degree(mixed)
@@ -187,6 +190,6 @@ def test_mixed_gradings_take_the_maximum():
 
 
 def test_zero_has_no_degree():
-    c = jet_curve(2, 1)
+    c = JetReading(1).argument(CURVE, 2)
     with pytest.raises(FormulaError, match="zero polynomial"):
         true_degree(c.w - c.w)

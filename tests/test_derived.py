@@ -32,6 +32,24 @@ def test_a_curve_with_one_straight_segment_has_an_evolute_on_the_others():
         evolute("3/2")
 
 
+def test_degrees_of_what_exists_in_pieces_are_those_of_the_pieces():
+    """No −1 and no 0 for what does not exist: the pieces, and the reason for the gap."""
+    from exactspline.verification.degree_tables import construction_table
+
+    def rows(curve):
+        return [row for row in (call() for call in construction_table(curve)) if row.formula == "evolute"]
+
+    found = derive("evolute", example("straight_between_arcs"))
+    for row in rows(example("straight_between_arcs")):
+        assert row.true == found.true_degree == 3
+        assert row.text == found.existence
+        assert "not on [1, 2]: the curve is straight" in row.text
+    assert rows(example("straight_between_arcs"))[-1].control_points == found.control_points == 8
+    for row in rows(example("straight_line")):
+        assert (row.represented, row.true, row.control_points) == (None, None, None)
+        assert "straight" in row.text
+
+
 def test_cusps_and_doubled_points_are_no_obstacle():
     for name in ("cusp", "doubled_points", "jump", "unclamped"):
         for variant in ("naive", "paper", "minimal"):

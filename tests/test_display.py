@@ -26,9 +26,10 @@ from exactspline.display.tables import (
 )
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.derived import derive
+from exactspline.language.kinds import CURVE
 from exactspline.papers import all_formulas, find
-from exactspline.readings.degree import Degree, degree_curve, parse
-from exactspline.readings.jet import jet_curve
+from exactspline.readings.degree import Degree, DegreeReading, parse
+from exactspline.readings.jet import JetReading
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import control_point_count
@@ -140,7 +141,7 @@ def test_claims_statements_rows_and_errata_show_themselves():
         assert claim.id in text_of(claim)
         assert len(sides(claim)) == len(set(claim.named))
     entry = next(errata())
-    assert entry.printed in text_of(entry)
+    assert entry.statements[0].statement in text_of(entry)
     assert next(statements("C4.2b")).finding.witness in text_of(next(statements("C4.2b")))
     assert REFUTED in text_of(verdicts("C4.2b").rows_of_ledger[0])
 
@@ -159,10 +160,10 @@ def test_every_formula_is_latex(formula):
 
 def test_numbers_degrees_jets_and_vectors_are_latex():
     assert (fraction(mpq(-3, 4)), fraction(mpq(5))) == (r"-\tfrac{3}{4}", "5")
-    d = degree_curve(2)
+    d = DegreeReading().argument(CURVE, 2)
     assert latex(find("f2")(d)) == r"$\displaystyle 3d - 3$"
     assert latex(Degree.named("d1").max(Degree.named("d2"))) == r"$\displaystyle \max(d_2, d_1)$"
-    assert is_latex(latex(find("f2")(jet_curve(2, 2))))
+    assert is_latex(latex(find("f2")(JetReading(2).argument(CURVE, 2))))
     assert is_latex(latex(Vector(BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 2]))))
     assert unicode_latex("2·w¹⁶·(‖D1‖²)⁻⁴") == r"2\,w^{16}\,(\|D_1\|^{2})^{-4}"
 

@@ -1,8 +1,10 @@
 """The gate of exact numbers: what it takes, what it refuses and what it says then."""
 
+import ast
 from decimal import Decimal
 from enum import IntEnum
 from fractions import Fraction
+from pathlib import Path
 
 import flint
 import gmpy2
@@ -11,8 +13,9 @@ from gmpy2 import mpfr, mpq, mpz
 from hypothesis import given
 from hypothesis import strategies as st
 
+import exactspline
 from exactspline.errors import NumberError
-from exactspline.exact import from_float, ratio, rational, text, to_fmpq, to_fmpz
+from exactspline.exact import from_float, from_floats, ratio, rational, text, to_fmpq, to_fmpz
 from tests.strategies import numbers
 
 TAKEN = [
@@ -142,7 +145,7 @@ def test_a_long_number_of_a_wrong_kind_is_refused_too():
         rational([10**5000])
 
 
-@pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "uint8", "bool_", "str_", "longdouble"])
+@pytest.mark.parametrize("kind", ["float64", "float32", "float16", "bool_", "str_", "longdouble"])
 def test_numpy_scalars_are_refused(kind):
     numpy = pytest.importorskip("numpy")
     with pytest.raises(NumberError, match="numpy"):
@@ -183,3 +186,42 @@ def test_a_decimal_and_its_text_are_one_number(value):
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_hex_text_is_the_float(value):
     assert rational(value.hex()) == from_float(value) == Fraction(value)
+
+
+def test_floats_in_a_sequence():
+    assert from_floats([0.5, -0.0, 5e-324]) == [mpq(1, 2), 0, mpq(1, 2**1074)]
+    assert from_floats(((0.1, 2.0), (1e300, 3.5))) == [[Fraction(0.1), 2], [Fraction(1e300), mpq(7, 2)]]
+    assert from_floats([]) == []
+    with pytest.raises(NumberError) as caught:
+        from_floats([[0.5, 1.0], [0.5, float("inf")]])
+    assert caught.value.where == "[1][1]"
+    for wrong in ([1], ["0.5"], [[0.5], None]):
+        with pytest.raises(NumberError):
+            from_floats(wrong)
+
+
+@pytest.mark.parametrize("kind", ["int8", "int32", "int64", "uint8", "uint64"])
+def test_integers_of_numpy_are_integers(kind):
+    numpy = pytest.importorskip("numpy")
+    most = numpy.iinfo(kind).max
+    assert rational(getattr(numpy, kind)(most)) == int(most)
+    points = numpy.array([[1, 2], [3, 4]], dtype=kind)
+    assert exactspline.Nurbs(1, [0, 0, 1, 1], points)(1) == (3, 4)
+
+
+def test_floats_of_numpy_enter_by_the_door_for_floats():
+    numpy = pytest.importorskip("numpy")
+    points = numpy.array([[0.5, 2.0], [0.25, 4.0]])
+    assert exactspline.Nurbs(1, [0, 0, 1, 1], from_floats(points))(1) == (mpq(1, 4), 4)
+
+
+ROOT = Path(exactspline.__file__).parent
+
+
+@pytest.mark.parametrize("room", ["language", "roots", "splines"])
+def test_gmpy2_is_imported_through_exact_alone(room):
+    for path in (ROOT / room).rglob("*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        named = {a.name for node in ast.walk(tree) if isinstance(node, ast.Import) for a in node.names}
+        named |= {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+        assert "gmpy2" not in named, path

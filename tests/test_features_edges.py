@@ -6,9 +6,14 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
+from exactspline.geometry.features import (
+    constant_pieces,
+    curvature_extrema,
+    inflections,
+    singular_points,
+    straight_pieces,
+)
 from exactspline.geometry.inspection import APPROACHES, inspect_curve
-from exactspline.geometry.plane_features import constant_pieces, curvature_extrema, inflections, straight_pieces
-from exactspline.geometry.singular_points import singularities
 from exactspline.splines.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
@@ -30,12 +35,12 @@ def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
 
 def test_a_singular_seam_is_counted_once():
     curve = bezier([(0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0)])
-    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("corner", 0)]
+    assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("corner", 0)]
 
 
 def test_a_curve_that_starts_from_rest_is_singular_there():
     curve = bezier([(0, 0), (0, 0), (1, 1), (2, 0)])
-    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("singular end", 0)]
+    assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("singular end", 0)]
     assert not [f for f in inflections(curve) if f.root == 0]
     assert not [f for f in inspect_curve(curve).critical if f.root == 0]
 
@@ -63,13 +68,14 @@ def test_a_gap_or_a_corner_is_no_inflection(knots, points):
 
 def test_a_rest_is_no_cusp():
     curve = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (1, 0), (2, 0)])
-    assert [(f.kind, f.root.exact) for f in singularities(curve)] == [("rest", 1), ("rest", 2)]
+    assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("rest", 1), ("rest", 2)]
 
 
 def test_pieces_end_at_corners_and_where_the_curvature_jumps():
-    assert straight_pieces(Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])) == [(0, 1), (1, 2)]
+    bent = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+    assert [p.parts for p in straight_pieces(bent)] == [((0, 1),), ((1, 2),)]
     arcs = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(1, 0), (1, 1), (0, 1), (-2, 1), (-2, -1)], weights=[1, 1, 2, 2, 4])
-    assert constant_pieces(arcs) == [(0, 1), (1, 2)]
+    assert [p.parts for p in constant_pieces(arcs)] == [((0, 1),), ((1, 2),)]
     assert not curvature_extrema(arcs)
 
 

@@ -2,8 +2,6 @@
 evaluation.
 """
 
-from types import SimpleNamespace
-
 import pytest
 import sympy
 from gmpy2 import mpq
@@ -12,10 +10,12 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.readings.degree import Degree, degree_curve
-from exactspline.readings.jet import jet_curve
+from exactspline.language.arguments import Curve
+from exactspline.language.kinds import CURVE
+from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor import series_curve
-from exactspline.readings.tree import Traced
+from exactspline.readings.tree import TreeReading
 from tests.strategies import numbers, splines_on_one_domain, vectors
 
 
@@ -139,17 +139,17 @@ def test_wrong_dimensions_are_told():
 
 def operands():
     t = BSpline.identity(1, 2)
-    curve = SimpleNamespace(p=Vector(t, t), w=t, polynomial=False)
+    curve = Curve(Vector(t, t), t)
     return [
         t,
         t / t,
         Vector(t, t),
         Vector(t, t) / t,
-        jet_curve(2, 1).w,
-        degree_curve(2).w,
+        JetReading(1).argument(CURVE, 2).w,
+        DegreeReading().argument(CURVE, 2).w,
         series_curve(curve, 1, 2).w,
-        Traced().w,
-        Traced().p,
+        TreeReading().argument(CURVE, 3).w,
+        TreeReading().argument(CURVE, 3).p,
     ]
 
 
@@ -171,7 +171,7 @@ def test_powers_are_positive_integers(exponent):
 
 def test_readings_do_not_mix():
     t = BSpline.identity(0, 1)
-    for other in (jet_curve(2, 1).w, Degree.named("d")):
+    for other in (JetReading(1).argument(CURVE, 2).w, Degree.named("d")):
         for wrong in (lambda x: t + x, lambda x: t - x, lambda x: t * x, lambda x: x + t, lambda x: x * t):
             with pytest.raises((TypeError, FormulaError)):
                 wrong(other)

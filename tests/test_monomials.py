@@ -7,10 +7,10 @@ import pytest
 from flint import fmpq
 
 from exactspline.errors import FormulaError
+from exactspline.language.kinds import CURVE
 from exactspline.papers import find
-from exactspline.readings.bernstein_term import every_coefficient, monomial_curve
-from exactspline.readings.generic_bezier import generic_curve
-from exactspline.verification import generic_proof as on_all_curves
+from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
+from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claims import select
 
 
@@ -20,8 +20,8 @@ def test_the_coefficients_are_those_of_every_single_degree(name, degree):
     """Term by term: what the symbolic monomials give at d, a, b is the coefficient of the product of control point a
     and weight b.
     """
-    symbolic = find(name)(monomial_curve(2))[0]
-    concrete = find(name)(generic_curve(2, degree))[0]
+    symbolic = find(name)(BernsteinTermReading().argument(CURVE, 2))[0]
+    concrete = find(name)(GenericReading(degree).argument(CURVE, 2))[0]
     expected = [{} for _ in concrete.coefficients]
     for a in range(degree + 1):
         for b in range(degree + 1):
@@ -41,23 +41,23 @@ def test_the_coefficients_are_those_of_every_single_degree(name, degree):
 
 
 def test_every_coefficient_of_d1_is_proved_and_of_others_computed():
-    chosen = next(c for c in select(["C3f"]) if c.measure == "generic")
-    reading, finding = on_all_curves.prove(chosen)
+    chosen = next(c for c in select(["C3f"]) if c.curves == "generic")
+    reading, finding = chosen.prove()
     assert (reading, finding.verdict) == ("generic", "PROVED")
     assert "d ≥ 1" in finding.computed
-    assert on_all_curves.prove(replace(chosen, formula="D2"))[1].verdict == "VERIFIED"
+    assert replace(chosen, formula="D2").prove()[1].verdict == "VERIFIED"
 
 
 def test_what_is_not_of_that_kind_is_not_proved():
     """w′p has p_(k+1) w_k with the factor k, zero for k = 0; (w p)′ with a polynomial in d; D2 has three terms; nothing
     comes of p alone.
     """
-    c = monomial_curve(2)
+    c = BernsteinTermReading().argument(CURVE, 2)
     for value in (c.p * c.w.d(1), (c.p * c.w).d(1), find("D2")(c), c.p.d(1), c.w.d(1), c.p - c.p):
         assert every_coefficient(value) is None
 
 
 def test_terms_of_different_degree_are_not_added():
-    c = monomial_curve(2)
+    c = BernsteinTermReading().argument(CURVE, 2)
     with pytest.raises(FormulaError, match="different degree"):
         c.p[0] + c.w

@@ -6,18 +6,19 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs, Vector
-from exactspline.language.arguments import DIMENSIONS, Curve, Pair, assemble, operands, with_point
+from exactspline.language.arguments import Curve, Pair
+from exactspline.language.kinds import DIMENSIONS, PAIR, POINT_IN_SPACE, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, ruled
 from exactspline.language.vector import cross, dot, norm2
 from exactspline.papers import all_formulas, find
-from exactspline.readings.degree import Degree, degree_argument, parse
+from exactspline.readings.degree import Degree, DegreeReading, parse
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import jet_argument
+from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import generic_drop
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
-from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import evaluate, trace
 from exactspline.symbolic.substitution import substitute
@@ -37,7 +38,7 @@ def argument(kind, *, polynomial=False):
         curve = Nurbs(curve.degree, curve.knots, curve.control_points)
     if kind == "pair":
         return pair_with(curve, moved_copy(curve))
-    return with_point(curve, point_beside(curve))
+    return curve.with_point(point_beside(curve))
 
 
 def series(kind, s, t, terms, *, polynomial=False):
@@ -48,7 +49,7 @@ def series(kind, s, t, terms, *, polynomial=False):
     if kind == "pair":
         first, second = Curve(curve.p, curve.w, polynomial=curve.polynomial), moved_copy(curve)
         return Pair(first.mapped(lambda f: taylor(f, s, terms)), second.mapped(lambda f: taylor(f, t, terms)))
-    return with_point(curve, point_beside(curve)).mapped(lambda f: taylor(f, s, terms))
+    return curve.with_point(point_beside(curve)).mapped(lambda f: taylor(f, s, terms))
 
 
 def dimension(f):
@@ -84,7 +85,7 @@ def test_represented_degrees_are_counted_degrees(name, polynomial):
     d = 2 if f.curve == "plane point" else 3
     represented = f(given).degree
     for parameter in ("s", "s̄") if f.curve == "pair" else ("s",):
-        counted = f(degree_argument(f.curve, dimension(f), polynomial=polynomial, parameter=parameter)).degree
+        counted = f(DegreeReading(parameter=parameter).argument(f.kind, dimension(f), polynomial=polynomial)).degree
         in_parameter = represented if f.curve != "pair" else represented.s if parameter == "s" else represented.t
         assert in_parameter == counted.at({"d": d})
 
@@ -117,23 +118,23 @@ def test_the_second_curve_gets_a_bar():
 def test_jets_have_the_order_that_was_found(name):
     f = FORMULAS[name]
     order = order_of(f, dimension(f))
-    assert f(jet_argument(f.curve, dimension(f), order)) is not None
-    assert f(fraction_argument(f.curve, dimension(f), order)) is not None
+    assert f(JetReading(order).argument(f.kind, dimension(f))) is not None
+    assert f(RationalJetReading(order).argument(f.kind, dimension(f))) is not None
 
 
 def test_a_jet_of_two_curves_is_substituted_by_their_splines():
-    jets = jet_argument("pair", 3, 1)
+    jets = JetReading(1).argument(PAIR, 3)
     value = find("bisector_determinant_symmetric")(jets)
     given = argument("pair")
     assert substitute(value, given) == find("bisector_determinant_symmetric")(given)
-    jets = jet_argument("point", 3, 1)
+    jets = JetReading(1).argument(POINT_IN_SPACE, 3)
     given = argument("point")
     value = find("direct_determinant_z")(jets)
     assert substitute(value, given) == find("direct_determinant_z")(given)
 
 
 def test_the_point_is_constant():
-    ring = jet_argument("point", 2, 1)
+    ring = JetReading(1).argument(POINT_IN_SPACE, 2)
     assert ring.point[0].d().is_zero
     assert (ring.point[0] * ring.p[0]).d() == ring.point[0] * ring.p[0].d()
 
@@ -146,7 +147,7 @@ def test_operands_are_what_was_assembled(kind):
         made[name] = Order(len(made))
         return made[name]
 
-    assert operands(assemble(kind, 3, operand, Order(0))) == made
+    assert kind_of(kind).argument(3, lambda symbol: operand(symbol.name), Order(0)).operands() == made
 
 
 def test_the_true_degree_in_one_parameter():
@@ -173,7 +174,7 @@ def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
     """Cramer's rule for (31): the terms of the first and the last row are over one denominator; the claims add row by
     row.
     """
-    c = degree_argument("point", 3)
+    c = DegreeReading().argument(POINT_IN_SPACE, 3)
     generator, offset, velocity = find("point_bisector_generator")(c), c.gamma - c.point, c.gamma.d(1)
     first = cross(generator, offset) * find("normal_height")(c)
     second = cross(offset, velocity) * dot(c.point, generator)
@@ -187,7 +188,7 @@ def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
 
 def test_a_point_and_a_line_give_a_parabolic_cylinder():
     line = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)])
-    surface = find("point_bisector_direct_z")(with_point(line, (mpq(0), mpq(1), mpq(0))))
+    surface = find("point_bisector_direct_z")(line.with_point((mpq(0), mpq(1), mpq(0))))
     assert isinstance(surface, RuledSurface)
     for s in ("0", "1/3", "7/8"):
         x, y, z = surface.at(5)(s)

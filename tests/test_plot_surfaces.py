@@ -19,7 +19,6 @@ from exactspline.display.plot.html import Scene, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.language.arguments import with_point
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros
@@ -96,7 +95,7 @@ def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():
 )
 def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
     curve, q = example("helix_like"), (mpq(1, 3), mpq(1, 4), mpq(1))
-    surface = find(variant)(with_point(curve, q))
+    surface = find(variant)(curve.with_point(q))
     mesh = ruled_mesh(surface, (0, 1))
     start, end = mesh.patches[0][0][0], mesh.patches[0][0][-1]
     foot = curve(curve.domain[0])
@@ -114,7 +113,7 @@ def test_bisectors_of_curves_and_in_the_plane():
     degree = find("bisector_symmetric")(surface_pair(*lines)).degree
     assert f"bisector: degree {degree.s} × {degree.t}" in legend(ax)
     flat = plot_bisector(example("ellipse"), (0, 0))
-    value = find("plane_bisector_polynomial")(with_point(example("ellipse"), (0, 0)))
+    value = find("plane_bisector_polynomial")(example("ellipse").with_point((0, 0)))
     assert flat.name == "rectilinear"
     assert legend(flat)[-1] == f"bisector: degree {value.degree}"
 

@@ -9,17 +9,18 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, Rational, Vector
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import DIMENSIONS, Curve
+from exactspline.language.arguments import Curve
+from exactspline.language.kinds import CURVE, DIMENSIONS, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, degree_curve, equal_from, parse
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import Jet, JetRing, jet_curve
+from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
-from exactspline.readings.tree import Traced, evaluate, operation_counts, trace
+from exactspline.readings.tree import TreeReading, evaluate, operation_counts, trace
 from exactspline.splines.examples import example
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
@@ -65,8 +66,7 @@ def series_table(t, terms):
 
 
 def jet_table():
-    ring = JetRing(("p1", "p2", "w1", "w2", *(f"v{i}{k}" for i in (1, 2) for k in "xyz")), 2)
-    return table(lambda x, i: ring[f"{x}{i}"], lambda x, i: Vector(*[ring[f"{x}{i}{k}"] for k in "xyz"]))
+    return JetReading(2).argument(TABLE, 3)
 
 
 def degree_table():
@@ -84,10 +84,10 @@ def order_curve(dimension):
 READINGS = {
     "spline": lambda n: CURVES[n],
     "polynomial spline": lambda n: POLYNOMIALS[n],
-    "jet": jet_curve,
-    "polynomial jet": lambda n, order: jet_curve(n, order, polynomial=True),
-    "degree": degree_curve,
-    "polynomial degree": lambda n: degree_curve(n, polynomial=True),
+    "jet": lambda n, order: JetReading(order).argument(CURVE, n),
+    "polynomial jet": lambda n, order: JetReading(order).argument(CURVE, n, polynomial=True),
+    "degree": lambda n: DegreeReading().argument(CURVE, n),
+    "polynomial degree": lambda n: DegreeReading().argument(CURVE, n, polynomial=True),
     "series": lambda n: series_curve(CURVES[n], "1/2", 8),
     "order": order_curve,
 }
@@ -184,19 +184,25 @@ POLYNOMIAL_DEGREES = {
 @pytest.mark.parametrize("name", RATIONAL_DEGREES)
 def test_naive_degrees_of_rational_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
-        assert equal_from(FORMULAS[name](degree_curve(dimension)).degree, parse(RATIONAL_DEGREES[name])) == 1
+        assert (
+            equal_from(FORMULAS[name](DegreeReading().argument(CURVE, dimension)).degree, parse(RATIONAL_DEGREES[name]))
+            == 1
+        )
 
 
 @pytest.mark.parametrize("name", POLYNOMIAL_DEGREES)
 def test_naive_degrees_of_polynomial_curves(name):
     for dimension in DIMENSIONS[FORMULAS[name].curve]:
-        found = FORMULAS[name](degree_curve(dimension, polynomial=True)).degree
+        found = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=True)).degree
         assert equal_from(found, parse(POLYNOMIAL_DEGREES[name])) is not None
         assert all(found.at({"d": d}) == parse(POLYNOMIAL_DEGREES[name]).at({"d": d}) for d in range(2, 12))
 
 
 def test_two_terms_of_g0_have_the_degrees_of_the_paper():
-    assert [repr(FORMULAS[name](degree_curve(2)).degree) for name in ("g0_term_1", "g0_term_2")] == ["14d", "12d"]
+    assert [repr(FORMULAS[name](DegreeReading().argument(CURVE, 2)).degree) for name in ("g0_term_1", "g0_term_2")] == [
+        "14d",
+        "12d",
+    ]
 
 
 @pytest.mark.parametrize("kind", ["rational", "polynomial"])
@@ -206,7 +212,7 @@ def test_the_represented_degree_is_the_counted_one(name, dimension, kind):
     if (name, kind) in product(("f2", "D1_D2_D3", "velocity", "evolute"), ("rational",)):
         curves.append(example("rational_cubic" if dimension == 2 else "rational_space_cubic"))
     for curve in curves:
-        counted = FORMULAS[name](degree_curve(dimension, polynomial=kind == "polynomial"))
+        counted = FORMULAS[name](DegreeReading().argument(CURVE, dimension, polynomial=kind == "polynomial"))
         result = FORMULAS[name](curve)
         assert result.degree == counted.degree.at({"d": curve.degree})
         if isinstance(result, Rational):
@@ -217,7 +223,9 @@ def test_the_represented_degree_is_the_counted_one(name, dimension, kind):
 #: The formulas that are polynomials in the curve. (Not so quotients: the quotient rule raises degrees, and a jet has
 #: none to raise.)
 HOMOGENEOUS = [
-    (name, n) for name, n in OF_CURVES if not isinstance(FORMULAS[name](degree_curve(n)), (Rational, RuledSurface))
+    (name, n)
+    for name, n in OF_CURVES
+    if not isinstance(FORMULAS[name](DegreeReading().argument(CURVE, n)), (Rational, RuledSurface))
 ]
 
 
@@ -226,7 +234,10 @@ def test_the_grading_of_a_jet_gives_its_degree(name, dimension):
     """Degree k in the curve and weight m mean nominal degree kd − m; only a formula that vanishes on every curve has
     none.
     """
-    jet, degree = FORMULAS[name](jet_curve(dimension, 6)), FORMULAS[name](degree_curve(dimension))
+    jet, degree = (
+        FORMULAS[name](JetReading(6).argument(CURVE, dimension)),
+        FORMULAS[name](DegreeReading().argument(CURVE, dimension)),
+    )
     pairs = zip(jet, degree, strict=True) if isinstance(jet, Vector) else [(jet, degree)]
     for j, counted in pairs:
         assert j.is_zero == (name == "D1_D2_D21")
@@ -242,14 +253,14 @@ def test_the_graded_formulas_are_many():
 
 def test_derivatives_of_constants_and_of_zero_are_zero():
     for polynomial in (False, True):
-        c = jet_curve(2, 1, polynomial=polynomial)
+        c = JetReading(1).argument(CURVE, 2, polynomial=polynomial)
         assert c.p[0].constant(5).d(3).is_zero
         assert (c.p[0] - c.p[0]).d(2).is_zero
-    assert jet_curve(2, 2, polynomial=True).w.d(2).is_zero
+    assert JetReading(2).argument(CURVE, 2, polynomial=True).w.d(2).is_zero
 
 
 def test_an_inhomogeneous_jet_has_no_grading():
-    c = jet_curve(2, 2)
+    c = JetReading(2).argument(CURVE, 2)
     for x in (c.w + 1, c.w + c.w.d(), c.w * 0):
         with pytest.raises(FormulaError, match="homogeneous"):
             _ = x.grading
@@ -260,10 +271,10 @@ def test_an_inhomogeneous_jet_has_no_grading():
 @over_curves
 def test_the_order_of_a_formula_is_the_highest_derivative_in_its_jet(name, dimension):
     order = order_of(FORMULAS[name], dimension)
-    assert FORMULAS[name](jet_curve(dimension, order)) is not None
+    assert FORMULAS[name](JetReading(order).argument(CURVE, dimension)) is not None
     if order:
         with pytest.raises(FormulaError, match=f"the derivative of order {order}"):
-            FORMULAS[name](jet_curve(dimension, order - 1))
+            FORMULAS[name](JetReading(order - 1).argument(CURVE, dimension))
 
 
 # ---- series against splines
@@ -328,13 +339,13 @@ def test_a_tree_keeps_what_is_written():
         "[D1 D2]",
         "[(p′ w − p w′) (p″ w − p w″)]",
     ]
-    square = Traced(2).w
+    square = TreeReading().argument(CURVE, 2).w
     assert operation_counts(square * square) == {"*": 1}
 
 
 def test_formulas_called_within_one_another_are_evaluated_anew_on_every_curve():
     """What is remembered while one formula is evaluated is forgotten with it, also when it fails."""
-    first, second = jet_curve(2, 1), jet_curve(2, 2)
+    first, second = JetReading(1).argument(CURVE, 2), JetReading(2).argument(CURVE, 2)
     for _ in range(2):
         with pytest.raises(FormulaError, match="order 2"):
             FORMULAS["f1"](first)
@@ -391,13 +402,13 @@ def test_printed_formulas_are_well_formed(name, dimension, expand):
 def test_symbols_can_be_raised_and_differentiated(name):
     """A named formula that another one squares or differentiates prints without two exponents on one base."""
     for outer in (lambda x: x**2, lambda x: x.d(1), lambda x: x.d(4), lambda x: x * x):
-        node = outer(FORMULAS[name](Traced(2)))
+        node = outer(FORMULAS[name](TreeReading().argument(CURVE, 2)))
         assert_latex(print_latex(node))
         assert_text(print_text(node))
 
 
 def test_a_squared_length_can_be_raised_to_a_power():
-    c = Traced(2)
+    c = TreeReading().argument(CURVE, 2)
     node = norm2(c.p.d(1)) ** 3 / norm2(c.p)
     assert_latex(print_latex(node))
     assert_text(print_text(node))
@@ -409,7 +420,7 @@ def test_printed_examples():
     assert print_latex(trace(FORMULAS["f2"])) == r"[p'\ p'']\,w - [p\ p'']\,w' - [p'\ p]\,w''"
     assert print_text(trace(FORMULAS["velocity_shared"])) == "D1/w²"
     assert print_latex(trace(FORMULAS["velocity_shared"])) == r"\frac{D_1}{w^{2}}"
-    c = Traced(3)
+    c = TreeReading().argument(CURVE, 3)
     assert print_text(c.p.d(1) - (c.p - c.p.d(2))) == "p′ − (p − p″)"
     assert print_text((c.w + 1) * (c.w - 1)) == "(w + 1) (w − 1)"
     assert print_text(c.w / (c.w * c.w)) == "w/(w w)"
@@ -426,7 +437,7 @@ def test_printed_text_tells_different_trees_apart():
     """The determinant of a product and a vector is not printed as one of three vectors; quotients of products are not
     products of quotients.
     """
-    c = Traced(3)
+    c = TreeReading().argument(CURVE, 3)
     assert print_text(det(c.p * c.w, c.p.d(1))) != "[p w p′]"
     assert print_text(c.w / (c.w * c.w)) != print_text((c.w / c.w) * c.w)
     assert print_text((c.w**2).d(1)) != print_text(c.w.d(1) ** 2)

@@ -7,16 +7,18 @@ from gmpy2 import mpq
 
 from exactspline import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import all_formulas, find
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.factored_jet import FactoredJet, factored_argument
-from exactspline.readings.jet import Jet, jet_argument
+from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
+from exactspline.readings.jet import Jet, JetReading
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import in_lowest_terms
-from exactspline.symbolic.reduction import GENERATOR, ZERO_FREE, reduce, reduction
+from exactspline.symbolic.assumptions import ASSUMPTIONS
+from exactspline.symbolic.reduction import GENERATOR, reduce, reduction
 
 #: Formula, part, what is cancelled, what is left, its k, m, j, and the true degree; by hand from §4, §5 and §6 and the
 #: theorem.
@@ -63,7 +65,7 @@ def test_factors_with_roots_are_kept_apart_and_named():
     assert {p.name for p in part.powers if p.has_roots} == {"f2", "[X X′ X″ X‴]"}
     assert {name for name, _, _ in part.rooted.powers} == {"f2", "[X X′ X″ X‴]"}
     assert not part.cancelled.names & {"f2", "[X X′ X″ X‴]"}
-    assert all(p.meaning == ZERO_FREE[p.name] for p in part.powers if not p.has_roots)
+    assert all(p.assumption in ASSUMPTIONS.values() and p.meaning for p in part.powers if not p.has_roots)
     # of the naive numerator of degree 48d: the powers that are in it and in the denominator
     assert {p.name: (p.above, p.below) for p in part.powers} == {
         "w": (29, 24),
@@ -89,7 +91,7 @@ def test_the_identity_holds_in_plain_jets(name):
     """The naive numerator and denominator of the jet reading, multiplied out, against the product of what was found."""
     f = find(name)
     dimension = 2 if "plane" in f.curve else 3
-    value = f(jet_argument(f.curve, dimension, order_of(f, dimension)))
+    value = f(JetReading(order_of(f, dimension)).argument(f.kind, dimension))
     sides = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
     for side, part in zip(sides, reduction(name, dimension).parts, strict=True):
         numerators, denominator = split(side)
@@ -141,7 +143,7 @@ def offset_cusps(c):
     return find("curvature_squared")(c) - 1
 
 
-@formula("curvature extrema of a space curve", curve="space")
+@formula("curvature extrema of a space curve", on="space")
 def space_vertices(c):
     """The numerator of the derivative of ``‖γ′ × γ″‖² / ‖γ′‖⁶``, from the definition."""
     a, b = c.gamma.d(1), cross(c.gamma.d(1), c.gamma.d(2))
@@ -236,7 +238,7 @@ def test_a_plain_function_finds_its_dimension():
 
 def test_the_factored_reading_is_the_jet_reading():
     """Sums, products, derivatives and equality of products against polynomials multiplied out."""
-    c, plain = factored_argument("curve", 2, 3), jet_argument("curve", 2, 3)
+    c, plain = FactoredJetReading(3).argument(CURVE, 2), JetReading(3).argument(CURVE, 2)
 
     def expression(c):
         a = c.p[0] * c.w * c.w + c.p[1] * c.w

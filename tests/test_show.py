@@ -32,7 +32,7 @@ def test_latex_is_not_broken_into_lines():
 
 @pytest.mark.parametrize("wanted", ["C4.2", "Fig. 2", "T17", "C6.2f"])
 def test_programs_get_every_statement_with_both_sides(wanted):
-    found = json.loads(show(wanted, "--json"))
+    found = json.loads(show(wanted, "--json"))["rows"]
     claims = select([wanted])
     assert [s["statement"] for s in found] == [claim.statement for claim in claims]
     for s, claim in zip(found, claims, strict=True):
@@ -42,6 +42,7 @@ def test_programs_get_every_statement_with_both_sides(wanted):
 
 
 def test_an_unknown_claim_is_bad_input():
-    result = runner.invoke(app, ["show", "C9"])
+    result = runner.invoke(app, ["show", "C4.9"])
     assert isinstance(result.exception, ClaimError)
-    assert "C4.1a" in str(result.exception)
+    assert "C4" in str(result.exception)
+    assert len(str(result.exception)) < 200

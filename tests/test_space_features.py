@@ -13,18 +13,12 @@ from typer.testing import CliRunner
 
 from exactspline import Nurbs
 from exactspline.cli import app
-from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.continuity import CURVATURE_JUMP
-from exactspline.geometry.enclosures import curvature_value, torsion_value
+from exactspline.errors import DomainError, FormulaError, ShapeError
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.enclosures import curvature_sign, curvature_value, torsion_value
+from exactspline.geometry.features import constant_pieces, critical_points, inflections, straight_pieces, torsion_zeros
 from exactspline.geometry.inspection import SPACE_APPROACHES, compare_approaches, inspect_curve
-from exactspline.geometry.plane_features import critical_points, curvature_sign, inflections, joint
-from exactspline.geometry.space_features import (
-    flat_points,
-    space_constant_pieces,
-    space_critical_points,
-    space_straight_pieces,
-    torsion_zeros,
-)
+from exactspline.geometry.kinds import JointKind
 from exactspline.papers import find
 from exactspline.roots import checker
 from exactspline.splines.examples import example, example_names
@@ -39,10 +33,10 @@ PLANE = [name for name in example_names() if example(name).dimension == 2]
 def test_the_twisted_cubic_has_one_vertex():
     """κ² = 4(9t⁴ + 9t² + 1)/(9t⁴ + 4t² + 1)³ decreases with t²; τ = 3/(9t⁴ + 9t² + 1) has no zero."""
     curve = power_curve([0, 1], [0, 0, 1], [0, 0, 0, 1])
-    (f,) = space_critical_points(curve)
+    (f,) = critical_points(curve)
     assert (f.kind, f.root) == ("maximum", 0)
     assert (curvature_value(curve, f.root, 20), torsion_value(curve, f.root, 20)) == (2, 3)
-    assert torsion_zeros(curve) == flat_points(curve) == []
+    assert torsion_zeros(curve) == inflections(curve) == []
 
 
 @pytest.mark.parametrize(
@@ -86,14 +80,14 @@ def embedded(curve, matrix):
 def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matrix):
     curve = example(name)
     in_space = embedded(curve, matrix)
-    skipped = [t for t in (*curve.domain, *curve.breakpoints) if joint(curve, t) == CURVATURE_JUMP]
+    skipped = [joint.parameter for joint in analyse(curve).joints if joint.kind is JointKind.CURVATURE_JUMP]
     expected = [
         (f.of_absolute or f.kind, f.root)
         for f in critical_points(curve)
         if f.root not in skipped and curvature_sign(curve, f.root)
     ]
-    assert [(f.kind, f.root) for f in space_critical_points(in_space) if f.root not in skipped] == expected
-    assert [(f.kind, f.root) for f in flat_points(in_space)] == [(f.kind, f.root) for f in inflections(curve)]
+    assert [(f.kind, f.root) for f in critical_points(in_space) if f.root not in skipped] == expected
+    assert [(f.kind, f.root) for f in inflections(in_space)] == [(f.kind, f.root) for f in inflections(curve)]
     assert torsion_zeros(in_space) == []
 
 
@@ -128,7 +122,7 @@ def test_curvature_is_extremal_where_it_says_so(name):
     curve = example(name)
     kappa = find("space_curvature_squared")(curve)
     a, b = curve.domain
-    found = [f for f in space_critical_points(curve) if f.kind != "stationary"]
+    found = [f for f in critical_points(curve) if f.kind != "stationary"]
     assert found
     for f in found:
         low, high = f.root.refine(12)
@@ -142,12 +136,10 @@ def test_curvature_is_extremal_where_it_says_so(name):
 def signature(curve):
     """Everything that `inspect` finds, without the values."""
     found = inspect_curve(curve)
-    lists = [found.singularities, found.inflections, found.critical, found.torsion]
+    lists = [found.singular_points, found.inflections, found.critical, found.torsion]
     return (
         [[(f.kind, f.root, f.by_jump) for f in features] for features in lists],
-        found.straight,
-        found.constant,
-        [i for i, _ in found.planar],
+        *[[p.parts for p in pieces] for pieces in (found.straight, found.constant, [p for p, _ in found.planar])],
     )
 
 
@@ -184,7 +176,9 @@ def test_running_backwards_mirrors_the_parameters_and_nothing_else(curve):
             assert (kind, by_jump) == (kind_, by_jump_)
             (low, high), (low_, high_) = root.refine(30), root_.refine(30)
             assert low + low_ <= total <= high + high_
-    assert rest == [[(total - b, total - a) for a, b in reversed(pieces)] for pieces in (straight, constant, planar)]
+    assert rest == [
+        [((total - b, total - a),) for ((a, b),) in reversed(pieces)] for pieces in (straight, constant, planar)
+    ]
     assert [f.root.signs for f in torsion_zeros(turned)] == [f.root.signs[::-1] for f in reversed(torsion_zeros(curve))]
 
 
@@ -204,7 +198,7 @@ def test_the_sign_of_the_weights_does_not_matter(curve):
 def test_torsion_has_the_signs_that_its_zeros_tell(curve):
     """Between neighbouring zeros τ, evaluated exactly, has one sign: that of the zeros beside it."""
     tau = find("torsion_reduced")(curve)
-    assume(not tau.is_zero and not flat_points(curve) and not inspect_curve(curve).singularities)
+    assume(not tau.is_zero and not inflections(curve) and not inspect_curve(curve).singular_points)
     a, b = curve.domain
     found = [f for f in torsion_zeros(curve) if a < f.root < b]
     ends = [a, *[x for f in found for x in f.root.refine(40)], b]
@@ -215,12 +209,9 @@ def test_torsion_has_the_signs_that_its_zeros_tell(curve):
 
 def test_a_circle_and_a_line_in_space_have_constant_curvature():
     circle = embedded(example("circle"), TURNED)
-    assert space_constant_pieces(circle) == [circle.domain]
-    assert (
-        space_straight_pieces(example("space_line"))
-        == space_constant_pieces(example("space_line"))
-        == [example("space_line").domain]
-    )
+    assert [p.parts for p in constant_pieces(circle)] == [(circle.domain,)]
+    line = example("space_line")
+    assert [p.parts for p in straight_pieces(line)] == [p.parts for p in constant_pieces(line)] == [(line.domain,)]
 
 
 def test_what_is_not_known_is_refused():
@@ -229,8 +220,8 @@ def test_what_is_not_known_is_refused():
     with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
         inspect_curve(example("twisted_cubic"), "best")
     cusp = power_curve([0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1])
-    (singular,) = inspect_curve(cusp).singularities
-    with pytest.raises(FormulaError, match="singular"):
+    (singular,) = inspect_curve(cusp).singular_points
+    with pytest.raises(DomainError, match="γ′ = 0"):
         torsion_value(cusp, singular.root, 10)
     four = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)])
     with pytest.raises(ShapeError, match="plane"):
@@ -247,9 +238,9 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
     assert result.exit_code == 0
     assert "torsion" in result.output
     assert "Approaches to critical curvature" in result.output
-    data = json.loads(run("inspect", "flat_point", "--json").output)
+    data = json.loads(run("inspect", "flat_point", "--json").output)["rows"][0]
     (flat,) = data["inflections"]
-    assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0.0", "2.0")
+    assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0", "2.0")
     assert data["torsion"] == []
 
 

@@ -23,7 +23,7 @@ def test_a_jump_belongs_to_the_right():
     assert (f * f).knots[0].multiplicity(1) == 1
     assert (f * f).knots[1].multiplicity(1) == 3
     assert f.partial(0, 1).control_points == ((1, 1), (1, 1))
-    assert f.partial(1, 0).degree == (-1, 1)
+    assert f.partial(1, 0).degree == (0, 0)
 
 
 @pytest.mark.parametrize(

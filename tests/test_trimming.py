@@ -11,8 +11,8 @@ from mpmath import mp
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
+from exactspline.geometry import trimmed_bisector as module
 from exactspline.geometry.trimmed_bisector import trimmed_bisector
-from exactspline.language.arguments import with_point
 from exactspline.papers import find
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
@@ -60,7 +60,7 @@ def inner(low, high, part):
 def test_200_random_points_of_the_untrimmed_bisector_against_distances(curve, point):
     """A parameter is kept exactly where no point of the curve lies inside the circle around B through Q."""
     random, result = Random(7), trimmed_bisector(curve, point)
-    untrimmed = find("plane_bisector_polynomial")(with_point(curve, exact(point)))
+    untrimmed = find("plane_bisector_polynomial")(curve.with_point(exact(point)))
     a, b = curve.domain
     places = [a + (b - a) * mpq(k, 300) for k in range(301)]
     decided = 0
@@ -269,3 +269,15 @@ def test_the_infinite_end_of_a_piece_is_a_pole():
         end(infinite)
     with pytest.raises(ShapeError, match="outside"):
         end(2 * infinite)
+
+
+@over_cases
+def test_certain_answers_in_front_change_nothing(curve, point, monkeypatch):
+    """With every condition decided exactly on the whole segment the pieces are the same."""
+    result = trimmed_bisector(curve, point)
+    monkeypatch.setattr(module, "possible_parts", lambda *_: [(mpq(0), mpq(1))])
+    monkeypatch.setattr(module, "holds_certainly", lambda *_: False)
+    exact = trimmed_bisector(curve, point)
+    assert [(p.kind, p.low, p.high, p.foot) for p in result.pieces] == [
+        (p.kind, p.low, p.high, p.foot) for p in exact.pieces
+    ]

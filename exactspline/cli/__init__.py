@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
+from typing import Annotated
 
 import typer
 
@@ -15,42 +17,90 @@ from exactspline.cli import (
     derive,
     errata,
     figures,
+    glossary,
     inspect,
     prove,
     reduce,
+    schema,
     show,
 )
+from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
 
+EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 app = typer.Typer(
     help="B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'.",
+    epilog="\b\nBegin with:\n  exactspline prove\n  exactspline errata\n  exactspline inspect ellipse\n\n"
+    + EXIT_STATUS,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for command in (
-    prove.prove,
-    show.show,
-    errata.errata,
-    degrees.degrees,
-    derive.derive,
-    curves.curves,
-    inspect.inspect,
-    bisector.bisector,
-    conditioning.conditioning,
-    figures.figures,
-    reduce.reduce,
-    convert.convert,
-):
-    app.command()(command)
+#: Every command: what it does in a few words, and examples of its use.
+COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
+    prove.prove: (
+        "Decide every claim of the paper.",
+        "prove",
+        "prove --curve my.json",
+        "prove --section 4.2 --verdict refuted",
+    ),
+    show.show: ("Spell out one claim.", "show", 'show "eq. (12)"', "show C4.2 --latex"),
+    errata.errata: ("List the errors of the paper.", "errata", "errata C4.2b"),
+    degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees evolute --curve my.json"),
+    reduce.reduce: ("Factor a formula, yours too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
+    derive.derive: ("Evolutes, focal curves, … exactly.", "derive", "derive evolute my.json -o evolute.json"),
+    inspect.inspect: ("Features of curves, certified.", "inspect ellipse", "inspect my.json --digits 50 --plot my.svg"),
+    bisector.bisector: (
+        "Bisectors of curves and points.",
+        "bisector ellipse --point 1,1/2",
+        "bisector twisted_cubic helix_like -o surface.json",
+    ),
+    conditioning.conditioning: ("Condition numbers of zeros.", "conditioning", "conditioning my.json"),
+    figures.figures: ("Draw the figures of the paper.", "figures --out pictures", "figures --out pictures --figure 2"),
+    curves.curves: ("List the example curves.", "curves", "curves --json"),
+    convert.convert: (
+        "Convert files of curves.",
+        "convert drawing.dxf curves.json",
+        "convert font.ttf:ampersand ampersand.json",
+    ),
+    glossary.glossary: ("Explain words and signs.", "glossary", "glossary nominal"),
+    schema.schema: ("The JSON Schema of a command.", "schema", "schema prove"),
+}
+
+
+def _epilog(examples: list[str]) -> str:
+    """Examples a line each: click keeps the lines of a paragraph that begins with a backspace."""
+    lines = "\n".join(f"  exactspline {example}" for example in examples)
+    return f"\b\nExamples:\n{lines}\n\n{EXIT_STATUS}"
+
+
+for command, (short, *examples) in COMMANDS.items():
+    app.command(short_help=short, epilog=_epilog(examples))(command)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        sys.stdout.write(f"exactspline {version('exactspline')}\n")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
+    ] = False,
+) -> None:
+    """B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'."""
 
 
 def main() -> None:
     """Entry point: bad input ends in one line on standard error and exit status 2."""
+    guard_output()
     try:
         try:
-            app()
+            app(prog_name="exactspline")
         finally:
             sys.stdout.flush()
     except ExactSplineError as error:
@@ -58,9 +108,6 @@ def main() -> None:
 
         show_error(error)
         sys.exit(2)
-    except BrokenPipeError:
-        sys.stderr.close()
-        sys.exit(0)
     except OSError as error:
         # what could not be written must not be tried again when Python closes its files
         sys.stdout = None  # type: ignore[assignment]

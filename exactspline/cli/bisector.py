@@ -2,21 +2,55 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from exactspline.cli.common import AsJson, check_output, described, print_json
+from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve
+from exactspline.cli.output import Output, printing
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from exactspline.display.sheet import Sheet
+    from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
+    from exactspline.geometry.bisectors import BisectorPatch, CurveBisector
+    from exactspline.splines.nurbs import Nurbs
+
+#: An equation longer than this is told by its degree.
+LONGEST = 40
 
 
+class Row(NamedTuple):
+    """One piece in the table."""
+
+    piece: str
+    where: str
+    degree: str
+    remark: str
+
+
+class Answer(NamedTuple):
+    """What was found: for programs, for people, and how it is drawn."""
+
+    data: dict[str, Any]
+    rows: list[Row]
+    title: str
+    notes: list[str]
+    draw: Callable[[], Any]
+
+
+@printing
 def bisector(
-    curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
+    out: Output,
+    curve: Annotated[str, typer.Argument(help=CURVE_HELP)],
     other: Annotated[str, typer.Argument(help="A second curve in space; or give a point.")] = "",
-    point: Annotated[str, typer.Option("--point", help='A point, "1,1/2" or "0,0,2".')] = "",
+    point: Annotated[str, typer.Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
     variant: Annotated[
         str,
         typer.Option(
             "--variant",
+            metavar="VARIANT",
             help=(
                 "Two curves: naive, levelled, paper, symmetric, minimal. Point and space curve: naive, "
                 "explicit, direct."
@@ -24,35 +58,42 @@ def bisector(
         ),
     ] = "",
     digits: Annotated[
-        int, typer.Option("--digits", min=1, max=100_000, help="Digits of the ends of trimmed pieces.")
+        int,
+        typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and lines."),
     ] = 20,
     output: Annotated[
-        str, typer.Option("--output", "-o", help="Write the pieces as exact control points (JSON).")
+        str, typer.Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
     ] = "",
-    as_json: AsJson = False,
+    plot: Annotated[
+        str, typer.Option("--plot", metavar="FILE", help="Draw it: a file that ends in .svg or .png.")
+    ] = "",
 ) -> None:
-    """Bisector of two space curves, of a point and a space curve (ruled), or, trimmed to equal distances, of a point
-    and a plane curve.
+    """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
+    and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.errors import ShapeError
     from exactspline.splines.curve_files import write_json
-    from exactspline.splines.examples import load
 
     if other and point:
         raise ShapeError(
             "both a second curve and a point", where="bisector", remedy="name a second curve, or give --point"
         )
     check_output(output, curve, other)
-    c = load(curve)
-    data, rows, title = (
-        _of_two(c, load(other), variant) if other else _of_point(c, _coordinates(point), variant, digits)
+    check_output(plot, curve, other)
+    c = load_curve(curve)
+    answer = (
+        _of_two(c, load_curve(other), variant, digits) if other else _of_point(c, _coordinates(point), variant, digits)
     )
     if output:
-        write_json(output, data)
-    if as_json:
-        print_json(data)
-    elif not output:
-        _print(c, rows, title, data["missing"])
+        write_json(output, answer.data)
+    if plot:
+        from exactspline.display.plot import save
+
+        save(answer.draw(), plot)
+    if out.for_people and (output or plot):
+        return
+    key = f"{c.name} and {other or point}"
+    out.give("bisector", lambda: [{"key": key} | answer.data], lambda: [_sheet(answer)], lambda: _print(c, answer))
 
 
 def _coordinates(point: str) -> list[str]:
@@ -67,80 +108,167 @@ def _coordinates(point: str) -> list[str]:
     return [x.strip() for x in point.split(",")]
 
 
-def _of_two(c: Any, other: Any, variant: str) -> tuple[dict[str, Any], list[tuple[str, ...]], str]:
-    from exactspline.display.serialize import counted, curve_bisector_data, degree_of
-    from exactspline.exact import text
-    from exactspline.geometry.bisectors import curve_bisector
-
-    found = curve_bisector(c, other, variant or "minimal")
-    rows: list[tuple[str, ...]] = []
-    for patch in found.patches:
-        where = " × ".join(f"[{text(a)}, {text(b)}]" for a, b in patch.sides)
-        rows.append(("surface", where, degree_of(patch.value), str(counted(patch.value)), ""))
-    return curve_bisector_data(found), rows, f"bisector of {c.name} and {other.name} ({found.variant})"
+# ---- two curves
 
 
-def _of_point(c: Any, point: list[str], variant: str, digits: int) -> tuple[dict[str, Any], list[tuple[str, ...]], str]:
-    from exactspline.display.serialize import point_bisector_data, trimmed_data
+def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
+    from exactspline.display.bisector_data import curve_bisector_data, shown, sides_text
+    from exactspline.display.plot.bisectors import plot_curve_bisector
+    from exactspline.geometry.bisectors import SurfaceVariant, curve_bisector
+
+    found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
+    rows = [_surface_row(patch) for patch in found.patches]
+    rows += _grouped(_line_row(line, digits) for line in found.lines)
+    rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
+    rows += [
+        Row(str(pair.solutions), f"s = {shown(pair.s, digits)}, t = {shown(pair.t, digits)}", "–", str(pair.cause))
+        for pair in found.pairs
+    ]
+    rows += _grouped(_pole_row(pole) for pole in found.poles)
+    notes = [f"no surface: {sides_text(sides)}: {reason}" for sides, reason in found.missing]
+    notes += [f"left out: {what}" for what in found.left_out] or [_closing(found)]
+    data = {"curves": [c.name, other.name]} | curve_bisector_data(found, digits)
+    title = f"bisector of {c.name} (s) and {other.name} (t), {found.variant}"
+    return Answer(data, rows, title, notes, lambda: plot_curve_bisector(found))
+
+
+def _grouped(rows: Iterable[Row]) -> list[Row]:
+    """Rows that differ in their patch alone as one: what is before the colon is the same."""
+    found: dict[tuple[str, ...], Row] = {}
+    for i, row in enumerate(rows):
+        equation, colon, where = row.where.partition(": ")
+        short = colon and not equation.startswith("equation")
+        key = (row.piece, equation, row.degree, row.remark) if short else (str(i),)
+        found[key] = row if key not in found else row._replace(where=f"{found[key].where}; {where}")
+    return list(found.values())
+
+
+def _closing(found: CurveBisector) -> str:
+    nothing = not (found.patches or found.lines or found.planes or found.pairs)
+    return "complete: there is no bisector" if nothing else "complete: nothing is left out"
+
+
+def _surface_row(patch: BisectorPatch) -> Row:
+    from exactspline.display.bisector_data import counted, degree_of, sides_text
+
+    remark = f"{counted(patch.value)} control points"
+    if max(patch.value.degree) == 0:
+        point = patch.value(patch.sides[0][0], patch.sides[1][0])
+        remark = f"one point: ({', '.join(map(str, point))})"
+    return Row("surface", sides_text(patch.sides), degree_of(patch.value), remark)
+
+
+def _line_row(line: LineComponent, digits: int) -> Row:
+    from exactspline.display.bisector_data import shown
+
+    degrees = {piece.surface.degree for piece in line.pieces}
+    if line.pieces:
+        where = "; ".join(f"{'st'[x.of]} in [{shown(x.low, digits)}, {shown(x.high, digits)}]" for x in line.pieces)
+    elif line.fixed is not None:
+        where = f"= {shown(line.fixed, digits)}"
+    else:
+        where = f"{len(line.real.branches)} branches"
+    return Row("lines", _pairs(line.equation, line.sides, where), ", ".join(map(str, degrees)) or "–", str(line.cause))
+
+
+def _plane_row(plane: PlaneComponent, digits: int) -> Row:
+    from exactspline.display.bisector_data import shown
+
+    where = "; ".join(f"{'st'[plane.of]} in [{shown(a, digits)}, {shown(b, digits)}]" for a, b in plane.intervals)
+    kind = "planes" if plane.equation is not None and plane.fixed is None else str(plane.solutions)
+    return Row(kind, _pairs(plane.equation, plane.sides, where), "–", str(plane.cause))
+
+
+def _pole_row(pole: PoleCurve) -> Row:
+    certain = "the surface is at infinity" if pole.certain else "the surface is at infinity, if there are such pairs"
+    return Row("poles", _pairs(pole.equation, pole.sides, ""), "–", certain)
+
+
+def _pairs(equation: PairEquation | None, sides: Any, where: str) -> str:
+    """The pairs of an equation on a patch, for people."""
+    from exactspline.display.bisector_data import sides_text
+
+    if equation is None:
+        return f"all of {sides_text(sides)}"
+    m, n = (max(powers[i] for powers, _ in equation.terms) for i in (0, 1))
+    short = f"{equation.text} = 0"
+    told = short if len(short) <= LONGEST else f"equation of degree {m} × {n}"
+    return f"{told}: {where or sides_text(sides)}"
+
+
+# ---- a point and a curve
+
+
+def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     from exactspline.errors import FormulaError
-    from exactspline.exact import text
-    from exactspline.geometry.bisectors import point_bisector
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector
-    from exactspline.splines.lowest_terms import control_point_count
 
     title = f"bisector of {c.name} and the point ({', '.join(point)})"
-    if c.dimension == 2:
-        if variant:
-            raise FormulaError(
-                f"the variant {variant!r} of a planar bisector",
-                remedy="leave the variant out: it is trimmed, in lowest terms",
-            )
-        trimmed = trimmed_bisector(c, point)
-        data = trimmed_data(trimmed, digits)
-        pieces: list[tuple[str, ...]] = [
-            (
-                p["piece"],
-                f"[{p['low']['decimal']}, {p['high']['decimal']}]",
-                str(p["degree"]),
-                str(len(p["homogeneous_control_points"])),
-                _foot(p),
-            )
-            for p in data["pieces"]
-        ]
-        return data, pieces, f"{title}, trimmed"
+    if c.dimension != 2:
+        return _ruled(c, point, variant, digits, title)
+    if variant:
+        raise FormulaError(
+            f"the variant {variant!r} of a planar bisector",
+            remedy="leave the variant out: it is trimmed, in lowest terms",
+        )
+    return _trimmed(c, point, digits, title)
+
+
+def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
+    from exactspline.display.bisector_data import shown, trimmed_data
+    from exactspline.display.plot.bisectors import plot_trimmed_bisector
+    from exactspline.geometry.trimmed_bisector import trimmed_bisector
+
+    found = trimmed_bisector(c, point)
+    data = {"name": "bisector", "curve": c.name, "point": point} | trimmed_data(found, digits)
+    rows = [
+        Row(
+            str(piece.kind),
+            f"[{shown(piece.low, digits)}, {shown(piece.high, digits)}]",
+            str(piece.value.degree),
+            "" if piece.foot is None else f"foot at {piece.foot}",
+        )
+        for piece in found.pieces
+    ]
+    notes = [f"missing: {reason}" for reason in found.missing]
+    return Answer(data, rows, f"{title}, trimmed", notes, lambda: plot_trimmed_bisector(found, c, point))
+
+
+def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) -> Answer:
+    from exactspline.display.bisector_data import point_bisector_data, shown, sides_text
+    from exactspline.display.plot.bisectors import plot_point_bisector
+    from exactspline.geometry.bisectors import point_bisector
+
     found = point_bisector(c, point, variant or "direct")
-    rows: list[tuple[str, ...]] = [
-        (
+    rows = [
+        Row(
             "ruled surface",
-            f"[{text(piece.interval[0])}, {text(piece.interval[1])}]",
+            sides_text([piece.interval]),
             str(piece.surface.degree),
-            str(control_point_count(piece.surface.joined)),
             f"ruling parameter {piece.moved}" if piece.moved else "",
         )
         for piece in found.pieces
     ]
-    data = point_bisector_data(found, digits)
-    rows += [("singular", root["decimal"], "–", "–", "the generator vanishes") for root in data["singular"]]
-    return data, rows, f"{title} ({found.variant})"
+    rows += [Row("singular", shown(root, digits), "–", "the generator vanishes") for root in found.singular]
+    notes = [f"missing: {sides_text([interval])}: {reason}" for interval, reason in found.missing]
+    data = {"name": "bisector", "curve": c.name, "point": point} | point_bisector_data(found, digits)
+    return Answer(data, rows, f"{title} ({found.variant})", notes, lambda: plot_point_bisector(found, c, point))
 
 
-def _foot(piece: dict[str, Any]) -> str:
-    return f"foot at {piece['foot']}" if "foot" in piece else ""
+def _sheet(answer: Answer) -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    made = Sheet("piece", "parameters", "degree", "remark", title=answer.title, prose=["parameters", "remark"])
+    for row in answer.rows:
+        made.add_row(*row)
+    return made
 
 
-def _print(c: Any, rows: list[tuple[str, ...]], title: str, missing: list[Any]) -> None:
+def _print(c: Nurbs, answer: Answer) -> None:
     from exactspline.display import console
 
-    out = console.console()
-    numbers = ("degree", "control points")
-    made = console.table("piece", "parameter", *numbers, "remark", title=f"{title}\n{described(c)}", right=numbers)
-    for row in rows:
-        made.add_row(*row)
-    out.print(made)
-    for gap in missing:
-        out.print(f"missing: {gap if isinstance(gap, str) else _where(gap) + ': ' + gap['reason']}", markup=False)
-
-
-def _where(gap: dict[str, Any]) -> str:
-    """The interval or the rectangle of a gap."""
-    return " × ".join(f"[{a}, {b}]" for a, b in gap.get("sides", [gap.get("interval")]))
+    shown, made = console.console(), _sheet(answer)
+    console.lines(shown, made.title, style="bold")
+    made.title = described(c)
+    shown.print(made)
+    for note in answer.notes:
+        console.lines(shown, note)

@@ -1,36 +1,68 @@
-"""What the subcommands share: options, reading curves, printing."""
+"""What the subcommands share: options, reading curves, progress."""
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
 
 import typer
 
-from exactspline.errors import ExactSplineError
+from exactspline.cli.output import is_quiet
+from exactspline.errors import CurveFileError, ExactSplineError
 
-CurveFiles = Annotated[
-    list[str] | None,
-    typer.Option("--curve", help="A curve file (JSON) or the name of an example curve; may be repeated."),
+__all__ = [
+    "CURVE_HELP",
+    "CurveFiles",
+    "Digits",
+    "Exact",
+    "also_in_their_planes",
+    "check_output",
+    "described",
+    "load_curve",
+    "loaded",
+    "tracked",
 ]
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
+CURVE_HELP = "A curve file (JSON), the name of an example curve, or - for standard input."
+CurveFiles = Annotated[
+    list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
+]
 Digits = Annotated[
     int,
-    typer.Option("--digits", min=0, max=100_000, help="Show exact numbers with so many decimal digits beside them."),
+    typer.Option(
+        "--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits beside them."
+    ),
 ]
+Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
+
+
+def load_curve(name: str) -> Any:
+    """An example curve by its name, a curve file by its path, or the curve on standard input (``-``)."""
+    from exactspline.splines.curve_files import MAX_BYTES
+    from exactspline.splines.examples import curve_from_text, load
+
+    if name != "-":
+        return load(name)
+    try:
+        text = sys.stdin.read(MAX_BYTES + 1)
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", where="standard input", remedy="a curve file is JSON") from None
+    if len(text) > MAX_BYTES:
+        raise CurveFileError("is too large", where="standard input", remedy=f"at most {MAX_BYTES} characters are read")
+    try:
+        return curve_from_text(text, "stdin")
+    except ExactSplineError as error:
+        raise error.at("standard input") from None
 
 
 def loaded(names: Iterable[str]) -> tuple[list[Any], bool]:
     """The curves that can be read, and whether all could: one bad curve is reported and the rest goes on."""
     from exactspline.display.console import show_error
-    from exactspline.splines.examples import load
 
     curves, good = [], True
     for name in names:
         try:
-            curves.append(load(name))
+            curves.append(load_curve(name))
         except ExactSplineError as error:
             show_error(error)
             good = False
@@ -44,22 +76,14 @@ def also_in_their_planes(curves: list[Any]) -> list[Any]:
     return with_plane_curves(curves)
 
 
-def print_json(data: Any) -> None:
-    """JSON on standard output."""
-    sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")
-
-
 def tracked(calls: Sequence[Callable[..., Any]], label: str) -> list[Any]:
     """The results of the calls, with a progress bar on a terminal."""
+    if is_quiet() or not sys.stderr.isatty():
+        return [call() for call in calls]
     from rich.console import Console
     from rich.progress import track
 
-    return [
-        call()
-        for call in track(
-            calls, description=label, console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()
-        )
-    ]
+    return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
 
 
 def described(c: Any) -> str:
@@ -73,8 +97,6 @@ def described(c: Any) -> str:
 def check_output(output: str, *inputs: str) -> None:
     """Raise `CurveFileError` when an output is one of the files that are read."""
     from pathlib import Path
-
-    from exactspline.errors import CurveFileError
 
     for name in inputs:
         if output and name and Path(output).exists() and Path(name).exists() and Path(output).samefile(name):

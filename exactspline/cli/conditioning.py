@@ -2,29 +2,33 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import AsJson, described, loaded, print_json, tracked
+from exactspline.cli.common import CURVE_HELP, described, loaded, tracked
+from exactspline.cli.output import Output, printing
+
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
 
 #: What is shown when nothing is asked for: a witness either way.
 WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")
 
 
+@printing
 def conditioning(
-    curve: Annotated[
-        list[str] | None,
-        typer.Argument(help="Curve files (JSON) or names of example curves; without any, a witness either way."),
-    ] = None,
+    out: Output,
+    curve: Annotated[list[str] | None, typer.Argument(help=f"{CURVE_HELP} Without any, a witness either way.")] = None,
     construction: Annotated[
-        str, typer.Option("--construction", help="zero_curvature or critical_curvature.")
+        str, typer.Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
     ] = "critical_curvature",
-    as_json: AsJson = False,
     search: Annotated[
-        int, typer.Option("--search", min=0, max=10_000, help="Search so many random curves of each family too.")
+        int, typer.Option("--search", metavar="N", min=0, max=10_000, help="Search N random curves of each family too.")
     ] = 0,
-    seed: Annotated[int, typer.Option("--seed", help="What the search begins with: one seed, one result.")] = 0,
+    seed: Annotated[
+        int, typer.Option("--seed", metavar="N", help="What the search begins with: one seed, one result.")
+    ] = 0,
 ) -> None:
     """Condition numbers of every zero in every form: naive, paper, minimal; and the error of double precision in
     each.
@@ -35,43 +39,58 @@ def conditioning(
     chosen, good = loaded(curve or (() if search else WITNESSES))
     found = tracked([lambda c=c: compared(c, construction) for c in chosen], "comparing")
     (tallies,) = tracked([lambda: search_witnesses(seed, search)], "searching") if search else ([],)
-    if as_json:
-        print_json({"curves": [_data(each) for each in found], "search": [_tally_data(t) for t in tallies]})
-    else:
-        _print(list(zip(chosen, found, strict=True)), tallies)
+    pairs = list(zip(chosen, found, strict=True))
+    out.give(
+        "conditioning",
+        lambda: (
+            [{"key": f"{e.curve}: {e.construction}", "what": "curve", "data": _data(e)} for e in found]
+            + [
+                {"key": f"search: {t.family}, {t.construction}, {t.form}", "what": "search", "data": _tally_data(t)}
+                for t in tallies
+            ]
+        ),
+        lambda: [*[_sheet(c, each) for c, each in pairs], *([_search_table(tallies)] if tallies else [])],
+        lambda: _print(out, pairs, tallies),
+    )
     if not good:
         raise typer.Exit(2)
 
 
-def _print(found: list[tuple[Any, Any]], tallies: list[Any]) -> None:
+NUMBERS = ("degree", "condition", "minimal / this", "at most", "double error")
+
+
+def _sheet(c: Any, each: Any) -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    title = f"{c.name}: {described(c)}; {each.construction}"
+    made = Sheet("zero", "form", *NUMBERS, title=title, name=c.name, numbers=NUMBERS, heads=2)
+    for row in each.roots:
+        for f in row.forms:
+            made.add_row(_place(row.root), f.form, *_cells(row, f))
+    return made
+
+
+def _print(out: Output, found: list[tuple[Any, Any]], tallies: list[Any]) -> None:
     from exactspline.display import console
 
-    out = console.console()
-    numbers = ("degree", "condition", "minimal / this", "at most", "double error")
+    shown = console.console()
     for c, each in found:
-        made = console.table(
-            "zero", "form", *numbers, title=f"{c.name}: {described(c)}; {each.construction}", right=numbers
-        )
-        for row in each.roots:
-            for f in row.forms:
-                made.add_row(_place(row.root) if f is row.forms[0] else "", f.form, *_cells(row, f))
+        made = _sheet(c, each)
         if each.roots:
-            out.print(made)
+            shown.print(made)
         else:
-            out.print(f"{c.name}: {each.construction} has no zero inside a segment", markup=False)
+            console.lines(shown, f"{c.name}: {each.construction} has no zero inside a segment")
         for form, verdict in each.verdicts.items():
-            out.print(f"{form}: {verdict}", markup=False)
+            console.lines(shown, f"{form}: {verdict}")
         for form, roots in each.extraneous.items():
-            out.print(f"{form} invents {', '.join(map(_place, roots))} (not compared)", markup=False)
+            console.lines(shown, f"{form} has extraneous zeros at {', '.join(map(_place, roots))} (not compared)")
         for text in each.left_out:
-            out.print(f"left out: {text}", markup=False)
-        out.print()
-    if found:
-        out.print("condition: relative change 2⁻⁵³ of the coefficients moves the zero by that many 2⁻⁵³ of the segment")
-        out.print("at most: K of the theorem, condition ≤ K^(1/m) · minimal for a zero of multiplicity m")
-        out.print("double error: in units of 2⁻⁵³ of the segment, coefficients rounded, de Casteljau and bisection")
+            console.lines(shown, f"left out: {text}")
+        shown.print()
     if tallies:
-        out.print(_search_table(tallies))
+        shown.print(_search_table(tallies))
+    if found and not out.quiet:
+        console.legend(shown, ["zero of a form", *NUMBERS])
 
 
 def _cells(row: Any, f: Any) -> tuple[str, ...]:
@@ -90,21 +109,16 @@ def _place(root: Any) -> str:
     return exact if 0 < len(exact) < 12 else decimal(root.refine(12)[0], 8) + "…"
 
 
-def _search_table(tallies: list[Any]) -> Any:
+def _search_table(tallies: list[Any]) -> Sheet:
     from exactspline.display import console
+    from exactspline.display.sheet import Sheet
 
     numbers = ("worse", "better", "proved not better", "smallest ratio", "largest ratio")
-    made = console.table(
-        "curves with",
-        "construction",
-        "against",
-        *numbers,
-        title="Search: the reduced form is … conditioned",
-        right=numbers,
-    )
+    columns = ("curves with", "construction", "against", *numbers)
+    made = Sheet(*columns, title="Search: the reduced form is … conditioned", name="search", numbers=numbers, heads=3)
     for t in tallies:
         ratios = [console.decimal(extreme[0], 3) for extreme in (t.smallest, t.largest)]
-        made.add_row(t.family, t.construction, t.form, str(t.worse), str(t.better), str(t.proved), *ratios)
+        made.add_row(t.family, t.construction, t.form, t.worse, t.better, t.proved, *ratios)
     return made
 
 

@@ -2,31 +2,41 @@
 
 from __future__ import annotations
 
-from exactspline.cli.common import AsJson, described, print_json
+from typing import TYPE_CHECKING
+
+from exactspline.cli.output import Output, printing
+
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
 
 
-def curves(as_json: AsJson = False) -> None:
+@printing
+def curves(out: Output) -> None:
     """List the named example curves."""
-    from exactspline.display import console
+    from exactspline.display.sheet import Sheet
     from exactspline.splines.examples import example, example_names
 
     found = [example(name) for name in example_names()]
-    if as_json:
-        print_json(
-            [
-                {
-                    "name": c.name,
-                    "degree": c.degree,
-                    "dimension": c.dimension,
-                    "polynomial": c.polynomial,
-                    "segments": c.segments,
-                    "note": c.note,
-                }
-                for c in found
-            ]
-        )
-        return
-    made = console.table("name", "curve", "note")
-    for c in found:
-        made.add_row(c.name, described(c), c.note)
-    console.console().print(made)
+    rows = [
+        {
+            "key": c.name,
+            "name": c.name,
+            "degree": c.degree,
+            "dimension": c.dimension,
+            "polynomial": c.polynomial,
+            "segments": c.segments,
+            "control_points": len(c.control_points),
+            "note": c.note,
+        }
+        for c in found
+    ]
+
+    def sheets() -> list[Sheet]:
+        numbers = ("degree", "segments", "points", "dimension")
+        made = Sheet("name", "kind", *numbers, "note", numbers=numbers, prose=["note"])
+        for c in found:
+            kind = "polynomial" if c.polynomial else "rational"
+            made.add_row(c.name, kind, c.degree, c.segments, len(c.control_points), c.dimension, c.note)
+        return [made]
+
+    out.give("curves", lambda: rows, sheets)

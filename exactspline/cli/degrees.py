@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from exactspline.cli.common import AsJson, CurveFiles, also_in_their_planes, described, loaded, print_json, tracked
-from exactspline.errors import ShapeError
+from exactspline.cli.common import CurveFiles, also_in_their_planes, described, loaded, tracked
+from exactspline.cli.output import Output, document, print_json, printing
+from exactspline.errors import FormulaError, ShapeError, nearest
 
 
+@printing
 def degrees(
+    out: Output,
+    name: Annotated[
+        list[str] | None,
+        typer.Argument(help="Only these constructions or formulas (evolute, rectifying_developable, …)."),
+    ] = None,
     curve: CurveFiles = None,
     formulas: Annotated[
-        bool, typer.Option("--variantulas", help="Every formula of the library instead of the constructions.")
+        bool, typer.Option("--formulas", help="Every formula of the library instead of the constructions.")
     ] = False,
     generic: Annotated[
         bool, typer.Option("--generic", help="For all curves: what is proved of the generic curve of degree d.")
@@ -21,33 +28,53 @@ def degrees(
     certify: Annotated[
         bool, typer.Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
     ] = False,
-    as_json: AsJson = False,
 ) -> None:
     """Nominal (in d), represented and true degree and the number of control points: naive, paper, minimal (or formula
     by formula).
     """
+    from exactspline.display.degrees import degree_sheet
     from exactspline.verification.degree_tables import construction_table, formula_table
 
     if certify:
         _certify(curve)
         return
     if generic:
-        _generic(as_json)
+        _generic(out, name or [])
         return
-
-    chosen, good = loaded(
-        curve or ["rational_cubic", "rational_space_cubic"]
-        if formulas
-        else curve or ["rational_cubic", "six_segment_cubic"]
-    )
+    usual = ["rational_cubic", "rational_space_cubic" if formulas else "six_segment_cubic"]
+    chosen, good = loaded(curve or usual)
     make = formula_table if formulas else construction_table
-    results = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
-    if as_json:
-        print_json([{"curve": c.name, "formulas": [row.data() for row in rows]} for c, rows in results])
-    else:
-        _print_degrees(results)
+    tables = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
+    _check_names(name or [], [row.formula for _, rows in tables for row in rows])
+    results = [(c, [row for row in rows if _is_one_of(row.formula, name or [])]) for c, rows in tables]
+    out.give(
+        "degrees",
+        lambda: [
+            {"key": f"{c.name} ({c.dimension}D): {row.formula}, {row.variant}", "curve": c.name} | row.data()
+            for c, rows in results
+            for row in rows
+        ],
+        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in results],
+        by="curve",
+    )
     if not good:
         raise typer.Exit(2)
+
+
+def _is_one_of(title: str, names: list[str]) -> bool:
+    """Whether a row is wanted: all are where no name is given."""
+    return not names or any(_plain(title).startswith(_plain(name)) for name in names)
+
+
+def _plain(name: str) -> str:
+    return name.lower().replace("_", " ")
+
+
+def _check_names(names: list[str], known: list[str]) -> None:
+    for name in names:
+        if not any(_is_one_of(title, [name]) for title in known):
+            remedy = nearest(name, dict.fromkeys(known), listed_by="exactspline derive")
+            raise FormulaError(f"the table has no {name!r}", remedy=remedy)
 
 
 def _certify(names: list[str] | None) -> None:
@@ -61,67 +88,37 @@ def _certify(names: list[str] | None) -> None:
             (name, d, polynomial) for name in all_constructions() for polynomial in (False, True) for d in WITNESSES
         ]
         found = tracked([lambda t=t: attained(t[0], t[1], polynomial=t[2]) for t in tasks], "witnesses")
-        print_json([vars(a) for a in found])
+        keys = [f"{name} of a {'polynomial' if p else 'rational'} curve of degree {d}" for name, d, p in tasks]
+        print_json(document("witnesses", [{"key": key} | vars(a) for key, a in zip(keys, found, strict=True)]))
         raise typer.Exit(0 if all(a.agrees for a in found) else 1)
     chosen, good = loaded(names)
-    data = []
+    rows = []
     for c in chosen:
         for made in constructions_for(c.dimension):
+            head = {"key": f"{c.name}: {made.name}", "curve": c.name, "construction": made.name}
             try:
-                data.append(certificate(made.name, c))
+                rows.append(head | {"certificate": certificate(made.name, c), "missing": ""})
             except ShapeError as error:
-                data.append({"curve": c.name, "construction": made.name, "missing": str(error)})
-    print_json(data)
+                rows.append(head | {"certificate": None, "missing": str(error)})
+    print_json(document("certificates", rows))
     if not good:
         raise typer.Exit(2)
 
 
-def _generic(as_json: bool) -> None:
-    from exactspline.display import console
+def _generic(out: Output, names: list[str]) -> None:
+    from exactspline.display.degrees import generic_sheet
     from exactspline.verification.degree_tables import generic_table
 
-    kinds = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
-    if as_json:
-        print_json({kind: [vars(row) for row in rows] for kind, rows in kinds.items()})
-        return
-    out = console.console()
-    for kind, rows in kinds.items():
-        numbers = ("naive", "paper", "k", "m", "kd − m", "j", "true", "attained at d")
-        made = console.table("construction", *numbers, title=f"The generic {kind} curve of degree d", right=numbers)
-        for row in rows:
-            counts = (row.naive, row.paper, str(row.k), str(row.m), row.nominal, str(row.j), row.true)
-            made.add_row(row.object, *counts, _degrees(row))
-        out.print(made)
-        out.print()
+    found = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
+    _check_names(names, [row.object for row in found["rational"]])
+    kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
+    out.give(
+        "generic",
+        lambda: [
+            {"key": f"{kind}: {row.object}", "curves": kind} | vars(row) for kind, rows in kinds.items() for row in rows
+        ],
+        lambda: [generic_sheet(kind, rows) for kind, rows in kinds.items()],
+        by="curves",
+    )
     if any(row.differ for rows in kinds.values() for row in rows):
         raise typer.Exit(1)
-
-
-def _degrees(row: Any) -> str:
-    absent = f"; absent at {', '.join(map(str, row.absent))}" if row.absent else ""
-    differ = f"; DIFFERS at {', '.join(map(str, row.differ))}" if row.differ else ""
-    return ", ".join(map(str, row.attained)) + absent + differ
-
-
-def _print_degrees(results: list[tuple[Any, list[Any]]]) -> None:
-    from exactspline.display import console
-
-    out = console.console()
-    for c, rows in results:
-        numbers = ("nominal", "k, m, j", "degree", "true", "points", "generic")
-        # on a narrow terminal the numbers are worth more than the formulas
-        last = ["what it is"] if out.width >= 120 else []
-        made = console.table("formula", "variant", *numbers, *last, title=f"{c.name}: {described(c)}", right=numbers)
-        for row in rows:
-            true = "–" if row.true is None else str(row.true)
-            counts = (
-                str(row.nominal),
-                row.grading,
-                str(row.represented),
-                true,
-                str(row.control_points),
-                str(row.generic),
-            )
-            made.add_row(row.formula, row.variant, *counts, *([row.text] if last else []))
-        out.print(made)
-        out.print()

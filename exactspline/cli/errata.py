@@ -2,19 +2,104 @@
 
 from __future__ import annotations
 
-from exactspline.cli.common import AsJson, print_json
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from exactspline.cli.common import Digits, Exact
+from exactspline.cli.output import Output, printing
+from exactspline.errors import ClaimError, nearest
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from exactspline.display.sheet import Sheet
+    from exactspline.verification.errata import Erratum
 
 
-def errata(as_json: AsJson = False) -> None:
-    """List the errors of the paper: where, what is printed, what is true, how to check it in three lines."""
+@printing
+def errata(
+    out: Output,
+    error: Annotated[
+        list[str] | None,
+        typer.Argument(help="Names of errors or ids of claims (span, C4.2b); without any, all errors."),
+    ] = None,
+    digits: Digits = 0,
+    exact: Exact = False,
+) -> None:
+    """List the errors of the paper: the printed words with their place, what is true, why, a witness, and a check that
+    can be pasted into Python.
+    """
+    from exactspline.display.numbers import decimals
+    from exactspline.display.sheet import Sheet
+    from exactspline.verification.errata import errata as errors
+    from exactspline.verification.errata import remarks
+
+    found = list(errors())
+    entries = _chosen([*found, *remarks()], error or [])
+
+    def sheets() -> list[Sheet]:
+        columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")
+        made = Sheet(*columns, prose=columns[1:])
+        for entry in entries:
+            for each in entry.statements:
+                seen = decimals(each.witness, digits, exact=exact)
+                truth, why = "; ".join(entry.truth), "; ".join(entry.why)
+                made.add_row(entry.title, each.place, each.words, each.statement, each.found, seen, truth, why)
+        return [made]
+
+    def people() -> None:
+        from exactspline.display import console
+
+        shown = console.console()
+        listed = [entry for entry in entries if entry in found]
+        for entry in listed:
+            _print(shown, f"{found.index(entry) + 1}. ", entry, digits, exact)
+        for entry in entries:
+            if entry not in found:
+                _print(shown, "Remark: ", entry, digits, exact)
+        statements = sum(len(entry.statements) for entry in listed)
+        console.lines(shown, f"{len(listed)} errors of the paper, {statements} statements refuted")
+        if not out.quiet:
+            console.legend(shown, ["PROVED", "VERIFIED"])
+
+    out.give("errata", lambda: [entry.data() for entry in entries], sheets, people)
+
+
+def _chosen(entries: list[Erratum], wanted: list[str]) -> list[Erratum]:
+    names = {name: e for e in entries for name in (e.error, *[n for s in e.statements for n in (s.id, s.key)])}
+    known = {name.lower(): entry for name, entry in names.items()}
+    for name in wanted:
+        if name.lower() not in known:
+            remedy = nearest(name, names, listed_by="exactspline errata")
+            raise ClaimError(f"no error is called {name!r}", remedy=remedy)
+    keep = [known[name.lower()] for name in wanted]
+    return [entry for entry in entries if not wanted or entry in keep]
+
+
+def _print(shown: Console, number: str, entry: Erratum, digits: int, exact: bool) -> None:
+    from rich.text import Text
+
     from exactspline.display import console
-    from exactspline.verification.errata import errata as found
+    from exactspline.display.code import code_lines
+    from exactspline.display.numbers import decimals
 
-    entries = list(found())
-    if as_json:
-        print_json([vars(entry) for entry in entries])
-        return
-    out = console.console()
-    for entry in entries:
-        out.print(console.erratum(entry))
-    out.print(f"{len(entries)} errors", markup=False)
+    console.lines(shown, f"{number}{entry.title}", indent=3, style="bold")
+    for each in entry.statements:
+        words = f": “{each.words}”" if each.words else ""
+        told = "printed in" if number[0].isdigit() else "beside"
+        console.lines(shown, f"{told} {each.place}{words}", indent=5, first=3)
+        console.lines(shown, f"which says: {each.statement} ({each.id})", indent=7, first=5)
+        console.lines(shown, f"found: {each.found}", indent=7, first=5)
+        if each.witness:
+            console.lines(shown, f"witness: {decimals(each.witness, digits, exact=exact)}", indent=7, first=5)
+    for line in entry.truth:
+        console.lines(shown, f"true: {line}", indent=5, first=3)
+    for line in entry.why:
+        console.lines(shown, f"why: {line}", indent=5, first=3)
+    console.lines(shown, "check:", first=3)
+    # code begins where the line begins, so that it can be pasted
+    for line in dict.fromkeys(line for each in entry.statements for line in each.check):
+        for part in code_lines(line, shown.width):
+            shown.print(Text(part, no_wrap=True, overflow="ignore"), soft_wrap=True)
+    shown.print()

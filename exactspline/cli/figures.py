@@ -3,33 +3,43 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exactspline.cli.common import AsJson, print_json, tracked
+from exactspline.cli.common import tracked
+from exactspline.cli.output import Output, printing
+
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
 
 
+@printing
 def figures(
-    out: Annotated[str, typer.Option("--out", help="The folder to write into; it is made when it is not there.")],
+    out: Output,
+    folder: Annotated[
+        str, typer.Option("--out", metavar="FOLDER", help="The folder to write into; it is made when it is not there.")
+    ],
     figure: Annotated[
         list[int] | None,
-        typer.Option("--figure", help="The number of a figure; may be repeated. All of them without it."),
+        typer.Option("--figure", metavar="N", help="The number of a figure; may be repeated. All of them without it."),
     ] = None,
-    as_json: AsJson = False,
 ) -> None:
     """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions come out of the
     objects.
     """
-    from exactspline.display import console
-    from exactspline.display.figures import FIGURES, folder, make
+    from exactspline.display.figures import FIGURES, make
+    from exactspline.display.figures import folder as made_folder
+    from exactspline.display.sheet import Sheet
 
-    place = folder(out)
+    place = made_folder(folder)
     made = tracked([partial(make, number, place) for number in figure or FIGURES], "drawing")
-    if as_json:
-        print_json([vars(m) for m in made])
-        return
-    shown = console.console()
-    for m in made:
-        shown.print(m.caption, markup=False)
-        shown.print(f"  {', '.join(m.files)}\n", markup=False, soft_wrap=True)
+
+    def sheets() -> list[Sheet]:
+        sheet = Sheet("figure", "caption", "files", prose=["caption", "files"])
+        for number, m in zip(figure or FIGURES, made, strict=True):
+            sheet.add_row(number, m.caption, ", ".join(map(str, m.files)))
+        return [sheet]
+
+    rows = [{"key": str(n)} | vars(m) for n, m in zip(figure or FIGURES, made, strict=True)]
+    out.give("figures", lambda: rows, sheets)

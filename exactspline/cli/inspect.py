@@ -3,48 +3,79 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import AsJson, also_in_their_planes, described, print_json
+from exactspline.cli.common import CURVE_HELP, also_in_their_planes, described, loaded
+from exactspline.cli.output import OptionsError, Output, is_quiet, printing
+from exactspline.geometry.kinds import JointKind
+
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
 
 
+@printing
 def inspect(
-    curve: Annotated[str, typer.Argument(help="A curve file (JSON) or the name of an example curve.")],
+    out: Output,
+    curve: Annotated[list[str], typer.Argument(metavar="CURVE...", help=CURVE_HELP)],
     digits: Annotated[
-        int, typer.Option("--digits", min=1, max=100_000, help="Digits of parameters and curvatures.")
+        int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
     ] = 20,
     approach: Annotated[
-        str, typer.Option("--approach", help="squaring, direct, reduced, lifted, minimal, or all side by side.")
+        str,
+        typer.Option(
+            "--approach", metavar="NAME", help="squaring, direct, reduced, lifted, minimal, or all side by side."
+        ),
     ] = "minimal",
     plot: Annotated[
-        str, typer.Option("--plot", help="Draw the curve and the function that was solved into an SVG or PNG file.")
+        str,
+        typer.Option(
+            "--plot", metavar="FILE", help="Draw the curve and the function that was solved into an SVG or PNG file."
+        ),
     ] = "",
     certificate: Annotated[
         str,
         typer.Option(
-            "--certificate", help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker)."
+            "--certificate",
+            metavar="FILE",
+            help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
         ),
     ] = "",
-    as_json: AsJson = False,
 ) -> None:
-    """Cusps, inflections, curvature extrema and torsion zeros of a curve in the plane or in space, certified, to any
-    number of digits.
+    """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
+    to any number of digits.
     """
     from exactspline.splines.curve_files import write_json
-    from exactspline.splines.examples import load
 
-    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes([load(curve)])]
+    if plot and len(curve) > 1:
+        raise OptionsError("--plot and several curves", remedy="draw one curve at a time")
+    given, good = loaded(curve)
+    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes(given)]
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
-    if plot:
+    if plot and inspected:
         _draw(*inspected[0][:2], plot)
-    if as_json:
-        print_json(inspected[0][2] | ({"as_plane_curve": inspected[1][2]} if len(inspected) > 1 else {}))
-        return
-    for c, _, data in inspected:
+    out.give(
+        "inspect",
+        lambda: [{"key": f"{c.name} in R{c.dimension}"} | data for c, _, data in inspected],
+        lambda: [_sheet(c, data) for c, _, data in inspected],
+        lambda: _print_all(out, inspected),
+        by="curve",
+    )
+    if not good:
+        raise typer.Exit(2)
+
+
+def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:
+    from exactspline.display import console
+
+    for i, (c, _, data) in enumerate(inspected):
+        if i:
+            console.console().print()
         _print(c, data)
+    if not out.quiet:
+        console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
 
 def _inspected(c: Any, approach: str, digits: int) -> tuple[Any, Any, dict[str, Any]]:
@@ -70,57 +101,117 @@ def _ticking(count: int) -> Any:
 
     @contextmanager
     def bar() -> Any:
-        with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as progress:
+        with Progress(
+            console=Console(stderr=True), transient=True, disable=is_quiet() or not sys.stderr.isatty()
+        ) as progress:
             task = progress.add_task("refining", total=count)
             yield lambda: progress.advance(task)
 
     return bar()
 
 
-def _print(c: Any, data: dict[str, Any]) -> None:
-    from exactspline.display import console
+def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
+    """The features of a curve, one a row."""
     from exactspline.display.serialize import groups_of
+    from exactspline.display.sheet import Sheet
 
-    out = console.console()
     closed = ", closed" if c.closed else ""
     in_space = c.dimension == 3
     columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
-    made = console.table(*columns, title=f"{c.name}: {described(c)}{closed}")
+    made = Sheet(*columns, title=f"{c.name}: {described(c)}{closed}", name=c.name, prose=["remark"], heads=2)
     for group in groups_of(c):
         for f in data[group]:
-            remark = " at a knot, by a jump" if f["by_jump"] else " at a knot" if f["at_knot"] else ""
             kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
-            absolute = f"{f['of_absolute']} of |κ|" if f.get("of_absolute") and not in_space else ""
+            absolute = f"{f['of_absolute']} of |κ|" if f["of_absolute"] and not in_space else ""
+            at_knot = "at a knot, by a jump" if f["by_jump"] else "at a knot" if f["at_knot"] else ""
+            remark = " ".join(filter(None, (absolute, at_knot, _turn(f["angle"]))))
             values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
-            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, (absolute + remark).strip())
-    empty = ("",) * (len(columns) - 4)
-    for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0")):
-        for a, b in data[name]:
-            made.add_row(what, f"[{a}, {b}]", f"[{a}, {b}]", *empty, "")
+            made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
+    empty = ("",) * (len(columns) - 5)
+    for joint in data["joints"]:
+        if joint["kind"] in TOLD:
+            made.add_row(
+                joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
+            )
+    for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0"), ("standing_still", "stands still")):
+        for piece in data[name]:
+            made.add_row(what, _intervals(piece), _intervals(piece), "", *empty, "")
     for piece in data.get("planar", []):
-        interval = f"[{', '.join(piece['interval'])}]"
-        made.add_row("planar, τ ≡ 0", interval, interval, *empty, f"in the plane {piece['plane']}")
-    nothing = "no singular points, no inflections, no extrema of the curvature inside" + (
-        ", no zeros of the torsion" if in_space else ""
+        interval = _intervals(piece["intervals"])
+        made.add_row("planar, τ ≡ 0", interval, interval, "", *empty, f"in the plane {piece['plane']}")
+    return made
+
+
+def _print(c: Any, data: dict[str, Any]) -> None:
+    from exactspline.display import console
+
+    out, made = console.console(), _sheet(c, data)
+    nothing = "no singular points, no corners, no inflections, no extrema of the curvature inside" + (
+        ", no zeros of the torsion" if c.dimension == 3 else ""
     )
-    out.print(made if made.row_count else f"{c.name}: {nothing}", markup=False)
+    if made.row_count:
+        out.print(made)
+    else:
+        console.lines(out, f"{c.name}: {nothing}")
+    if data["joints"]:
+        console.lines(out, _continuity(data["joints"]))
     if data.get("plane"):
-        out.print(
-            (
-                f"{c.name} lies in the plane {data['plane']}: it has no torsion, no focal curve and no osculating "
-                "spheres\n"
-            ),
-            markup=False,
-        )
+        told = "it has no torsion, no focal curve and no osculating spheres"
+        console.lines(out, f"{c.name} lies in the plane {data['plane']}: {told}")
     if "approaches" in data:
+        out.print()
         out.print(_approaches(data["approaches"]))
+
+
+#: Characters of an exact number that a table shows.
+READABLE = 20
+#: The kinds of joints with a row of their own; singular ones are among the singular points.
+TOLD = (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP)
+
+
+def _intervals(parts: list[list[str]]) -> str:
+    return " ∪ ".join(f"[{a}, {b}]" for a, b in parts)
+
+
+def _turn(angle: dict[str, str] | None) -> str:
+    """By how much the tangent turns, for people."""
+    if angle is None:
+        return ""
+    exactly = f" (cos {angle['cosine']}, sin {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
+    return f"turns by {angle['degrees']}°{exactly}".replace("-", "−")
+
+
+def _short(*exact: str) -> bool:
+    """Whether exact numbers are short enough to be read; ``--json`` has all of them."""
+    return all(len(text) <= READABLE for text in exact)
+
+
+def _remark(joint: dict[str, Any]) -> str:
+    """What is known of a joint, for people."""
+    order = joint["geometric_continuity"]
+    parts = [
+        "at the seam" if joint["at_seam"] else "at a knot",
+        _turn(joint["angle"]),
+        f"{joint['gap'] if _short(joint['gap']) else joint['gap_decimal']} wide" if joint["gap"] else "",
+        f"exactly {' | '.join(joint['curvatures'])}" if joint["curvatures"] and _short(*joint["curvatures"]) else "",
+        f"G{order}" if order >= 0 else "",
+    ]
+    return ", ".join(filter(None, parts)).replace("-", "−")
+
+
+def _continuity(joints: list[dict[str, Any]]) -> str:
+    """How many joints have which order of geometric continuity."""
+    orders = [joint["geometric_continuity"] for joint in joints]
+    names = {-1: "with a gap", 0: "G0", 1: "G1", 2: "G2", 3: "G3 or higher", None: "singular, of no order"}
+    counted = [f"{orders.count(order)} {name}" for order, name in names.items() if order in orders]
+    return f"joints: {', '.join(counted)}"
 
 
 def _approaches(rows: list[dict[str, Any]]) -> Any:
     from exactspline.display import console
 
     numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
-    made = console.table("approach", *numbers, title="\nApproaches to critical curvature", right=numbers)
+    made = console.table("approach", *numbers, title="Approaches to critical curvature", right=numbers)
     for row in rows:
         made.add_row(row["name"], *[str(row[name.replace(" ", "_")]) for name in numbers[:-1]], f"{row['seconds']:.4f}")
     return made

@@ -2,69 +2,248 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import (
-    AsJson,
-    CurveFiles,
-    Digits,
-    also_in_their_planes,
-    described,
-    loaded,
-    print_json,
-    tracked,
-)
+from exactspline.cli.common import CurveFiles, Digits, Exact, also_in_their_planes, described, loaded, tracked
+from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.errors import ClaimError, nearest
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from exactspline.display.ledger import Failure
+    from exactspline.display.sheet import Sheet
+    from exactspline.verification.claim import Claim
+    from exactspline.verification.verdict import Row
 
 
+@printing
 def prove(
+    out: Output,
     claim: Annotated[
         list[str] | None,
-        typer.Option("--claim", help="The id of a claim, or what it begins (C3: all of section 3); may be repeated."),
+        typer.Option(
+            "--claim",
+            metavar="ID",
+            help="The id of a claim, what it begins (C3: all of section 3), or a place (eq. (12)). May be repeated.",
+        ),
     ] = None,
     curve: CurveFiles = None,
-    as_json: AsJson = False,
+    section: Annotated[
+        list[str] | None,
+        typer.Option("--section", metavar="SECTION", help="Only this section, for example 4.2. May be repeated."),
+    ] = None,
+    verdict: Annotated[
+        list[str] | None,
+        typer.Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated."),
+    ] = None,
+    judge: Annotated[
+        str,
+        typer.Option("--judge", metavar="JUDGE", help="Who decides the identities once more, for all curves: sympy."),
+    ] = "",
+    rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
+    html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
     digits: Digits = 0,
+    exact: Exact = False,
 ) -> None:
-    """Decide every claim: for all curves at once, and exactly on the given curves (without --curve: on the example
-    curves).
+    """Decide every claim of the paper: for all curves at once, and exactly on the curves given (without --curve: on the
+    example curves).
     """
-    from exactspline.verification.claims import select
+    from exactspline.display.ledger import WORDS, word
+    from exactspline.display.ledger_page import write_page
     from exactspline.verification.ledger import tasks
 
-    claims = select(claim or [])
+    wanted = [_word(each, WORDS) for each in verdict or []]
+    claims = _of_sections(_named(claim or []), section or [])
     given, good = loaded(curve or [])
     curves = also_in_their_planes(given) if curve else None
-    rows = tracked(tasks(claims, curves), "proving")
-    if as_json:
-        print_json([row.data() for row in rows])
-    else:
-        _print_ledger(rows, claims, curves, digits)
+    if judge and curve:
+        raise OptionsError("--judge and --curve", remedy="another judge decides for all curves: leave --curve out")
+    found = tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving")
+    chosen = [row for row in found if not wanted or word(row) in wanted]
+    if html:
+        write_page(html, chosen)
+    listed = rows or bool(claim or section or verdict)
+    pages = _Ledger(chosen, claims, curves, digits, exact)
+    out.give(
+        "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
+    )
     if not good:
         raise typer.Exit(2)
-    if not all(row.as_recorded for row in rows):
+    if not all(row.as_recorded for row in found):
         raise typer.Exit(1)
 
 
-def _print_ledger(rows: list[Any], claims: Sequence[Any], curves: list[Any] | None, digits: int) -> None:
-    from exactspline.display import console
+def _named(ids: Sequence[str]) -> Sequence[Claim]:
+    """The claims with these ids or places, in the order of the paper; all of them for none."""
+    from exactspline.display.statement import located
+    from exactspline.verification.claims import all_claims
 
-    out = console.console()
-    if curves is None:
-        out.print(console.ledger([row for row in rows if not row.curve], "For all curves", digits))
-        concrete = [row for row in rows if row.curve]
-        if concrete:
-            out.print("\n[bold]On the example curves[/bold], exactly (each in full with --curve NAME)")
-            out.print(console.summary(concrete))
-        differing = [row for row in concrete if not row.as_recorded]
-        if differing:
-            out.print(console.ledger(differing, "Not as recorded", digits))
-    for c in curves or []:
-        own = [row for row in rows if row.curve == c.name]
-        out.print(console.ledger(own, f"{c.name}: {described(c)}", digits))
-        if silent := [claim for claim in claims if not claim.speaks_of(c.dimension, c.polynomial)]:
-            out.print(f"{len(silent)} claims say nothing of this curve: {console.reasons(silent, c)}", markup=False)
-    if rows:
-        out.print("\n" + console.closing(rows), markup=False)
+    keep = {claim.key for name in ids for claim in located(name)}
+    return [claim for claim in all_claims() if not ids or claim.key in keep]
+
+
+def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
+    """What gives the calls of another judge."""
+    if name != "sympy":
+        raise ClaimError(f"no judge is called {name!r}", remedy="there is sympy")
+    from exactspline.verification import sympy_judge
+
+    return sympy_judge.tasks
+
+
+def _word(name: str, known: Sequence[str]) -> str:
+    if name.upper() not in known:
+        raise ClaimError(
+            f"no verdict is called {name!r}", remedy=nearest(name, known, listed_by="exactspline glossary")
+        )
+    return name.upper()
+
+
+def _of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
+    from exactspline.display.ledger import section
+
+    known = list(dict.fromkeys(map(section, claims)))
+    for name in wanted:
+        if not any(_within(each, name) for each in known):
+            raise ClaimError(f"no section is called {name!r}", remedy=nearest(name, known))
+    return [claim for claim in claims if not wanted or any(_within(section(claim), name) for name in wanted)]
+
+
+def _within(section: str, wanted: str) -> bool:
+    """Whether a section is the wanted one or a part of it: §4.2 is one of 4."""
+    a, b = section.lower().removeprefix("§"), wanted.lower().removeprefix("§").strip()
+    return a == b or a.startswith(f"{b}.")
+
+
+class _Ledger:
+    """The rows of a run, for programs and for people."""
+
+    def __init__(
+        self, rows: list[Row], claims: Sequence[Claim], curves: list[Any] | None, digits: int, exact: bool
+    ) -> None:
+        self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
+
+    def data(self) -> list[dict[str, Any]]:
+        """Every row, with a key of its own."""
+        from exactspline.display.ledger import keyed
+
+        return [
+            row.data() | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            for key, word, row in keyed(self.rows)
+        ]
+
+    def sheets(self) -> list[Sheet]:
+        """The ledger, curve by curve."""
+        from exactspline.display.ledger import ledger
+
+        shown = []
+        for name in dict.fromkeys(row.curve for row in self.rows):
+            own = [row for row in self.rows if row.curve == name]
+            title = name or "For all curves"
+            shown.append(ledger(own, title, self.digits, exact=self.exact, name=name or "all curves"))
+        return shown
+
+    def print(self, out: Output, found: Sequence[Row], *, listed: bool, everything: bool) -> None:
+        """What people read: the answer first, the rows where they are asked for."""
+        from exactspline.display import console
+        from exactspline.display.ledger import closing
+
+        shown = console.console()
+        if self.curves is not None:
+            self._on_curves(shown, listed)
+        elif listed:
+            self._listed(shown, everything)
+        else:
+            self._summary(shown)
+        shown.print()
+        console.lines(shown, closing(self.rows))
+        if not out.quiet:
+            if not listed:
+                told = "exactspline prove --rows prints every row; exactspline errata the errors, each with its witness"
+                console.lines(shown, f"{told} and a check; exactspline show CLAIM one claim.")
+            console.legend(shown, self._words())
+
+    def _words(self) -> list[str]:
+        from exactspline.display.ledger import WORDS, word
+
+        present = set(map(word, self.rows))
+        return [each for each in WORDS if each in present]
+
+    def _summary(self, shown: Console) -> None:
+        from exactspline.display import console
+        from exactspline.display.ledger import by_section, headline, refuted
+
+        general = [row for row in self.rows if not row.curve]
+        console.lines(shown, headline(self.rows), style="bold")
+        shown.print()
+        shown.print(by_section(general))
+        fails = refuted(general)
+        if fails:
+            shown.print("\nRefuted, and what is true", style="bold")
+        for failure in fails:
+            self._failure(shown, failure)
+        self._not_as_recorded(shown)
+
+    def _failure(self, shown: Console, failure: Failure) -> None:
+        from exactspline.display import console
+        from exactspline.display.ledger import found, said, witness
+
+        ids = ", ".join(dict.fromkeys(row.id for row in failure.rows))
+        console.lines(shown, f"{ids}: {failure.title}", style="bold magenta")
+        for row in failure.rows:
+            console.lines(shown, f"claimed: {said(row)} ({row.source})", indent=4, first=2)
+            console.lines(shown, f"found: {found(row)}", indent=4, first=2)
+            if told := witness(row, self.digits, exact=self.exact):
+                console.lines(shown, f"witness: {told}", indent=4, first=2)
+        for row in failure.truth:
+            console.lines(shown, f"true: {said(row)}", indent=4, first=2)
+
+    def _listed(self, shown: Console, everything: bool) -> None:
+        from exactspline.display.ledger import by_curve
+
+        sheets = self.sheets()
+        for i, sheet in enumerate(sheets if everything else [s for s in sheets if s.name == "all curves"]):
+            if i:
+                shown.print()
+            shown.print(sheet)
+        concrete = [row for row in self.rows if row.curve]
+        if concrete and not everything:
+            made = by_curve(concrete)
+            made.title = "On the example curves, exactly (each in full with --curve NAME, all of them with --rows)"
+            shown.print()
+            shown.print(made)
+            self._not_as_recorded(shown)
+
+    def _not_as_recorded(self, shown: Console) -> None:
+        from exactspline.display.ledger import ledger
+
+        if differing := [row for row in self.rows if row.curve and not row.as_recorded]:
+            shown.print()
+            shown.print(ledger(differing, "Not as recorded", self.digits, exact=self.exact))
+
+    def _on_curves(self, shown: Console, listed: bool) -> None:
+        from exactspline.display import console
+        from exactspline.display.ledger import by_section, ledger, reasons
+        from exactspline.verification.verdict import REFUTED
+
+        for i, c in enumerate(self.curves or []):
+            if i:
+                shown.print()
+            title = f"{c.name}: {described(c)}"
+            own = [row for row in self.rows if row.curve == c.name]
+            if listed:
+                shown.print(ledger(own, title, self.digits, exact=self.exact))
+            else:
+                made = by_section(own)
+                made.title = title
+                shown.print(made)
+                wrong = [row for row in own if row.verdict == REFUTED or not row.as_recorded]
+                if wrong:
+                    shown.print()
+                    shown.print(ledger(wrong, "Refuted on this curve", self.digits, exact=self.exact))
+            if silent := [claim for claim in self.claims if not claim.speaks_of(c.dimension, c.polynomial)]:
+                console.lines(shown, f"{len(silent)} claims say nothing of this curve: {reasons(silent, c)}")

@@ -7,15 +7,21 @@ import importlib.util
 import sys
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import AsJson, print_json, tracked
+from exactspline.cli.common import tracked
+from exactspline.cli.output import Output, printing
 from exactspline.errors import ExactSplineError, FormulaError
 
+if TYPE_CHECKING:
+    from exactspline.symbolic.reduction import Reduction
 
+
+@printing
 def reduce(
+    out: Output,
     name: Annotated[
         str,
         typer.Argument(
@@ -23,15 +29,16 @@ def reduce(
         ),
     ] = "",
     dimension: Annotated[
-        int | None, typer.Option("--dimension", min=2, max=7, help="Of the curve; without it what the formula says.")
+        int | None,
+        typer.Option("--dimension", metavar="N", min=2, max=7, help="Of the curve; without it what the formula says."),
     ] = None,
     polynomial: Annotated[bool, typer.Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
     everything: Annotated[bool, typer.Option("--all", help="Every formula of the library.")] = False,
-    as_json: AsJson = False,
 ) -> None:
     """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true
     degree.
     """
+    from exactspline.display.reductions import reduction_rows, reduction_sheet
     from exactspline.papers import all_formulas
     from exactspline.symbolic.reduction import reduce as reduction
 
@@ -41,20 +48,12 @@ def reduce(
     )
     calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
     found = tracked(calls, "reducing")
-    if as_json:
-        print_json(
-            [
-                {
-                    "formula": r.name,
-                    "dimension": r.dimension,
-                    "polynomial": r.polynomial,
-                    "parts": [p.data() for p in r.parts],
-                }
-                for r in found
-            ]
-        )
-    else:
-        _print(found, explain=one)
+    out.give(
+        "reduce",
+        lambda: reduction_rows(found),
+        lambda: [reduction_sheet(found)],
+        lambda: _print(out, found, explain=one),
+    )
 
 
 def _formula(name: str) -> Any:
@@ -98,48 +97,15 @@ def _guarded(name: str, call: Any) -> Any:
         ) from None
 
 
-def _print(found: list[Any], *, explain: bool) -> None:
+def _print(out: Output, found: list[Reduction], *, explain: bool) -> None:
     from exactspline.display import console
+    from exactspline.display.reductions import explanations, reduction_sheet
 
-    out = console.console()
-    numbers = ("naive", "k, m, j", "nominal", "true", "in lowest terms")
-    made = console.table("formula", "factors cancelled", "reduced form", *numbers, right=numbers)
-    for r in found:
-        for part in r.parts:
-            row = part.data()
-            label = r.name if len(r.parts) == 1 else f"{r.name}, {part.role}"
-            grading = f"{row['k']}, {row['m']}, {row['j']}" if row["k"] is not None else "–"
-            reduced = row["reduced"] + (f", poles at {row['poles']} = 0" if row["poles"] else "")
-            made.add_row(
-                label,
-                row["cancelled"],
-                reduced,
-                row["naive"],
-                grading,
-                row["nominal"] or "–",
-                row["true"],
-                row["lowest terms"] or "–",
-            )
-    out.print(made)
+    sheet, shown = reduction_sheet(found), console.console()
+    shown.print(sheet)
     if explain:
-        _explain(out, found[0])
-
-
-def _explain(out: Any, r: Any) -> None:
-    kind = {2: "plane curve", 3: "space curve"}.get(r.dimension, f"curve in R{r.dimension}")
-    out.print(
-        f"\nFor the {'polynomial' if r.polynomial else 'rational'} {kind} of degree d; verified by multiplication.",
-        markup=False,
-    )
-    for name, meaning in {
-        name: meaning for part in r.parts for name, meaning in part.data()["meaning"].items()
-    }.items():
-        out.print(f"{name}: {meaning}", markup=False)
-    for part in r.parts:
-        for d, n in part.data()["lower"].items():
-            out.print(
-                f"{part.role}: at d = {d} the true degree is {n}"
-                if n >= 0
-                else f"{part.role}: at d = {d} it vanishes on every curve",
-                markup=False,
-            )
+        shown.print()
+        for line in explanations(found[0]):
+            console.lines(shown, line)
+    if not out.quiet:
+        console.legend(shown, sheet.columns)

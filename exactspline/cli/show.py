@@ -2,40 +2,103 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exactspline.cli.common import AsJson, print_json
+from exactspline.cli.output import Output, printing
 
-#: Longer than any line.
-LONG = 10_000
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
+    from exactspline.verification.statement import Statement
 
 
+@printing
 def show(
-    claim: Annotated[str, typer.Argument(help="The id of a claim, or what it begins (C4.2: all of §4.2).")],
+    out: Output,
+    claim: Annotated[
+        str,
+        typer.Argument(
+            help="The id of a claim, what it begins (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
+            "the statement (evolute). Without it the claims are listed."
+        ),
+    ] = "",
     latex: Annotated[bool, typer.Option("--latex", help="Print formulas as LaTeX.")] = False,
-    as_json: AsJson = False,
 ) -> None:
     """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
     source.
     """
-    from exactspline.verification.statement import statements
+    from exactspline.display.statement import located
+    from exactspline.verification.statement import statement
 
-    found = list(statements(claim))
-    if as_json:
-        print_json([s.data() for s in found])
-    else:
-        _print(found, latex)
+    if not claim:
+        _list(out)
+        return
+    found = [statement(each) for each in located(claim)]
+    out.give(
+        "show",
+        lambda: [s.data() | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
+        lambda: _sheets(found),
+        lambda: _print(out, found, latex),
+    )
     if not all(s.as_recorded for s in found):
         raise typer.Exit(1)
 
 
-def _print(found: list[Any], latex: bool) -> None:
-    from exactspline.display import console
+def _list(out: Output) -> None:
+    from exactspline.display.ledger import section
+    from exactspline.display.sheet import Sheet
+    from exactspline.verification.claims import all_claims
 
-    out = console.console()
+    def sheets() -> list[Sheet]:
+        made = Sheet("claim", "section", "statement", prose=["statement"])
+        for claim in all_claims():
+            made.add_row(claim.id, section(claim), claim.statement)
+        return [made]
+
+    rows = [
+        {
+            "key": f"{c.paper}/{c.key}",
+            "id": c.id,
+            "status": str(c.status),
+            "section": section(c),
+            "source": c.source,
+            "statement": c.statement,
+        }
+        for c in all_claims()
+    ]
+    out.give("claims", lambda: rows, sheets)
+
+
+def _sheets(found: list[Statement]) -> list[Sheet]:
+    from exactspline.display.sheet import Sheet
+    from exactspline.display.statement import fields
+
+    made = Sheet("claim", "what", "is", prose=["is"])
     for s in found:
-        made = console.spelled_out(s, latex)
-        # LaTeX is for copying: no line of it is broken
-        out.print(console.plain(made, LONG) + "\n" if latex else made, soft_wrap=latex, markup=False)
+        for what, text in fields(s):
+            made.add_row(s.claim.id, what, text)
+    return [made]
+
+
+def _print(out: Output, found: list[Statement], latex: bool) -> None:
+    from rich.text import Text
+
+    from exactspline.display import console
+    from exactspline.display.sheet import COLOURS
+    from exactspline.display.statement import fields, heading
+
+    shown = console.console()
+    for i, s in enumerate(found):
+        if i:
+            shown.print()
+        console.lines(shown, heading(s), style="bold")
+        for what, text in fields(s, latex):
+            style = COLOURS.get(text.split(" ")[0], "") if what == "verdict" else ""
+            if latex and "\\" in text:
+                # LaTeX is for copying: no line of it is broken
+                shown.print(Text(f"  {what}: {text}", no_wrap=True, overflow="ignore"), soft_wrap=True)
+            else:
+                console.lines(shown, f"{what}: {text}", indent=4, first=2, style=style)
+    if not out.quiet:
+        console.legend(shown, ["naive", "reduced", *[s.finding.verdict for s in found]])

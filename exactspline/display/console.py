@@ -1,217 +1,93 @@
-"""What people see: aligned tables, the ledger, errors. Programs get JSON instead."""
+"""Where people read: the console for results, tables on it, legends, errors. Programs get JSON instead."""
 
 from __future__ import annotations
 
 import os
-import re
-from collections import Counter
+import sys
 from collections.abc import Iterable
 from io import StringIO
-from typing import Any
+from typing import IO, Any
 
-from gmpy2 import mpq
-from rich.console import Console
-from rich.table import Table
+from rich.console import Console, RenderableType
 from rich.text import Text
 
-from exactspline.verification.claims import Claim
-from exactspline.verification.statement import Statement
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Row
+from exactspline.display.glossary import explained
+from exactspline.display.numbers import decimal, decimal_milliseconds, decimals
+from exactspline.display.sheet import PIPE, Sheet
+from exactspline.display.wrapping import hanging
 
-COLOURS = {PROVED: "bold green", VERIFIED: "green", REFUTED: "bold magenta", UNDECIDED: "yellow"}
-_NUMBER = re.compile(r"-?\d+/\d+|-?\d{25,}")
-#: Exact numbers longer than this are cut in the middle for people.
-LONGEST = 40
-
-
-def console() -> Console:
-    """The console for results: as wide as the terminal; what goes into a file or a pipe has room."""
-    made = Console(highlight=False, emoji=False)
-    return made if made.is_terminal or "COLUMNS" in os.environ else Console(highlight=False, emoji=False, width=160)
-
-
-class Columns(Table):
-    """A table without lines whose cells are taken literally."""
-
-    def add_row(self, *cells: Any, **options: Any) -> None:
-        """A row; a text keeps its brackets, and a number is not broken."""
-        for column, cell in zip(self.columns, cells, strict=False):
-            if column.justify == "right":
-                whole = str(cell) if len(str(cell)) <= LONGEST // 3 else ""
-                longest = max((*str(column.header).split(), *str(cell).split(), whole), key=len)
-                column.min_width = max(column.min_width or 0, min(len(longest), LONGEST))
-        super().add_row(*[cell if isinstance(cell, Text) else Text(cell) for cell in cells], **options)
+__all__ = [
+    "PIPE",
+    "Sheet",
+    "console",
+    "decimal",
+    "decimal_milliseconds",
+    "decimals",
+    "legend",
+    "lines",
+    "plain",
+    "show_error",
+    "table",
+    "width",
+]
+#: A narrower terminal is written to as if it had so many columns.
+NARROWEST = 20
 
 
-def table(*columns: str, title: str = "", right: Iterable[str] = ()) -> Columns:
-    """An empty table, the named columns right-aligned, the first one never broken."""
-    made = Columns(
-        title=Text(title, style="bold") if title else None,
-        title_justify="left",
-        box=None,
-        pad_edge=False,
-        header_style="bold",
+def width(stream: IO[str] | None = None) -> int:
+    """The columns of the terminal that the stream is; what goes into a file or a pipe has room without end, unless the
+    environment names ``COLUMNS``.
+    """
+    stream = stream or sys.stdout
+    told = os.environ.get("COLUMNS", "")
+    if told.isdigit() and int(told):
+        return max(NARROWEST, int(told))
+    try:
+        return max(NARROWEST, os.get_terminal_size(stream.fileno()).columns) if stream.isatty() else PIPE
+    except (OSError, ValueError):
+        return 80 if stream.isatty() else PIPE
+
+
+def console(stream: IO[str] | None = None) -> Console:
+    """A console on a stream, standard output without one; without colours where ``NO_COLOR`` is set."""
+    stream = stream or sys.stdout
+    plain = bool(os.environ.get("NO_COLOR"))
+    return Console(
+        file=stream,
+        width=width(stream),
+        highlight=False,
+        emoji=False,
+        markup=False,
+        no_color=plain,
+        color_system=None if plain else "auto",
     )
-    for i, column in enumerate(columns):
-        made.add_column(column, justify="right" if column in right else "left", overflow="fold", no_wrap=i == 0)
-    return made
 
 
-def decimals(text: str, digits: int = 0) -> str:
-    """Exact numbers in a text shortened for people, with so many decimal digits beside them when asked for.
-
-    >>> decimals("at the parameter 1/3", 5)
-    'at the parameter 1/3 ≈ 0.33333'
-    """
-
-    def shown(match: re.Match[str]) -> str:
-        exact = match[0]
-        short = exact if len(exact) <= LONGEST else f"{exact[:18]}…{exact[-18:]}"
-        return f"{short} ≈ {decimal(mpq(exact), digits)}" if digits else short
-
-    return _NUMBER.sub(shown, text)
+def table(*columns: str, title: str = "", right: Iterable[str] = (), prose: Iterable[str] = ()) -> Sheet:
+    """An empty table, the named columns aligned to the right, the others in `prose` broken into lines where needed."""
+    return Sheet(*columns, title=title, numbers=right, prose=prose)
 
 
-def decimal(value: mpq, digits: int) -> str:
-    """An exact number rounded to so many significant digits.
-
-    >>> decimal(mpq(1, 3), 5)
-    '0.33333'
-    """
-    from mpmath import mp
-
-    with mp.workdps(digits + 5):
-        return str(mp.nstr(mp.mpf(int(value.numerator)) / int(value.denominator), digits))
+def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int = 0) -> None:
+    """Print a text in lines that are not longer than the console is wide, all but the first indented."""
+    for line in hanging(text, out.width, indent, first) or [""]:
+        out.print(Text(line, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
 
 
-def decimal_milliseconds(seconds: float) -> str:
-    """A time in milliseconds, to a tenth.
-
-    >>> decimal_milliseconds(0.01234)
-    '12.3'
-    """
-    return f"{1000 * seconds:.1f}"
-
-
-def ledger(rows: list[Row], title: str, digits: int = 0) -> Columns:
-    """The rows of one curve (or of all curves), one a line."""
-    made = table("verdict", "claim", "statement", "claimed", "computed", "factor or witness", title=title)
-    for row in rows:
-        mark = "" if row.as_recorded else f" (recorded: {row.expected})"
-        computed = row.computed + (f" [{row.reading}]" if row.reading != "spline" else "")
-        remark = row.factor if row.factor and not row.witness else row.witness
-        made.add_row(
-            Text(row.verdict + mark, style=COLOURS[row.verdict]),
-            row.id,
-            row.statement,
-            row.claimed,
-            computed,
-            decimals(remark, digits),
-        )
-    return made
+def legend(out: Console, words: Iterable[str]) -> None:
+    """What the words mean that the glossary knows: a line each."""
+    told = explained(words)
+    if told:
+        out.print()
+    for term, meaning in told:
+        lines(out, f"{term}: {meaning}")
 
 
-def summary(rows: list[Row]) -> Columns:
-    """Counts of verdicts, curve by curve."""
-    made = table(
-        "curve",
-        "verified",
-        "vacuous",
-        "refuted",
-        "undecided",
-        "as recorded",
-        right=("verified", "vacuous", "refuted", "undecided"),
-    )
-    curves = dict.fromkeys(row.curve for row in rows)
-    for curve in curves:
-        own = [row for row in rows if row.curve == curve]
-        counts = Counter(row.verdict for row in own)
-        vacuous = sum(row.witness == VACUOUS for row in own)
-        recorded = sum(row.as_recorded for row in own)
-        made.add_row(
-            curve,
-            str(counts[VERIFIED]),
-            str(vacuous),
-            str(counts[REFUTED]),
-            str(counts[UNDECIDED] - vacuous),
-            f"{recorded} of {len(own)}",
-        )
-    return made
-
-
-def reasons(claims: Iterable[Claim], curve: Any) -> str:
-    """Why claims say nothing of a curve, counted.
-
-    >>> from exactspline.verification.claims import select
-    >>> from exactspline.splines.examples import example
-    >>> reasons(select(["C4.1c", "T1"]), example("twisted_cubic"))
-    '1 of Table 1, 3 of plane curves'
-    """
-    counts: Counter[str] = Counter()
-    for claim in claims:
-        if claim.curve == "table":
-            counts["of Table 1"] += 1
-        elif claim.curve not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension, "")):
-            counts[f"of {claim.curve} curves"] += 1
-        else:
-            counts[f"of {claim.of} curves"] += 1
-    return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
-
-
-def erratum(entry: Any) -> Text:
-    """One error of the paper as a paragraph."""
-    text = Text.assemble(
-        (f"{entry.id}  {entry.where}", "bold"), "\n  printed  ", entry.printed, "\n  found    ", decimals(entry.found)
-    )
-    for line in entry.truth:
-        text.append(f"\n  true     {line}")
-    if entry.why:
-        text.append(f"\n  why      {entry.why}")
-    for i, line in enumerate(entry.check):
-        text.append(f"\n  {'check' if not i else '     '}    {line}")
-    return text.append("\n")
-
-
-def spelled_out(s: Statement, latex: bool = False) -> Columns:
-    """A claim with its sides, factor, degrees and verdict, one thing a line."""
-    c, f = s.claim, s.finding
-    made = table("what", "is", title=f"{c.id}  {c.source}{'  (as it must read)' if c.as_meant else ''}")
-    made.show_header = False
-    lines = [("statement", s.latex if latex else c.statement)]
-    for side in s.sides:
-        lines += [
-            (side.role, side.latex if latex else side.text),
-            ("", f"{side.name}, {side.source}, degree {side.degrees}"),
-        ]
-    lines += [
-        ("claimed", c.claimed),
-        ("factor", f.factor if c.kind != "degree" else ""),
-        ("computed", f.computed),
-        ("witness", f.witness),
-    ]
-    lines += [("assumes", c.assumes), ("note", c.note)]
-    for what, text in lines:
-        if text:
-            made.add_row(what, text)
-    recorded = "as recorded" if s.as_recorded else f"recorded: {c.expected}"
-    made.add_row("verdict", Text.assemble((f.verdict, COLOURS[f.verdict]), f" [{s.reading}], {recorded}"))
-    made.add_row("", "")
-    return made
-
-
-def plain(made: Any, width: int = 160) -> str:
-    """A table as text, for where there is no terminal."""
-    out = Console(highlight=False, width=width, color_system=None, file=StringIO(), force_jupyter=False)
+def plain(made: RenderableType, columns: int = 160) -> str:
+    """What a console would show, as text, for where there is no terminal."""
+    out = Console(highlight=False, width=columns, color_system=None, file=StringIO(), force_jupyter=False)
     out.print(made)
     return "\n".join(line.rstrip() for line in out.file.getvalue().splitlines())  # type: ignore[attr-defined]
-
-
-def closing(rows: list[Row]) -> str:
-    """The last line: how many verdicts there are of each kind and whether any differs from the record."""
-    counts = Counter(row.verdict for row in rows)
-    differ = sum(not row.as_recorded for row in rows)
-    parts = ", ".join(f"{counts[v]} {v}" for v in COLOURS if counts[v])
-    return f"{len(rows)} verdicts: {parts}; {'all as recorded' if not differ else f'{differ} DIFFER from the record'}"
 
 
 def show_error(error: Any) -> None:

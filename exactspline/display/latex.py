@@ -6,11 +6,9 @@ import re
 from functools import singledispatch
 from typing import Any
 
-from gmpy2 import mpq
-
-from exactspline.exact import text
-from exactspline.language.arguments import DIMENSIONS
+from exactspline.exact import mpq, text
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -94,7 +92,7 @@ def _(n: Node) -> str:
 
 @mathematics.register
 def _(f: Formula) -> str:
-    body = print_latex(telling_tree(f, DIMENSIONS[f.curve][0] if f.curve != "curve" else 3))
+    body = print_latex(telling_tree(f, f.kind.dimensions[0] if f.kind is not CURVE else 3))
     return body if body == f.symbol else f"{symbol_of(f)} = {body}"
 
 

@@ -7,13 +7,11 @@ from html import escape
 from io import BytesIO
 from typing import Any
 
-from gmpy2 import mpq
-
-from exactspline.display.console import decimals
 from exactspline.display.latex import fraction, mathematics
+from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.geometry.derived import Derived
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -22,7 +20,7 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claims import Claim
+from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.statement import Side, Statement, latex_of, sides
 from exactspline.verification.verdict import Row
@@ -178,20 +176,24 @@ def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
     return [
         ("statement", escape(c.statement)),
         ("", f"$\\displaystyle {escape(statement_latex)}$"),
-        ("assumes", escape(c.assumes)),
+        ("assumes", escape(c.assumed)),
     ]
 
 
 @html.register
 def _(e: Erratum) -> str:
-    lines = [
-        ("printed", e.printed),
-        ("found", decimals(e.found)),
-        *[("true", line) for line in e.truth],
-        ("why", e.why),
-    ]
-    check = "<br>".join(escape(line) for line in e.check)
-    return facts(f"{e.id}, {e.where}", [(a, escape(b)) for a, b in lines if b] + [("check", f"<code>{check}</code>")])
+    lines: list[tuple[str, str]] = []
+    for each in e.statements:
+        words = f"“{each.words}” " if each.words else ""
+        lines += [
+            (each.place, escape(words)),
+            ("which says", escape(each.statement)),
+            ("found", escape(each.found)),
+            ("witness", escape(decimals(each.witness))),
+            ("check", f"<code>{'<br>'.join(map(escape, each.check))}</code>"),
+        ]
+    lines += [("true", escape(line)) for line in e.truth] + [("why", escape(line)) for line in e.why]
+    return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
 
 
 @html.register

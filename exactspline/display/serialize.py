@@ -1,4 +1,4 @@
-"""Bisectors as data for programs: control nets as exact text, ends of pieces as certified roots."""
+"""Features and derived objects as data for programs: control points as exact text, roots as certified intervals."""
 
 from __future__ import annotations
 
@@ -6,131 +6,82 @@ from collections.abc import Callable
 from typing import Any
 
 from exactspline.errors import ExactSplineError
-from exactspline.exact import text
-from exactspline.geometry.bisectors import CurveBisector, PointBisector
-from exactspline.geometry.continuity import inside, sides
+from exactspline.exact import mpq
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.enclosures import curvature_value, torsion_value
 from exactspline.geometry.inspection import Inspection
-from exactspline.geometry.trimmed_bisector import TrimmedBisector
+from exactspline.geometry.joints import Joint
+from exactspline.geometry.kinds import CurvePiece, Feature
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
-from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.common import with_common_knots
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surd import Surd, significant
 
 
-def curve_bisector_data(found: CurveBisector) -> dict[str, Any]:
-    """The patches of the bisector of two curves, by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
-    s.
+def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, Any]:
+    """A feature as data for programs: the parameter exactly, as an interval and to so many digits; κ there where
+    γ′ ≠ 0, in space also τ; and the angle of a corner.
     """
-    patches = []
-    for patch in found.patches:
-        numerator, w = patch.value.elevated()
-        patches.append({"sides": [[text(x) for x in side] for side in patch.sides]} | _control_net([*numerator, w]))
-    missing = [
-        {"sides": [[text(x) for x in side] for side in sides], "reason": reason} for sides, reason in found.missing
-    ]
-    return {"kind": "bisector of two curves", "variant": found.variant, "patches": patches, "missing": missing}
-
-
-def _control_net(splines: list[TensorSpline]) -> dict[str, Any]:
-    """The control nets of several splines over the knots that carry them all."""
-    common = splines[0] * 0
-    for x in splines[1:]:
-        common = common + x * 0
-    splines = [x + common for x in splines]
-    first = splines[0]
-    rows = zip(*[x.control_points for x in splines], strict=True)
-    return {
-        "degree": list(first.degree),
-        "knots": [[text(t) for t in knots] for knots in first.knots],
-        "homogeneous_control_net": [[[text(x) for x in point] for point in zip(*row, strict=True)] for row in rows],
-    }
-
-
-def point_bisector_data(found: PointBisector, digits: int) -> dict[str, Any]:
-    """The pieces of the ruled bisector of a point and a curve: directrix and generator by homogeneous control
-    points.
-    """
-    pieces = [
-        {
-            "interval": [text(x) for x in piece.interval],
-            "moved": piece.moved,
-            "directrix": piece_data(piece.interval, piece.surface.directrix),
-            "generator": piece_data(piece.interval, piece.surface.generator),
-        }
-        for piece in found.pieces
-    ]
-    missing = [{"interval": [text(a), text(b)], "reason": reason} for (a, b), reason in found.missing]
-    singular = [parameter_data(root, digits) for root in found.singular]
-    return {
-        "kind": "ruled bisector",
-        "variant": found.variant,
-        "pieces": pieces,
-        "singular": singular,
-        "missing": missing,
-    }
-
-
-def trimmed_data(found: TrimmedBisector, digits: int) -> dict[str, Any]:
-    """The pieces of the true bisector of a point and a plane curve."""
-    pieces = []
-    for piece in found.pieces:
-        ends = {"low": parameter_data(piece.low, digits), "high": parameter_data(piece.high, digits)}
-        foot = {} if piece.foot is None else {"foot": text(piece.foot)}
-        pieces.append({"piece": piece.kind} | foot | ends | piece_data(piece.value.denominator.domain, piece.value))
-    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(found.missing)}
-
-
-def parameter_data(t: Any, digits: int) -> dict[str, Any]:
-    """A parameter, rational or a certified root: exactly where it is rational, in an interval, and to so many
-    digits.
-    """
-    if not isinstance(t, Root):
-        return {
-            "parameter": text(t),
-            "interval": [text(t), text(t)],
-            "decimal": decimal_of(Root(t, t, (1, 1), (0, 0)), digits),
-        }
-    low, high = t.refine(digits)
-    return {
-        "parameter": None if t.exact is None else text(t.exact),
-        "interval": [text(low), text(high)],
-        "decimal": decimal_of(t, digits),
-    }
-
-
-def degree_of(value: Any) -> str:
-    """The degree of a piece, for people."""
-    d = value.degree
-    return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
-
-
-def counted(value: Any) -> int:
-    """The number of control points of a patch."""
-    top = value.numerator[0] if isinstance(value.numerator, Vector) else value.numerator
-    m, n = top.elevated_to(value.denominator).control_point_counts
-    return int(m * n)
-
-
-def feature_data(curve: Any, f: Any, digits: int) -> dict[str, Any]:
-    """A feature as data for programs: the parameter exactly, as an interval and to so many digits, and κ there."""
     low, high = f.root.refine(digits)
-    data = {
-        "kind": f.kind,
+    joint = analyse(curve).joint(f.root.low) if f.at_knot else None
+    data: dict[str, Any] = {
+        "kind": str(f.kind),
         "parameter": str(f.root.exact) if f.root.exact is not None else None,
         "interval": [str(low), str(high)],
         "decimal": decimal_of(f.root, digits),
         "at_knot": f.at_knot,
         "by_jump": f.by_jump,
+        "of_absolute": str(f.of_absolute or ""),
+        "angle": angle_data(joint.angle if joint else None, digits),
     }
-    regular = curve.dimension == 3 and f.form != "D1"
-    if f.of_absolute or regular:
-        data |= {"of_absolute": f.of_absolute, "curvature": value_of(curvature_value, curve, f, digits)}
-    if regular:
-        zero = f.kind in ("torsion zero", "torsion touch", "torsion end") and not f.by_jump
-        data |= {"torsion": "0" if zero else value_of(torsion_value, curve, f, digits)}
+    if f.form != "D1":
+        data["curvature"] = value_of(curvature_value, curve, f.root, digits)
+        if curve.dimension == 3:
+            data["torsion"] = value_of(torsion_value, curve, f.root, digits)
     return data
+
+
+def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
+    """An angle: its cosine and sine exactly, and degrees to so many digits."""
+    from mpmath import nstr
+
+    if angle is None:
+        return None
+    degrees = str(nstr(angle.degrees(digits), digits, strip_zeros=True)).removesuffix(".0")
+    return {"cosine": exactly(angle.cosine), "sine": exactly(angle.sine), "degrees": degrees}
+
+
+def exactly(number: mpq | Surd) -> str:
+    """A number ``a√b`` with the minus sign of programs."""
+    return str(number).replace("−", "-")
+
+
+def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, Any]:
+    """A joint as data for programs: its kind and order of geometric continuity, the angle of a corner, the width of a
+    gap, and the curvatures of both sides where they differ, exactly and to so many digits.
+    """
+    from mpmath import nstr
+
+    root = knot_root(joint.parameter)
+    jump = joint.curvatures is not None
+    return {
+        "kind": str(joint.kind),
+        "parameter": str(joint.parameter),
+        "decimal": decimal_of(root, digits),
+        "at_seam": joint.at_seam,
+        "geometric_continuity": joint.order,
+        "angle": angle_data(joint.angle, digits),
+        "gap": None if joint.gap is None else exactly(joint.gap),
+        "gap_decimal": None
+        if joint.gap is None
+        else str(nstr(significant(joint.gap, digits + 8), digits, strip_zeros=True)),
+        "curvatures": [exactly(x) for x in joint.curvatures] if joint.curvatures is not None else None,
+        "curvature": value_of(curvature_value, curve, root, digits) if jump else None,
+    }
 
 
 def decimal_of(root: Root, digits: int) -> str:
@@ -144,34 +95,35 @@ def decimal_of(root: Root, digits: int) -> str:
         )
 
 
-def value_of(quantity: Callable[..., Any], curve: Any, f: Any, digits: int) -> str:
-    """κ or τ at a feature to so many digits, where it jumps its limits from both sides; the reason where it cannot be
-    told.
+def value_of(quantity: Callable[[Nurbs, Root, int, str], Any], curve: Nurbs, root: Root, digits: int) -> str:
+    """κ or τ at a root to so many significant digits, 0 where it is exactly 0; at a joint the limits from both sides
+    where they differ; the reason where it cannot be told.
     """
     from mpmath import mp, nstr
 
+    facts = analyse(curve)
+    joint = facts.joint(root.low) if root.at_knot else None
+
     def shown(side: str) -> str:
-        at = sides(curve, f.root.low)[side == "right"] if f.at_knot else None
-        root = f.root if at is None else knot_root(at)
+        at = root if joint is None else knot_root(facts.sides(root.low)[side == "right"])
         with mp.workdps(digits + 10):
-            return str(nstr(quantity(curve, root, digits + 5, side), digits, strip_zeros=True))
+            value = quantity(curve, at, digits + 8, side)
+            return str(nstr(value, digits, strip_zeros=True)) if value else "0"
 
     try:
-        values = [
-            shown(side)
-            for side in (
-                ("left", "right") if curve.dimension == 3 and f.at_knot and inside(curve, f.root.low) else ("right",)
-            )
-        ]
+        values = [shown(side) for side in (("left", "right") if joint is not None else ("right",))]
     except ExactSplineError as error:
         return str(error)
     return " | ".join(dict.fromkeys(values))
 
 
 def inspection_data(
-    curve: Any, found: Inspection, digits: int, tick: Callable[[], None] = lambda: None
+    curve: Nurbs, found: Inspection, digits: int, tick: Callable[[], None] = lambda: None
 ) -> dict[str, Any]:
-    """All of it as data for programs; `tick` is called after every feature."""
+    """All of it as data for programs; `tick` is called after every feature.
+
+    A piece is the list of its intervals: two where it runs across the seam of a closed curve.
+    """
     groups = {name: getattr(found, name) for name in groups_of(curve)}
     data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
     for name, features in groups.items():
@@ -179,17 +131,28 @@ def inspection_data(
         for f in features:
             data[name].append(feature_data(curve, f, digits))
             tick()
-    intervals = {"straight": found.straight, "constant_curvature": found.constant}
-    data |= {name: [[str(a), str(b)] for a, b in pieces] for name, pieces in intervals.items()}
+    data["joints"] = [joint_data(curve, joint, digits) for joint in found.joints]
+    data |= {
+        "straight": [intervals_data(piece) for piece in found.straight],
+        "constant_curvature": [intervals_data(piece) for piece in found.constant],
+        "standing_still": [intervals_data(piece) for piece in found.standing],
+    }
     if curve.dimension == 3:
-        data["planar"] = [{"interval": [str(a), str(b)], "plane": str(lies_in)} for (a, b), lies_in in found.planar]
+        data["planar"] = [
+            {"intervals": intervals_data(piece), "plane": str(lies_in)} for piece, lies_in in found.planar
+        ]
         data["plane"] = str(found.plane) if found.plane else None
     return data
 
 
-def groups_of(curve: Any) -> tuple[str, ...]:
+def intervals_data(piece: CurvePiece) -> list[list[str]]:
+    """The intervals of a piece."""
+    return [[str(a), str(b)] for a, b in piece.parts]
+
+
+def groups_of(curve: Nurbs) -> tuple[str, ...]:
     """The lists of features of an `Inspection` that a curve has."""
-    return ("singularities", "inflections", "critical", *(("torsion",) if curve.dimension == 3 else ()))
+    return ("singular_points", "inflections", "critical", *(("torsion",) if curve.dimension == 3 else ()))
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
@@ -227,10 +190,7 @@ def piece_data(interval: Any, value: Any) -> dict[str, Any]:
 
 def _net(components: list[Any], field: str) -> dict[str, Any]:
     """Control points of several splines over the knots that carry them all."""
-    common = components[0] * 0
-    for c in components[1:]:
-        common = common + c * 0
-    raised = [c + common for c in components]
+    raised = with_common_knots(components)
     knots = raised[0].knots
     return {
         "degree": raised[0].degree,

@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
 from exactspline.display.plot.functions import greville_abscissae
+from exactspline.exact import mpq
 
 #: Size in pixels, margin, samples in all and at least so many a segment.
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6

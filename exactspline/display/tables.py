@@ -9,16 +9,19 @@ from html import escape
 from typing import Any
 
 from exactspline.display import console
+from exactspline.display.sheet import Sheet
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
 from exactspline.symbolic.reduction import reduce
-from exactspline.verification.claims import Claim, select
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import select
 from exactspline.verification.degree_tables import construction_table, generic_table
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+from exactspline.verification.vocabulary import Verdict
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
@@ -49,10 +52,15 @@ class Grid(Displayed):
         return [row[i] for row in self.rows]
 
     def __repr__(self) -> str:
-        made = console.table(*self.columns, title=self.title)
+        return self.sheet.text(console.width())
+
+    @property
+    def sheet(self) -> Sheet:
+        """The table as it is printed, with CSV and Markdown."""
+        made = Sheet(*self.columns, title=self.title)
         for row in self.rows:
             made.add_row(*row)
-        return console.plain(made)
+        return made
 
     def html(self) -> str:
         """The table as HTML."""
@@ -67,7 +75,7 @@ class Grid(Displayed):
 
 
 def _coloured(cell: str) -> str:
-    return f";color:{COLOURS[cell]};font-weight:bold" if cell in COLOURS else ""
+    return f";color:{COLOURS[Verdict(cell)]};font-weight:bold" if cell in COLOURS else ""
 
 
 class Verdicts(Grid):
@@ -97,10 +105,7 @@ class Verdicts(Grid):
 def remark(row: Row) -> str:
     """Factor or witness of a row, cut where it is too long to read.
 
-    >>> from exactspline.verification.generic_proof import prove
-    >>> from exactspline.verification.verdict import row
-    >>> claim = select(["C4.1a"])[0]
-    >>> remark(row(claim, "jet", "", prove(claim)[1], 0))
+    >>> remark(proved(select(["C4.1a"])[0]))
     'w'
     """
     text = console.decimals(row.witness or row.factor)
@@ -133,9 +138,7 @@ def degree_table(curve: Any) -> Grid:
             r.formula,
             r.variant,
             r.nominal,
-            r.represented,
-            "–" if r.true is None else r.true,
-            r.control_points,
+            *("–" if count is None else count for count in (r.represented, r.true, r.control_points)),
             r.generic,
             console.decimal_milliseconds(r.seconds),
         )
@@ -234,7 +237,8 @@ def numerical_claims(*ids: str) -> list[Claim]:
 
 def _printed(s: Statement) -> tuple[str, ...]:
     claim, found = s.claim, s.finding
-    printed = f"({claim.claimed})" if claim.as_meant else claim.claimed
+    claimed = str(getattr(claim, "claimed", claim.claims))
+    printed = claimed if claim.status == "printed" else f"({claimed})"
     return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 

@@ -1,22 +1,27 @@
 """Bisectors, before any trimming: what a user calls, in pieces that cover what there is, with the places where there is
 nothing named.
 
+The bisector of two curves is a surface over the pairs of parameters that have one point, and beside it the lines and
+planes of the pairs that have more (`exactspline.geometry.bisector.special_pairs`).
+
 Parameters and coordinates are unitless exact numbers. "Bisector" means equal *critical* distances;
 `exactspline.geometry.trimmed_bisector` keeps the points of equal distance of a planar point/curve bisector.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
+from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
+from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
-from exactspline.language.arguments import Curve, with_point
+from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross
@@ -25,17 +30,19 @@ from exactspline.roots.root import Root, between
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import surface_pair
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 
 Interval = tuple[mpq, mpq]
 
-#: Forms of the bisector of two space curves, and of a point and a space curve.
+#: Formulas of the bisector of two space curves by variant, and of a point and a space curve.
 CURVE_FORMS = {
     "naive": "bisector",
     "levelled": "bisector_levelled",
     "paper": "bisector_polynomial",
     "symmetric": "bisector_symmetric",
+    "minimal": "bisector_symmetric",
 }
 POINT_FORMS = {"naive": "point_bisector", "explicit": "point_bisector_polynomial"}
 AXES = "xyz"
@@ -49,49 +56,100 @@ class BisectorPatch:
     value: Rational
 
 
+class SurfaceVariant(StrEnum):
+    """How the surface of two space curves is computed."""
+
+    NAIVE = "naive"
+    LEVELLED = "levelled"
+    PAPER = "paper"
+    SYMMETRIC = "symmetric"
+    MINIMAL = "minimal"
+
+
 @dataclass(frozen=True)
 class CurveBisector:
-    """The bisector surface of two space curves in patches, and the rectangles on which there is none, each with the
-    reason.
+    """The bisector of two space curves: the surface in patches, the rectangles on which no pair in general position has
+    one point, each with the reason, and (computed when first asked for) all pairs that have more than a point.
+
+    Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, but for
+    what ``left_out`` names; along ``poles`` the surface is at infinity.
     """
 
-    variant: str
+    variant: SurfaceVariant
     patches: tuple[BisectorPatch, ...]
     missing: tuple[tuple[tuple[Interval, Interval], str], ...]
+    curves: tuple[Nurbs, Nurbs] = field(repr=False)
 
-    def __call__(self, s: Any, t: Any) -> Any:
+    @cached_property
+    def special(self) -> SpecialPairs:
+        """The pairs of parameters that have no single point."""
+        return special_pairs(*self.curves)
+
+    @property
+    def lines(self) -> tuple[LineComponent, ...]:
+        """Lines of solutions along curves of pairs."""
+        return self.special.lines
+
+    @property
+    def planes(self) -> tuple[PlaneComponent, ...]:
+        """Planes of solutions along curves of pairs."""
+        return self.special.planes
+
+    @property
+    def pairs(self) -> tuple[SinglePair, ...]:
+        """Single pairs with a line, a plane or all of space for their solutions."""
+        return self.special.pairs
+
+    @property
+    def poles(self) -> tuple[PoleCurve, ...]:
+        """The curves of pairs along which the surface is at infinity."""
+        return self.special.poles
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """What could not be decided; empty where the answer is complete."""
+        return self.special.left_out
+
+    def __call__(self, s: Any, t: Any) -> tuple[mpq, ...]:
         """The point for two parameters; `ZeroDivisionError` at a pole, `ShapeError` where there is no surface."""
         s, t = rational(s), rational(t)
         for patch in self.patches:
             if all(a <= x <= b for x, (a, b) in zip((s, t), patch.sides, strict=True)):
-                return patch.value(s, t)
+                point: tuple[mpq, ...] = patch.value(s, t)
+                return point
         raise ShapeError(
-            f"there is no bisector at ({text(s)}, {text(t)})", remedy="; ".join(reason for _, reason in self.missing)
+            f"there is no surface at ({text(s)}, {text(t)})", remedy="; ".join(reason for _, reason in self.missing)
         )
 
 
-def curve_bisector(first: Any, second: Any, variant: str = "minimal") -> CurveBisector:
+def curve_bisector(first: Nurbs, second: Nurbs, variant: str = SurfaceVariant.MINIMAL) -> CurveBisector:
     """The bisector of two space curves.
 
     `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
     (that in lowest terms).
 
     >>> from exactspline.splines.examples import example
-    >>> surface = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
-    >>> surface.patches[0].value.degree
-    Degrees(s=10, t=8)
+    >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
+    >>> found.patches[0].value.degree, len(found.pairs), found.left_out
+    (Degrees(s=10, t=8), 3, ())
 
-    Raises `ShapeError` for curves that are not in space, or have no bisector surface anywhere; `FormulaError` for an
-    unknown variant.
+    Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """
-    if variant not in (*CURVE_FORMS, "minimal"):
-        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(CURVE_FORMS)}, minimal")
+    if variant not in tuple(SurfaceVariant):
+        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(SurfaceVariant)}")
     for c in (first, second):
         if c.dimension != 3:
             raise ShapeError(
                 f"a curve in R{c.dimension}",
                 remedy="the bisector of two plane curves is no rational curve; use curves in space",
             )
+    patches, missing = _surface(first, second, SurfaceVariant(variant))
+    return CurveBisector(SurfaceVariant(variant), patches, missing, (first, second))
+
+
+def _surface(
+    first: Nurbs, second: Nurbs, variant: SurfaceVariant
+) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[tuple[Interval, Interval], str], ...]]:
     pair = surface_pair(first, second)
     determinant = find("bisector_determinant_symmetric")(pair)
     missing: list[tuple[Any, str]] = []
@@ -105,23 +163,14 @@ def curve_bisector(first: Any, second: Any, variant: str = "minimal") -> CurveBi
         else:
             still = any(_is_zero_on(v, at) for v in (d1, other))
             missing.append((rectangle, STILL if still else PARALLEL if _is_zero_on(parallel, at) else COPLANAR))
-    if not found:
-        raise ShapeError(
-            f"the two curves have no bisector surface: {missing[0][1]}",
-            remedy="choose curves that are not in one plane",
-        )
-    patches: list[Any] = (
+    parts: list[Any] = (
         [(pair.first.w.domain, pair)]
         if not missing
         else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in found]
     )
-    name = CURVE_FORMS.get(variant, "bisector_symmetric")
-    values = [(r, find(name)(p)) for r, p in patches]
-    return CurveBisector(
-        variant,
-        tuple(BisectorPatch(r, in_lowest_terms(v) if variant == "minimal" else v) for r, v in values),
-        tuple(missing),
-    )
+    values = [(r, find(CURVE_FORMS[variant])(p)) for r, p in parts]
+    lowest = variant is SurfaceVariant.MINIMAL
+    return tuple(BisectorPatch(r, in_lowest_terms(v) if lowest else v) for r, v in values), tuple(missing)
 
 
 STILL = "the curve stands still here, and has no normals"
@@ -181,7 +230,7 @@ def point_bisector(curve: Any, point: Any, variant: str = "direct") -> PointBise
     """
     if variant not in (*POINT_FORMS, "direct"):
         raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(POINT_FORMS)}, direct")
-    c = with_point(curve, exact_point(curve, point, 3))
+    c = curve.with_point(exact_point(curve, point, 3))
     generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
     missing, good = [], []
     for i, (a, b) in enumerate(pairwise(curve.w.breakpoints)):
@@ -258,9 +307,11 @@ def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
         if free is not None:
             return [*pieces, (low, b, free)]
         stops: list[tuple[Root, int]] = [(root, k) for k, root in ahead.items() if isinstance(root, Root)]
-        stop, best = max(stops)
+        stop, best = max(stops, key=lambda pair: (pair[0], pair[1]))
         after = next(k for k in order if all(r != stop for r in roots[k]))
-        cut = between(max([low, *(r for r in roots[after] if r < stop)]), stop)
+        # the roots are in order
+        before = [r for r in roots[after] if low < r < stop]
+        cut = between(before[-1] if before else low, stop)
         pieces.append((low, cut, best))
         low = cut
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, nearest
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import find, papers
@@ -131,7 +131,10 @@ def construction(name: str) -> Construction:
     Raises `FormulaError` with the names there are.
     """
     if name not in all_constructions():
-        raise FormulaError(f"no construction is called {name!r}", remedy=f"there are {', '.join(all_constructions())}")
+        raise FormulaError(
+            f"no construction is called {name!r}",
+            remedy=nearest(name, all_constructions(), listed_by="exactspline derive"),
+        )
     return all_constructions()[name]
 
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from flint import fmpz_poly
-from gmpy2 import isqrt, mpq, mpz
 
-from exactspline.exact import ratio
-from exactspline.geometry.domain import Interval, part, plane
+from exactspline.exact import mpq, ratio
+from exactspline.geometry.domain import plane, segments
+from exactspline.geometry.kinds import Interval
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.splines.bernstein import ONE, is_square_class, primitive, zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surd import parts, square_root
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class CurvaturePiece:
     reason: str = ""
 
 
-def curvature(curve: Any) -> list[CurvaturePiece]:
+def curvature(curve: Nurbs) -> list[CurvaturePiece]:
     """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant
     square root.
 
@@ -41,10 +42,7 @@ def curvature(curve: Any) -> list[CurvaturePiece]:
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    pieces = []
-    for a, b in zip(curve.breakpoints, curve.breakpoints[1:], strict=False):
-        pieces.append(_curvature_on(part(plane(curve), a, b), (a, b)))
-    return pieces
+    return [_curvature_on(c, interval) for interval, c in segments(plane(curve))]
 
 
 def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:
@@ -61,9 +59,10 @@ def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:
     if _vanishes(m):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
-    root, radicand = _square_part(up / down)
-    sign = 1 if n(t) * m(t) * turning(t) > 0 else -1
-    return CurvaturePiece(interval, radicand, (n.scaled(sign * root)) / m)
+    coefficient, radicand = parts(square_root(up / down))
+    # [γ′ γ″] is f2/w³: its sign is that of f2 only where w > 0
+    sign = 1 if n(t) * m(t) * turning(t) * c.w(t) > 0 else -1
+    return CurvaturePiece(interval, radicand, n.scaled(sign * coefficient) / m)
 
 
 def _inner(interval: Interval, j: int) -> mpq:
@@ -81,20 +80,6 @@ def _square_root(f: BSpline) -> tuple[BSpline, mpq] | None:
     for p, e in factors:
         root = root * p ** (e // 2)
     return BSpline.from_forms(f.degree // 2, f.mesh, (), [(root, ONE)]), ratio(unit, m)
-
-
-def _square_part(q: mpq) -> tuple[mpq, int]:
-    """``(r, n)`` with ``q = r² n`` and n a positive integer, square-free as far as trial division by small primes and a
-    last root tell.
-    """
-    n = mpz(q.numerator * q.denominator)
-    root = mpq(1, q.denominator)
-    for prime in range(2, 1000):
-        while n % (prime * prime) == 0:
-            n, root = n // (prime * prime), root * prime
-    if isqrt(n) ** 2 == n:
-        n, root = mpz(1), root * isqrt(n)
-    return root, int(n)
 
 
 def _vanishes(f: BSpline) -> bool:

@@ -12,14 +12,16 @@ from typing import Any
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import rational, text
 from exactspline.geometry.constructions import MINIMAL, all_constructions, construction
-from exactspline.geometry.domain import Interval, intervals_where, part
+from exactspline.geometry.domain import intervals_where, part
+from exactspline.geometry.kinds import Interval
 from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 from exactspline.papers import find
-from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
+from exactspline.splines.nurbs import Nurbs
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,34 @@ class Derived(Displayed):
     #: Whether it is a ruled surface: then the values are directrix and generator side by side.
     ruled: bool = False
 
+    @property
+    def degree(self) -> int:
+        """The highest degree of the pieces as they are represented."""
+        degrees: list[int] = [piece.value.degree for piece in self.pieces]
+        return max(degrees)
+
+    @property
+    def true_degree(self) -> int:
+        """The highest degree of the pieces in lowest terms."""
+        return max(true_degree(piece.value) for piece in self.pieces)
+
+    @property
+    def control_points(self) -> int:
+        """The number of control points of all pieces together."""
+        return sum(control_point_count(piece.value) for piece in self.pieces)
+
+    @property
+    def existence(self) -> str:
+        """Where it exists, and where it does not and why, in words.
+
+        >>> from exactspline.splines.examples import example
+        >>> print(derive("evolute", example("straight_between_arcs")).existence)
+        on [0, 1] and [2, 3]; not on [1, 2]: the curve is straight (its curvature vanishes identically)
+        """
+        there = " and ".join(_shown(piece.interval) for piece in self.pieces)
+        gaps = [f"not on {_shown(interval)}: {reason}" for interval, reason in self.missing]
+        return "; ".join([f"on {there}", *gaps])
+
     def __call__(self, t: Any) -> Any:
         """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
         t = rational(t)
@@ -53,7 +83,11 @@ class Derived(Displayed):
         )
 
 
-def derive(name: str, curve: Any, variant: str = MINIMAL) -> Derived:
+def _shown(interval: Interval) -> str:
+    return f"[{text(interval[0])}, {text(interval[1])}]"
+
+
+def derive(name: str, curve: Nurbs, variant: str = MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
     `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `variant` is
@@ -99,7 +133,7 @@ def derive(name: str, curve: Any, variant: str = MINIMAL) -> Derived:
     return Derived(name, variant, pieces, missing, ruled)
 
 
-def evolute(curve: Any, variant: str = MINIMAL) -> Derived:
+def evolute(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -111,7 +145,7 @@ def evolute(curve: Any, variant: str = MINIMAL) -> Derived:
     return derive("evolute", curve, variant)
 
 
-def focal_curve(curve: Any, variant: str = MINIMAL) -> Derived:
+def focal_curve(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` tells
     the degree for all curves).
 
@@ -124,7 +158,7 @@ def focal_curve(curve: Any, variant: str = MINIMAL) -> Derived:
     return derive("focal_curve", curve, variant)
 
 
-def torsion(curve: Any, variant: str = MINIMAL) -> Derived:
+def torsion(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -136,7 +170,7 @@ def torsion(curve: Any, variant: str = MINIMAL) -> Derived:
     return derive("torsion", curve, variant)
 
 
-def circle_centres(curve: Any, variant: str = MINIMAL) -> Derived:
+def circle_centres(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` tells
     the degree for all curves).
 

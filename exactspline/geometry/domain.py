@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
+from exactspline.exact import mpq
+from exactspline.geometry.kinds import Interval
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
-
-Interval = tuple[mpq, mpq]
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
 
 
 def part(curve: Any, a: mpq, b: mpq) -> Curve:
@@ -24,6 +25,19 @@ def part(curve: Any, a: mpq, b: mpq) -> Curve:
     )
     restricted.domain = (a, b)  # type: ignore[attr-defined]
     return restricted
+
+
+def segments(curve: Curve) -> Iterator[tuple[Interval, Curve]]:
+    """The segments of a curve one by one, as operands for formulas, in time linear in their number."""
+    breaks = curve.w.breakpoints
+
+    def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
+        return BSpline.from_forms(f.degree, mesh, (), [(f.polynomials[i], f.denominators[i])])
+
+    for i, interval in enumerate(pairwise(breaks)):
+        mesh = Mesh(interval)
+        p = Vector(*[only(x, i, mesh) for x in curve.p])
+        yield interval, Curve(p, only(curve.w, i, mesh), polynomial=curve.polynomial)
 
 
 def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interval]:

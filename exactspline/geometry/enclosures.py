@@ -1,117 +1,67 @@
-"""Curvature and torsion at a root, enclosed by interval arithmetic to any number of digits."""
+"""Curvature and torsion at a root to so many significant digits, as mpmath numbers.
+
+Whether a value is exactly zero is decided first; what is not zero is enclosed until its own digits are certain, however
+small it is.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from gmpy2 import mpq
-
-from exactspline.errors import FormulaError
-from exactspline.geometry import space_features
-from exactspline.geometry.plane_features import curvature_sign
-from exactspline.geometry.singular_points import singularities
-from exactspline.language.arguments import Curve
-from exactspline.language.vector import Vector
-from exactspline.papers import find
-from exactspline.readings.taylor import Series
+from exactspline.exact import mpq, mpz
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.values_along import curvature, torsion
+from exactspline.roots.enclosure import Enclosure
 from exactspline.roots.root import Root
+from exactspline.splines.surd import Surd, significant
+
+if TYPE_CHECKING:
+    from exactspline.splines.nurbs import Nurbs
 
 
-def curvature_value(curve: Any, root: Root, digits: int, side: str = "right") -> Any:
-    """κ at a root as an mpmath number that is off by less than ``10^−digits`` (relatively, where it is larger than
-    one).
+def curvature_sign(curve: Nurbs, root: Root, side: str = "right") -> int:
+    """The sign of κ at a root of whatever form, exactly: in space 1, or 0 where κ = 0."""
+    analysis = analyse(curve)
+    if not analysis.in_space:
+        return analysis.sign_of("zero_curvature", root, side)
+    return int(not analysis.is_flat(root) if root.exact is None else any(analysis.bend(root.exact, side)))
 
-    The Taylor coefficients at an enclosure of the root are taken in interval arithmetic, which bounds the error; the
-    enclosure is refined until the bound holds.
 
-    >>> from exactspline.geometry.inspection import inspect_curve
-    >>> from exactspline.splines.examples import example
-    >>> curvature_value(example("ellipse"), inspect_curve(example("ellipse")).critical[0].root, 10)
+def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> Any:
+    """κ at a root as an mpmath number that is relatively off by less than ``10^−digits``; exactly 0 where κ = 0.
+
+    >>> from exactspline import curvature_extrema, load
+    >>> curvature_value(load("ellipse"), curvature_extrema(load("ellipse"))[0].root, 10)
     mpf('2.0')
+
+    Raises `DomainError` at a singular point, where κ may have a pole.
     """
-    from mpmath import iv, mp
-
-    in_space = curve.dimension == 3
-    sign = space_features.curvature_sign_in_space(curve, root, side) if in_space else curvature_sign(curve, root)
-    if sign == 0:
-        return mp.mpf(0)
-    formula = find("space_curvature_squared" if in_space else "curvature_squared")
-
-    def enclosure(low: mpq, high: mpq) -> Any:
-        squared = formula(_enclosed(curve, low, high, side)).value
-        return iv.sqrt(squared) * sign if squared.a > 0 else None
-
-    return _certified(root, digits, enclosure)
+    return _certain(lambda wanted: curvature(curve, root, digits=wanted, side=side), digits)
 
 
-def torsion_value(curve: Any, root: Root, digits: int, side: str = "right") -> Any:
-    """τ at a root (where κ = 0 its limit) as an mpmath number that is off by less than ``10^−digits``, as
-    `curvature_value`.
+def torsion_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> Any:
+    """τ at a root (where κ = 0 its limit) as an mpmath number that is relatively off by less than ``10^−digits``;
+    exactly 0 where τ = 0.
 
-    >>> from exactspline.geometry.inspection import inspect_curve
-    >>> from exactspline.splines.examples import example
-    >>> torsion_value(example("twisted_cubic"), inspect_curve(example("twisted_cubic")).critical[0].root, 10)
+    >>> from exactspline import load
+    >>> from exactspline.geometry.features import critical_points
+    >>> torsion_value(load("twisted_cubic"), critical_points(load("twisted_cubic"))[0].root, 10)
     mpf('3.0')
 
-    Raises `FormulaError` at a singular point, where τ may have a pole.
+    Raises `DomainError` at a singular point and where κ = 0 and τ has a pole.
     """
-    if any(root == f.root for f in singularities(curve)):
-        raise FormulaError("the torsion at a singular point", remedy="ask for it at regular points")
-    tau = space_features.torsion_in_lowest_terms(curve)
-
-    def enclosure(low: mpq, high: mpq) -> Any:
-        top, bottom = [_enclose(f, low, high, side) for f in (tau.numerator, tau.denominator)]
-        return top / bottom if bottom.a > 0 or bottom.b < 0 else None
-
-    return _certified(root, digits, enclosure)
+    return _certain(lambda wanted: torsion(curve, root, digits=wanted, side=side), digits)
 
 
-def _certified(root: Root, digits: int, enclosure: Callable[[mpq, mpq], Any]) -> Any:
-    """A quantity at a root to so many digits: the root is refined until its enclosure (None: not yet known) is narrow
-    enough.
-    """
-    from mpmath import iv, mp
-
-    precision = digits + 10
+def _certain(value: Callable[[int], mpq | Surd | Enclosure], digits: int) -> Any:
+    """A quantity, asked for to more and more digits behind the point, until so many significant ones are certain."""
+    wanted = digits + 2
     while True:
-        low, high = root.refine(precision)
-        saved = iv.dps
-        try:
-            iv.dps = precision + 10
-            value = enclosure(low, high)
-            if value is not None and value.delta <= mp.mpf(10) ** -digits * max(1, abs(value.mid)):
-                with mp.workdps(digits + 5):
-                    return mp.mpf(value.mid)
-        finally:
-            iv.dps = saved
-        precision *= 2
-
-
-def _interval(a: mpq, b: mpq) -> Any:
-    """[a, b] in interval arithmetic."""
-    from mpmath import iv
-
-    ends = [iv.mpf(int(x.numerator)) / iv.mpf(int(x.denominator)) for x in (a, b)]
-    return iv.mpf([ends[0].a, ends[1].b])
-
-
-def _enclose(spline: Any, low: mpq, high: mpq, side: str) -> Any:
-    """The values of a spline on [low, high], by de Casteljau's algorithm in interval arithmetic."""
-    i = spline.mesh.locate(low, left=side == "left")
-    a, b = spline.mesh.breaks[i : i + 2]
-    t = _interval((low - a) / (b - a), (high - a) / (b - a))
-    points = [_interval(x, x) for x in spline.segments[i]] or [_interval(mpq(0), mpq(0))]
-    while len(points) > 1:
-        points = [(1 - t) * p + t * q for p, q in pairwise(points)]
-    return points[0]
-
-
-def _enclosed(curve: Any, low: mpq, high: mpq, side: str) -> Curve:
-    """The curve as a Taylor series with interval coefficients over [low, high]."""
-
-    def series(spline: Any) -> Series:
-        return Series([_enclose(spline.d(order), low, high, side) / max(order, 1) for order in range(3)])
-
-    return Curve(Vector(*[series(x) for x in curve.p]), series(curve.w), polynomial=curve.polynomial)
+        found = value(wanted)
+        if not isinstance(found, Enclosure):
+            return significant(found, digits)
+        least = min(abs(found.low), abs(found.high))
+        if found.low * found.high > 0 and (found.high - found.low) * mpz(10) ** digits <= least:
+            return significant(found.middle, digits)
+        wanted *= 2

@@ -1,25 +1,20 @@
-"""Everything `inspect` tells of a curve: features with curvature and torsion to any precision, and the approaches side
-by side.
-"""
+"""Everything `inspect` tells of a curve, read from its analysis; the approaches to critical curvature side by side."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from time import perf_counter
-from typing import Any
-
-from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.geometry import space_features
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import MINIMAL, construction
-from exactspline.geometry.domain import plane
-from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
-from exactspline.geometry.plane_features import constant_pieces, critical_points, inflections, straight_pieces
-from exactspline.geometry.singular_points import singularities
-from exactspline.geometry.zero_forms import zero_form
+from exactspline.geometry.facts import among, located
+from exactspline.geometry.joints import Joint
+from exactspline.geometry.kinds import CurvePiece, Feature
+from exactspline.geometry.planarity import Plane
 from exactspline.roots.zero_set import ZeroSet
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.nurbs import Nurbs
 
 #: The approaches to critical curvature by the names of the paper, and the forms they solve, in the plane and in space.
 APPROACHES = {"squaring": "squaring", "direct": "direct", "reduced": "paper", "lifted": "lifted", "minimal": MINIMAL}
@@ -28,30 +23,29 @@ APPROACHES = {"squaring": "squaring", "direct": "direct", "reduced": "paper", "l
 SPACE_APPROACHES = APPROACHES | {"reduced": "reduced"}
 
 
-Interval = tuple[mpq, mpq]
-
-
 @dataclass(frozen=True)
 class Inspection:
-    """The features of a curve, each list in the order of the parameter; intervals where the curve is straight or of
-    constant curvature.
+    """The features of a curve, each list in the order of the parameter; its joints; and pieces on which it is straight,
+    of constant curvature, or stands still.
 
-    Of a space curve also the zeros of the torsion and the intervals on which it lies in one plane, with that plane;
-    ``inflections`` are then all regular points with κ = 0.
+    Of a space curve also the zeros of the torsion and the pieces that lie in one plane, with that plane; `inflections`
+    are then all regular points with κ = 0.
     """
 
     approach: str
-    singularities: list[Any]
-    inflections: list[Any]
-    critical: list[Any]
-    straight: list[Interval]
-    constant: list[Interval]
-    torsion: list[Any] = field(default_factory=list)
-    planar: list[tuple[Interval, Plane]] = field(default_factory=list)
+    singular_points: list[Feature]
+    inflections: list[Feature]
+    critical: list[Feature]
+    joints: list[Joint]
+    straight: list[CurvePiece]
+    constant: list[CurvePiece]
+    standing: list[CurvePiece]
+    torsion: list[Feature] = field(default_factory=list)
+    planar: list[tuple[CurvePiece, Plane]] = field(default_factory=list)
     plane: Plane | None = None
 
 
-def inspect_curve(curve: Any, approach: str = "minimal") -> Inspection:
+def inspect_curve(curve: Nurbs, approach: str = "minimal") -> Inspection:
     """The features of a curve in the plane or in space by one of the `APPROACHES`.
 
     >>> from exactspline.splines.examples import example
@@ -62,46 +56,50 @@ def inspect_curve(curve: Any, approach: str = "minimal") -> Inspection:
     """
     if approach not in APPROACHES:
         raise FormulaError(f"no approach is called {approach!r}", remedy=f"there are {', '.join(APPROACHES)}, all")
-    if curve.dimension == 3:
-        s = space_features
-        return Inspection(
-            approach,
-            singularities(curve),
-            s.flat_points(curve),
-            s.space_critical_points(curve, SPACE_APPROACHES[approach]),
-            s.space_straight_pieces(curve),
-            s.space_constant_pieces(curve),
-            s.torsion_zeros(curve),
-            planar_pieces(curve),
-            plane_of(curve),
-        )
-    critical = critical_points(plane(curve), APPROACHES[approach])
+    found = analyse(curve)
     return Inspection(
-        approach, singularities(curve), inflections(curve), critical, straight_pieces(curve), constant_pieces(curve)
+        approach=approach,
+        critical=found.critical_points(_approaches(curve)[approach]),
+        inflections=found.inflections,
+        singular_points=found.singular_points,
+        joints=list(found.joints),
+        straight=found.straight_pieces,
+        constant=found.constant_pieces,
+        standing=found.standing_pieces,
+        torsion=found.torsion_zeros if found.in_space else [],
+        planar=found.planar_pieces,
+        plane=found.plane,
     )
 
 
-def solved(curve: Any, approach: str) -> list[tuple[str, str, Any, ZeroSet]]:
+def _approaches(curve: Nurbs) -> dict[str, str]:
+    return SPACE_APPROACHES if curve.dimension == 3 else APPROACHES
+
+
+def solved(curve: Nurbs, approach: str) -> list[tuple[str, str, BSpline, ZeroSet]]:
     """What an inspection solves: names, titles, functions and their zeros.
 
     >>> from exactspline.splines.examples import example
     >>> [name for name, *_ in solved(example("twisted_cubic"), "minimal")]
     ['zero_torsion', 'space_critical_curvature', 'zero_curvature']
     """
-    if curve.dimension == 3:
-        forms = (("zero_torsion", "paper"), ("space_critical_curvature", SPACE_APPROACHES[approach]))
-        extra = [("zero_curvature", "common factor of γ′ × γ″", *space_features.curvature_zeros(curve))]
-    else:
-        forms, extra = (("zero_curvature", MINIMAL), ("critical_curvature", APPROACHES[approach])), []
-    return [(name, construction(name).title, *zero_form(curve, name, form)) for name, form in forms] + extra
+    found = analyse(curve)
+    first = ("zero_torsion", "paper") if found.in_space else ("zero_curvature", MINIMAL)
+    rows = []
+    for name, variant in (first, (found.critical_form, _approaches(curve)[approach])):
+        form = found.zero_form(name, variant)
+        rows.append((name, construction(name).title, form.form, form.zeros))
+    if found.in_space:
+        rows.append(("zero_curvature", "common factor of γ′ × γ″", found.bending.form, found.bending.zeros))
+    return rows
 
 
 @dataclass(frozen=True)
 class Approach:
     """What one approach to critical curvature costs and finds.
 
-    ``extraneous`` are roots that the minimal form does not have (the inflections of a plane curve that squaring adds,
-    and singular points).
+    `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (the inflections of a plane curve
+    that squaring adds, and singular points); `missing` are critical points at which it finds nothing.
     """
 
     name: str
@@ -113,23 +111,25 @@ class Approach:
     seconds: float
 
 
-def compare_approaches(curve: Any) -> list[Approach]:
-    """All approaches on one curve, their roots held exactly against those of the minimal form.
+def compare_approaches(curve: Nurbs) -> list[Approach]:
+    """All approaches on one curve, what they find held exactly against the minimal form.
 
     >>> from exactspline.splines.examples import example
     >>> [(a.name, a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
     [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
-    found: dict[str, tuple[Any, ZeroSet, float]] = {}
-    in_space = curve.dimension == 3
-    for name, form in (SPACE_APPROACHES if in_space else APPROACHES).items():
-        start = perf_counter()
-        f, zero_set = zero_form(curve, "space_critical_curvature" if in_space else "critical_curvature", form)
-        found[name] = (f, zero_set, perf_counter() - start)
-    true = list(found["minimal"][1])
+    found = analyse(curve)
+    true = [root for root, _ in located(found.zero_form(found.critical_form).zeros)]
+    wanted = [f.root for f in found.critical_points()]
     rows = []
-    for name, (f, zero_set, seconds) in found.items():
-        own = list(zero_set)
-        extraneous, missing = sum(root not in true for root in own), sum(root not in own for root in true)
-        rows.append(Approach(name, f.degree, control_point_count(f), len(own), extraneous, missing, seconds))
+    for name, variant in _approaches(curve).items():
+        form = found.zero_form(found.critical_form, variant)
+        own = form.zeros.roots
+        extraneous = among(own, true).count(False)
+        missing = among(wanted, [root for root, _ in located(form.zeros)]).count(False)
+        rows.append(
+            Approach(
+                name, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
+            )
+        )
     return rows

@@ -13,10 +13,11 @@ from math import gcd, lcm
 from typing import Any
 
 from flint import fmpq_mat
-from gmpy2 import mpq
 
-from exactspline.exact import text, to_fmpq
+from exactspline.exact import mpq, text, to_fmpq
 from exactspline.geometry.domain import space
+from exactspline.geometry.kinds import CurvePiece
+from exactspline.geometry.pieces import pieces
 from exactspline.splines.nurbs import Nurbs
 
 AXES = "xyz"
@@ -61,7 +62,11 @@ def plane_of(curve: Any) -> Plane | None:
 
     Raises `ShapeError` for a curve that is not in space.
     """
-    points = _span([row for segment in _rows(space(curve)) for row in segment])
+    points: Rows = []
+    for segment in _rows(space(curve)):
+        points = _span([*points, *segment])
+        if len(points) == 4:
+            return None
     relations = _relations(points)
     if len(relations) == 1:
         return _plane(relations[0])
@@ -72,42 +77,56 @@ def plane_of(curve: Any) -> Plane | None:
     return None
 
 
-def planar_pieces(curve: Any) -> list[tuple[tuple[mpq, mpq], Plane]]:
-    """The longest intervals on each of which a space curve lies in one plane (τ ≡ 0) without being straight, with their
-    planes.
+def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
+    """The longest pieces on each of which a space curve lies in one plane (τ ≡ 0) without being straight, with their
+    planes; on a closed curve they go on across the seam.
 
     Two of them can share a straight piece.
 
     >>> from exactspline.splines.examples import example
-    >>> [(str(a), str(b)) for (a, b), _ in planar_pieces(example("planar_in_space"))]
-    [('0', '1')]
+    >>> [str(piece) for piece, _ in planar_pieces(example("planar_in_space"))]
+    ['[0, 1]']
     """
     rows, breaks = _rows(space(curve)), curve.breakpoints
-    pieces, first = [], 0
-    while first < len(rows):
-        span, last = _longest(rows[first:])
-        last += first
-        if len(span) == 3:
-            pieces.append(((breaks[first], breaks[last]), _plane(_relations(span)[0])))
-        if last == len(rows):
-            break
-        # the next one begins as far back as the next segment's plane reaches
-        first = last + 1 - _longest(rows[first : last + 1][::-1])[1]
-    return pieces
+    count = len(rows)
+    found = _planar_runs(rows)
+    if curve.closed and all(last - first < count for first, last, _ in found):
+        # twice round: what begins in the second half of the first round, or with the second round, is seen whole
+        found = [
+            (first % count, first % count + last - first, span)
+            for first, last, span in _planar_runs([*rows, *rows])
+            if 1 <= first <= count
+        ]
+    planar = sorted((run for run in found if len(run[2]) == 3), key=lambda run: run[:2])
+    shown = pieces(breaks, [(first, last - first) for first, last, _ in planar])
+    return [(piece, _plane(_relations(span)[0])) for piece, (_, _, span) in zip(shown, planar, strict=True)]
 
 
 Rows = list[tuple[mpq, ...]]
 
 
-def _longest(rows: list[Rows]) -> tuple[Rows, int]:
-    """How many of the first segments lie in one plane together, and the span of their points."""
+def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
+    """The maximal runs of segments ``[first, last)`` that lie in one plane, and the span of their points."""
+    found: list[tuple[int, int, Rows]] = []
+    first = last = 0
     span: Rows = []
-    for count, segment in enumerate(rows):
-        wider = _span([*span, *segment])
-        if len(wider) == 4:
-            return span, count
-        span = wider
-    return span, len(rows)
+    while last < len(rows):
+        wider = _span([*span, *rows[last]])
+        if len(wider) < 4:
+            span, last = wider, last + 1
+            continue
+        if span:
+            found.append((first, last, span))
+        # the next run begins as far back as the plane of the next segment reaches
+        first, span = last, _span(rows[last])
+        while len(span) < 4 and len(wider := _span([*span, *rows[first - 1]])) < 4:
+            first, span = first - 1, wider
+        last += 1
+        if len(span) == 4:
+            first, span = last, []
+    if span:
+        found.append((first, last, span))
+    return found
 
 
 def _rows(curve: Any) -> list[Rows]:
@@ -159,8 +178,9 @@ def as_plane_curve(curve: Any) -> Nurbs | None:
         return None
     i, j = (plane.axis + 1) % 3, (plane.axis + 2) % 3
     name = f"{curve.name or 'the curve'} in the plane {plane}"
-    weighted = [w if w else mpq(1) for w in curve.weights]
-    points = [(p[i] * k, p[j] * k, w) for p, k, w in zip(curve.control_points, weighted, curve.weights, strict=True)]
+    x, y = curve.p[i].control_points, curve.p[j].control_points
+    weights = [mpq(1)] * len(x) if curve.polynomial else curve.w.control_points
+    points = list(zip(x, y, weights, strict=True))
     return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)
 
 

@@ -10,20 +10,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
 from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.geometry.domain import space
 from exactspline.language.parts import numerator
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.ruled import RuledSurface, development
 from exactspline.language.vector import Vector, cross, dot, norm2
-from exactspline.papers.chen_riesenfeld_cohen_2007.space import development
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import lifted
 
 
@@ -42,7 +41,7 @@ class RulingRelation:
         return value
 
 
-def ruled_surface(name: str, curve: Any, variant: str = MINIMAL) -> RuledSurface:
+def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> RuledSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
@@ -99,10 +98,7 @@ def as_tensor_product(surface: RuledSurface, a: Any, b: Any) -> Any:
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
     found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
     components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
-    nothing = components[0] * 0
-    for c in components[1:]:
-        nothing = nothing + c * 0
-    components = [c + nothing for c in components]
+    components = with_common_knots(components)
     return Rational(Vector(*components[:3]), components[3]) if isinstance(found, Rational) else Vector(*components)
 
 

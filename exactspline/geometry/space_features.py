@@ -1,313 +1,165 @@
-"""Points of interest of a space curve: zeros of the torsion, extrema and zeros of the curvature, singular points, and
-intervals that are special.
+"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, out of its facts.
 
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it is smallest: these points are listed as inflections,
-undulations and flat points (`flat_points`) and not once more among the extrema. The form [D1 D2 D3] of the torsion
-vanishes there whatever τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point
-and nothing else.
+undulations and flat points and not once more among the extrema. The form [D1 D2 D3] of the torsion vanishes there
+whatever τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
+else. What users call is in `exactspline.geometry.features`.
 """
 
 from __future__ import annotations
 
-from functools import cached_property, lru_cache
-from typing import Any
+from bisect import bisect_left
 
-from gmpy2 import mpq
-
-from exactspline.geometry.constructions import MINIMAL
-from exactspline.geometry.continuity import (
-    CONTINUOUS,
-    CURVATURE_JUMP,
-    TURN,
-    inside,
-    limit_direction,
-    same_direction,
-    sides,
-    tangent_joint,
-)
-from exactspline.geometry.domain import space
-from exactspline.geometry.singular_points import Feature, singularities
-from exactspline.geometry.zero_forms import split_at_joints, zero_form
+from exactspline.exact import mpq
+from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
+from exactspline.geometry.joints import Point, limit_direction, same_direction
+from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, cross
 from exactspline.papers import find
-from exactspline.readings.taylor import series_curve
 from exactspline.roots.root import Root, knot_root
-from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
-from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor, where_it_exists
 
-Interval = tuple[mpq, mpq]
+BINORMAL, TORSION = "binormal_form", "D1_D2_D3"
 
 
-class Shape:
-    """What the features of one space curve are read from, computed once."""
+class SpaceFacts(Facts):
+    """The facts of one space curve."""
 
-    def __init__(self, curve: Any) -> None:
-        self.curve = space(curve)
-        self.d1, self.b = find("D1")(curve), find("binormal_form")(curve)
+    @Fact
+    def bending(self) -> ZeroForm:
+        """A spline that vanishes exactly where all components of γ′ × γ″ do, and its zeros."""
+        return self.solved(lambda: common_factor(self.binormal))
 
-    @cached_property
-    def singular(self) -> list[Feature]:
-        """The singular points."""
-        return singularities(self.curve)
+    @Fact
+    def reduced_torsion(self) -> Rational:
+        """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
+        return where_it_exists(find("torsion_reduced")(self.operands))
 
-    @cached_property
-    def common(self) -> tuple[BSpline, ZeroSet]:
-        """The common factor of the components of γ′ × γ″, and its zeros."""
-        factor = common_factor(self.b)
-        return factor, zeros(factor, periodic=self.curve.closed)
+    @Fact
+    def torsion_numerator(self) -> ZeroForm:
+        """The numerator of τ in lowest terms."""
+        return self.solved(lambda: self.reduced_torsion.scalar)
 
-    @cached_property
-    def torsion(self) -> Rational:
-        """τ in lowest terms, 0 where the curve is straight."""
-        return where_it_exists(find("torsion_reduced")(self.curve))
-
-    def is_singular(self, root: Root) -> bool:
-        """Whether γ′ = 0 at a root."""
-        return any(root == f.root for f in self.singular)
+    def bend(self, t: mpq, side: str) -> Point:
+        """A positive multiple of γ′ × γ″ at a parameter, its limit at a knot; zeros where κ = 0."""
+        left, right = self.sides(t)
+        return tuple(c(left if side == "left" else right, side) for c in self.binormal)
 
     def is_flat(self, root: Root) -> bool:
         """Whether γ′ × γ″ = 0 at a root (at a knot: seen from both sides)."""
-        if root.exact is None:
-            return any(root == other for other in self.common[1])
-        return not any(any(self.bend(root.exact, side)) for side in ("left", "right"))
+        if root.exact is not None:
+            return not any(any(self.bend(root.exact, side)) for side in ("left", "right"))
+        found = self.bending.zeros.roots
+        position = bisect_left(found, root)
+        return position < len(found) and found[position] == root
 
-    def bend(self, t: mpq, side: str) -> tuple[mpq, ...]:
-        """The direction of γ′ × γ″ at a parameter (turned round where w < 0), its limit at a knot; zeros where κ =
-        0.
-        """
-        left, right = sides(self.curve, t)
-        return tuple(c(left if side == "left" else right, side) for c in self.b)
-
-    def limits(self, t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
-        """The directions of the binormal just left and just right of a knot; zeros where the curve is straight."""
-        left, right = sides(self.curve, t)
-        return limit_direction(self.b, left, "left"), limit_direction(self.b, right, "right")
-
-    def same_curvature(self, t: mpq) -> bool:
-        """Whether tangent and curvature are continuous at a knot."""
-        if tangent_joint(self.curve, self.d1, t):
-            return False
-        ends = zip(sides(self.curve, t), ("left", "right"), strict=True)
-        a, b = [find("space_curvature_squared")(series_curve(self.curve, s, 3, side)).value for s, side in ends]
-        return bool(a == b)
-
-    def joint(self, t: mpq) -> str:
-        """What happens at a knot (see `joint`)."""
-        if kind := tangent_joint(self.curve, self.d1, t):
-            return kind
-        left, right = self.limits(t)
-        if any(left) and any(right) and any(cross(Vector(*left), Vector(*right))):
-            return TURN
-        bends = [self.bend(t, side) for side in ("left", "right")]
-        same = self.same_curvature(t) and (not any(bends[0]) or same_direction(*bends))
-        return CONTINUOUS if same else CURVATURE_JUMP
+    def torsion_sign(self, root: Root, side: str = "right") -> int:
+        """The sign of τ (where κ = 0: of its limit) at a regular root."""
+        sign = self.torsion_numerator.sign_at(root, side)
+        if root.exact is None or sign == 0:
+            return sign
+        return sign if self.reduced_torsion.denominator(root.exact, side) > 0 else -sign
 
 
-@lru_cache(maxsize=4)
-def _shape(curve: Any) -> Shape:
-    return Shape(curve)
-
-
-def space_joint(curve: Any, t: mpq) -> str:
-    """What happens at a knot: a gap, a corner, a singular point, a jump of the osculating plane, a jump of the
-    curvature (of κN, the osculating plane being one), or nothing up to second order.
-
-    >>> from exactspline.splines.examples import example
-    >>> space_joint(example("space_quartic"), mpq(1, 2))
-    'continuous curvature'
-    """
-    return _shape(curve).joint(t)
-
-
-def curvature_zeros(curve: Any) -> tuple[BSpline, ZeroSet]:
-    """A spline that vanishes exactly where all components of γ′ × γ″ do, and its zeros.
-
-    >>> from exactspline.splines.examples import example
-    >>> curvature_zeros(example("flat_point"))[1].roots
-    [<Root 1/2: multiplicity 1, sign − to +>]
-    """
-    return _shape(curve).common
-
-
-def curvature_sign_in_space(curve: Any, root: Root, side: str = "right") -> int:
-    """1, or 0 where κ = 0 (at a knot: seen from the side asked for)."""
-    shape = _shape(curve)
-    return int(not shape.is_flat(root) if root.exact is None else any(shape.bend(root.exact, side)))
-
-
-def torsion_in_lowest_terms(curve: Any) -> Rational:
-    """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight.
-
-    >>> from exactspline.splines.examples import example
-    >>> torsion_in_lowest_terms(example("flat_point"))("1/2")
-    mpq(2,1)
-    """
-    return _shape(curve).torsion
-
-
-def flat_points(curve: Any) -> list[Feature]:
-    """The zeros of the curvature at regular points.
-
-    ``inflection``: the direction of κN is turned round; ``undulation``: it is kept; ``flat end``: the domain ends
-    there; ``flat point``: at a knot, the osculating planes of the two sides differ. At a knot κN may also be turned
-    round by a jump. Straight intervals are not listed here.
-
-    >>> from exactspline.splines.examples import example
-    >>> [(f.kind, f.root.exact) for f in flat_points(example("flat_point"))]
-    [('inflection', mpq(1,2))]
-
-    Raises `ShapeError` for a curve that is not in space.
-    """
-    shape = _shape(curve)
+def flat_points(facts: SpaceFacts) -> list[Feature]:
+    """The zeros of the curvature at regular points, and where κN is turned round by a jump."""
+    least = FeatureKind.MINIMUM
     features = [
-        Feature("inflection" if root.multiplicity % 2 else "undulation", root, "binormal_form", of_absolute="minimum")
-        for root in shape.common[1]
-        if not root.at_knot and not shape.is_singular(root)
+        Feature(
+            FeatureKind.INFLECTION if root.multiplicity % 2 else FeatureKind.UNDULATION,
+            root,
+            BINORMAL,
+            of_absolute=least,
+        )
+        for root, by_jump in facts.regular(facts.bending.zeros)
+        if not root.at_knot and not by_jump
     ]
-    a, b = curve.domain
-    knots = [*([a] if curve.closed else []), *curve.breakpoints[1:-1]]
-    features += [f for f in (_flat_knot(shape, t) for t in knots) if f is not None]
-    if not curve.closed:
-        ends = [
-            t
-            for t, side in ((a, "right"), (b, "left"))
-            if not any(shape.bend(t, side)) and any(limit_direction(shape.b, t, side))
-        ]
-        features += [
-            Feature("flat end", r, "binormal_form", of_absolute="minimum")
-            for r in map(knot_root, ends)
-            if not shape.is_singular(r)
-        ]
+    features += [f for joint in facts.joints if joint.tangent_continuous for f in _flat_knot(facts, joint.parameter)]
+    if not facts.closed:
+        for t, side in ((facts.breaks[0], "right"), (facts.breaks[-1], "left")):
+            flat = not any(facts.bend(t, side)) and any(limit_direction(facts.binormal, t, side))
+            if flat and not facts.is_singular(knot_root(t)):
+                features.append(Feature(FeatureKind.FLAT_END, knot_root(t), BINORMAL, of_absolute=least))
     return sorted(features, key=lambda f: f.root)
 
 
-def _flat_knot(shape: Shape, t: mpq) -> Feature | None:
-    """The zero of the curvature at a knot, if there is one, or its being turned round by a jump."""
-    if tangent_joint(shape.curve, shape.d1, t):
-        return None
-    left, right = shape.limits(t)
+def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
+    """The zero of the curvature at a knot with one tangent, if there is one, or its being turned round by a jump."""
+    left, right = facts.bend(t, "left"), facts.bend(t, "right")
+    flat = not any(left) and not any(right)
     if not any(left) or not any(right):
-        return None
-    flat = not any(shape.bend(t, "left")) and not any(shape.bend(t, "right"))
-    absolute = "minimum" if flat else ""
+        left, right = facts.binormal_limits(t)
+    if not any(left) or not any(right):
+        return []
     if same_direction(left, tuple(-x for x in right)):
-        return Feature("inflection", knot_root(t), "binormal_form", by_jump=not flat, of_absolute=absolute)
-    if not flat:
-        return None
-    return Feature(
-        "undulation" if same_direction(left, right) else "flat point",
-        knot_root(t),
-        "binormal_form",
-        of_absolute=absolute,
-    )
+        kind = FeatureKind.INFLECTION
+    elif not flat:
+        return []
+    else:
+        kind = FeatureKind.UNDULATION if same_direction(left, right) else FeatureKind.FLAT_POINT
+    absolute = FeatureKind.MINIMUM if flat else None
+    by_jump = kind is FeatureKind.INFLECTION and not flat
+    return [Feature(kind, knot_root(t), BINORMAL, by_jump, absolute)]
 
 
-def torsion_zeros(curve: Any) -> list[Feature]:
-    """The zeros of the torsion at regular points.
-
-    ``torsion zero``: τ changes its sign; ``torsion touch``: it does not; ``torsion end``: the domain ends there. At a
-    knot with one osculating plane the sign may change by a jump. Planar intervals are not listed here
-    (`planar_pieces`).
-
-    >>> from exactspline.splines.examples import example
-    >>> [(f.kind, f.root.exact) for f in torsion_zeros(example("space_quartic"))]
-    []
-
-    Raises `ShapeError` for a curve that is not in space.
-    """
-    shape = _shape(curve)
-    _, found = zero_form(curve, "zero_torsion")
-    true = list(zeros(shape.torsion.scalar))
+def torsion_zeros(facts: SpaceFacts) -> list[Feature]:
+    """The zeros of the torsion at regular points, and its changes of sign by a jump."""
+    found = facts.regular(facts.zero_form("zero_torsion", "paper").zeros)
+    true = among([root for root, _ in found], facts.torsion_numerator.zeros.roots)
     features = []
-    for root in found:
-        if shape.is_singular(root):
-            continue
+    for (root, by_jump), zero in zip(found, true, strict=True):
         if root.at_knot:
-            features += _torsion_at_knot(shape, root, root.sign_change)
-        elif not shape.is_flat(root) or any(root == other for other in true):
-            features.append(Feature(_torsion_kind(root), root, "D1_D2_D3"))
-    for jump in found.jumps:
-        if jump.sign_change:
-            features += _torsion_at_knot(shape, jump_root(jump), changes=True)
-    return sorted(features, key=lambda f: f.root)
+            features += _torsion_at_knot(facts, root, root.sign_change or by_jump)
+        elif zero:
+            features.append(Feature(_torsion_kind(root), root, TORSION))
+    return features
 
 
-def _torsion_kind(root: Root) -> str:
+def _torsion_kind(root: Root) -> FeatureKind:
     if None in root.signs:
-        return "torsion end"
-    return "torsion zero" if root.sign_change else "torsion touch"
+        return FeatureKind.TORSION_END
+    return FeatureKind.TORSION_ZERO if root.sign_change else FeatureKind.TORSION_TOUCH
 
 
-def _torsion_at_knot(shape: Shape, root: Root, changes: bool) -> list[Feature]:
+def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Feature]:
     """A zero of the torsion at a knot where the two sides have one osculating plane: of τ itself on both sides, or a
     change of its sign.
     """
-    t, torsion = root.low, shape.torsion
-    if not inside(shape.curve, t):
-        return (
-            [Feature("torsion end", root, "D1_D2_D3")]
-            if torsion(t, "left" if t == shape.curve.domain[1] else "right") == 0
-            else []
-        )
-    if shape.joint(t) not in (CURVATURE_JUMP, CONTINUOUS):
+    t, torsion, joint = root.low, facts.reduced_torsion, facts.joint(root.low)
+    if t in facts.curve.domain and not facts.closed:
+        at_end = torsion(t, "left" if t == facts.breaks[-1] else "right") == 0
+        return [Feature(FeatureKind.TORSION_END, root, TORSION)] if at_end else []
+    if joint is not None and (not joint.tangent_continuous or joint.kind is JointKind.TURN):
         return []
-    left, right = sides(shape.curve, t)
+    left, right = facts.sides(t)
     if torsion(left, "left") == torsion(right, "right") == 0:
-        return [Feature(_torsion_kind(root), root, "D1_D2_D3")]
-    return [Feature("torsion zero", root, "D1_D2_D3", by_jump=True)] if changes else []
+        return [Feature(_torsion_kind(root), root, TORSION)]
+    return [Feature(FeatureKind.TORSION_ZERO, root, TORSION, by_jump=True)] if changes else []
 
 
-def space_critical_points(curve: Any, variant: str = MINIMAL) -> list[Feature]:
-    """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``), but for those
-    where κ = 0.
-
-    Inside segments, and at knots where κ is continuous and κ′ changes its sign, with or without a jump.
-
-    >>> from exactspline.splines.examples import example
-    >>> [f.kind for f in space_critical_points(example("rational_space_cubic"))]
-    ['maximum', 'minimum']
-
-    Raises `ShapeError` for a curve that is not in space.
-    """
-    shape = _shape(curve)
-    _, found = zero_form(curve, "space_critical_curvature", variant)
+def critical_points(facts: SpaceFacts, variant: str) -> list[Feature]:
+    """The extrema of the curvature and the points where κ′ = 0 without an extremum, but for those where κ = 0."""
     features = []
-    for root in found:
-        if shape.is_singular(root) or shape.is_flat(root):
-            continue
-        if not root.at_knot or not inside(curve, root.low) or shape.same_curvature(root.low):
-            features.append(_extremum(root, variant, by_jump=False))
-    for jump in found.jumps:
-        root = jump_root(jump)
-        if jump.sign_change and shape.same_curvature(jump.parameter) and not shape.is_flat(root):
-            features.append(_extremum(root, variant, by_jump=True))
-    return sorted(features, key=lambda f: f.root)
+    for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
+        joint = facts.joint(root.low) if root.at_knot else None
+        if (joint is None or joint.same_curvature) and not facts.is_flat(root):
+            features.append(_extremum(root, variant, by_jump=by_jump))
+    return features
 
 
 def _extremum(root: Root, variant: str, *, by_jump: bool) -> Feature:
     left, right = root.signs
-    if left is None or right is None or left * right >= 0:
-        return Feature("stationary", root, variant)
-    kind = "maximum" if left > 0 else "minimum"
+    if not left or not right or left == right:
+        return Feature(FeatureKind.STATIONARY, root, variant)
+    kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
     return Feature(kind, root, variant, by_jump, kind)
 
 
-def space_straight_pieces(curve: Any) -> list[Interval]:
-    """The intervals on which a space curve is straight.
-
-    >>> from exactspline.splines.examples import example
-    >>> space_straight_pieces(example("space_line"))
-    [(mpq(0,1), mpq(1,1))]
-    """
-    shape = _shape(curve)
-    return split_at_joints(curve, shape.common[1], lambda t: shape.joint(t) == CONTINUOUS)
+def straight_pieces(facts: SpaceFacts) -> list[CurvePiece]:
+    """The pieces on which a space curve is straight."""
+    return facts.pieces_where_zero(facts.bending)
 
 
-def space_constant_pieces(curve: Any) -> list[Interval]:
-    """The intervals on which the curvature of a space curve is constant: circular arcs, straight pieces, and whatever
-    else has it.
-    """
-    shape = _shape(curve)
-    return split_at_joints(curve, zero_form(curve, "space_critical_curvature")[1], shape.same_curvature)
+def constant_pieces(facts: SpaceFacts) -> list[CurvePiece]:
+    """The pieces on which the curvature of a space curve is constant."""
+    return facts.pieces_where_zero(facts.zero_form("space_critical_curvature"))

@@ -12,20 +12,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from functools import partial
 from itertools import pairwise
 from math import lcm
 from typing import Any
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
-from gmpy2 import mpq
 
 from exactspline.errors import ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import mpq, rational, text
+from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
 from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
-from exactspline.geometry.continuity import CORNER, GAP, tangent_joint
-from exactspline.geometry.singular_points import singularities
-from exactspline.language.arguments import Curve, with_point
+from exactspline.geometry.features import joints, singular_points
+from exactspline.geometry.kinds import JointKind
+from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.papers import find
@@ -41,7 +42,15 @@ from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly
 AROUND = "the curve is an arc here of a circle through the point, and all its normals meet in the centre"
 
 #: An exact parameter: rational, or a certified root.
-Parameter = Any
+Parameter = mpq | Root
+
+
+class PieceKind(StrEnum):
+    """What a piece has for its feet."""
+
+    ARC = "arc"
+    END_POINT = "end point"
+    CORNER = "corner"
 
 
 @dataclass(frozen=True)
@@ -53,7 +62,7 @@ class TrimmedPiece:
     middle of Q and the foot at 0, infinite at −1 and 1). ``value`` is a `Rational` over the whole segment or line.
     """
 
-    kind: str
+    kind: PieceKind
     low: Parameter
     high: Parameter
     value: Rational
@@ -69,6 +78,24 @@ class TrimmedPiece:
         point: tuple[mpq, ...] = self.value(t)
         return point
 
+    def restricted(self) -> Rational | None:
+        """The piece as a quotient over [low, high] alone; None where an end is irrational."""
+        low, high = (_rational(t) for t in (self.low, self.high))
+        if low is None or high is None:
+            return None
+        value = self.value
+        if (low, high) == value.denominator.domain:
+            return value
+        top = Vector(*[x.restrict(low, high) for x in value.numerator])
+        return Rational(top, value.denominator.restrict(low, high))
+
+
+def _rational(t: Parameter) -> mpq | None:
+    if not isinstance(t, Root):
+        return t
+    t.minimal_polynomial()
+    return t.exact
+
 
 @dataclass(frozen=True)
 class TrimmedBisector:
@@ -82,7 +109,7 @@ class TrimmedBisector:
     @property
     def arcs(self) -> list[TrimmedPiece]:
         """The pieces with their feet inside the curve."""
-        return [piece for piece in self.pieces if piece.kind == "arc"]
+        return [piece for piece in self.pieces if piece.kind is PieceKind.ARC]
 
 
 def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
@@ -90,15 +117,15 @@ def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
 
     >>> from exactspline import Nurbs
     >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
-    >>> [(piece.kind, piece.foot) for piece in trimmed_bisector(line, (0, 2)).pieces]
+    >>> [(str(piece.kind), piece.foot) for piece in trimmed_bisector(line, (0, 2)).pieces]
     [('arc', None), ('end point', mpq(0,1)), ('end point', mpq(1,1))]
 
     Raises `ShapeError` for a curve that is not in the plane or not in one piece, and for a point on the curve.
     """
     q = exact_point(curve, point, 2)
-    for t in curve.breakpoints[1:-1]:
-        if tangent_joint(curve, find("D1")(curve), t) == GAP:
-            raise ShapeError(f"the curve jumps at the parameter {text(t)}", remedy="split it there")
+    for joint in joints(curve):
+        if joint.kind is JointKind.GAP:
+            raise ShapeError(f"the curve jumps at the parameter {text(joint.parameter)}", remedy="split it there")
     c = _around(curve, q)
     _refuse_point_on(c)
     conditions = _Conditions(c)
@@ -111,7 +138,7 @@ def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
         forms, value = arc
         moved = Rational(value.numerator + Vector(*[value.denominator * x for x in q]), value.denominator)
         for low, high in conditions.kept(*forms, (a, b)):
-            pieces.append(TrimmedPiece("arc", low, high, moved))
+            pieces.append(TrimmedPiece(PieceKind.ARC, low, high, moved))
     for kind, t in _corners(curve, missing):
         pieces += _line_pieces(conditions, c, q, kind, t)
     return TrimmedBisector(tuple(pieces), tuple(missing))
@@ -121,7 +148,7 @@ def _around(curve: Any, q: tuple[mpq, ...]) -> Curve:
     """The curve with Q moved to the origin and w positive."""
     sign = 1 if curve.w(curve.domain[0]) > 0 else -1
     p = Vector(*[(x - curve.w * y).scaled(sign) for x, y in zip(curve.p, q, strict=True)])
-    return with_point(Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial), (0, 0))
+    return Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial).with_point((0, 0))
 
 
 def _refuse_point_on(c: Curve) -> None:
@@ -169,23 +196,31 @@ class _Conditions:
     def kept(self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq]) -> list[tuple[Parameter, Parameter]]:
         """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
         split where B is infinite.
+
+        Parts of the segment on which one condition fails certainly are set aside first, and conditions that hold
+        certainly on the rest. At a border between both a condition fails, so that it is none of the latter.
         """
         x, y, e = forms
-        found: list[tuple[Parameter, Parameter]] = [segment]
         stride = tensor_bernstein.stride_for(n)
-        for square, cx, cy in self.rows:
-            family = e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride)
-            if _of_one_sign(e, family):
+        families = [
+            e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride) for square, cx, cy in self.rows
+        ]
+        rows = [tensor_bernstein.rows(family, stride, self.degree) for family in families]
+        open_parts = possible_parts(rows, e, n)
+        if not open_parts:
+            return []
+        found: list[tuple[Parameter, Parameter]] = [segment]
+        for family, own in zip(families, rows, strict=True):
+            if _of_one_sign(e, family) or all(holds_certainly(own, e, n, part) for part in open_parts):
                 continue
-            rows = tensor_bernstein.rows(family, stride, self.degree)
             candidates, holds = (
                 _candidates(as_mpoly(family, stride), segment),
-                partial(self._holds, rows, e, n, segment),
+                partial(self._holds, own, e, n, segment),
             )
             found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
             if not found:
                 break
-        return found
+        return _on_parts(found, open_parts, segment)
 
     def _holds(self, rows: list[fmpz_poly], e: fmpz_poly, n: int, segment: tuple[mpq, mpq], t: mpq) -> bool:
         """Whether the member at an inner parameter is non-negative, exactly."""
@@ -199,6 +234,19 @@ class _Conditions:
 
         member = fmpz_poly([at(row) for row in rows])
         return is_nonnegative(member if at(e) > 0 else -member, self.degree)
+
+
+def _on_parts(
+    found: list[tuple[Parameter, Parameter]], parts: list[Part], segment: tuple[mpq, mpq]
+) -> list[tuple[Parameter, Parameter]]:
+    """The intervals that are not in a part that was set aside; none is in both."""
+    a, b = segment
+    kept = []
+    for low, high in found:
+        middle = (between(low, high) - a) / (b - a)
+        if any(first <= middle <= last for first, last in parts):
+            kept.append((low, high))
+    return kept
 
 
 def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
@@ -267,7 +315,8 @@ def _cells(
     """
     a, b = segment
     found: list[tuple[Parameter, Parameter]] = []
-    for low, high in pairwise([a, *_distinct([*candidates, *poles]), b]):
+    ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
+    for low, high in pairwise(ends):
         if holds(between(low, high)):
             if found and found[-1][1] == low and not any(low == pole for pole in poles):
                 found[-1] = (found[-1][0], high)
@@ -291,35 +340,35 @@ def _intersection(
     found = []
     for a, b in one:
         for c, d in other:
-            low, high = (a if c <= a else c), (b if b <= d else d)
+            low: Parameter = a if c <= a else c
+            high: Parameter = b if b <= d else d
             if low < high:
                 found.append((low, high))
     return found
 
 
-def _corners(curve: Any, missing: list[str]) -> list[tuple[str, mpq]]:
+def _corners(curve: Any, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational
     ones are named as missing.
     """
-    (a, b), d1 = curve.domain, find("D1")(curve)
-    found = [] if curve.closed else [("end point", a), ("end point", b)]
-    knots = [*([a] if curve.closed else []), *curve.breakpoints[1:-1]]
-    found += [("corner", t) for t in knots if tangent_joint(curve, d1, t) == CORNER]
-    for feature in singularities(curve):
+    a, b = curve.domain
+    found = [] if curve.closed else [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)]
+    found += [(PieceKind.CORNER, joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
+    for feature in singular_points(curve):
         feature.root.minimal_polynomial()
         if feature.root.exact is None:
             missing.append(
                 f"the line that belongs to the singular point at {feature.root!r}: its coordinates are irrational"
             )
         elif feature.kind != "singular end":
-            found.append(("corner", feature.root.exact))
-    points: dict[Any, tuple[str, mpq]] = {}
+            found.append((PieceKind.CORNER, feature.root.exact))
+    points: dict[Any, tuple[PieceKind, mpq]] = {}
     for kind, t in found:
         points.setdefault(curve(t), (kind, t))
     return list(points.values())
 
 
-def _line_pieces(conditions: _Conditions, c: Curve, q: tuple[mpq, ...], kind: str, t: mpq) -> list[TrimmedPiece]:
+def _line_pieces(conditions: _Conditions, c: Curve, q: tuple[mpq, ...], kind: PieceKind, t: mpq) -> list[TrimmedPiece]:
     """The kept part of the line of points as far from the origin as from the point of the curve at t."""
     w = c.w(t)
     foot = Vector(*[x(t) / w for x in c.p])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from gmpy2 import mpq
+from exactspline.exact import mpq
 
 
 class Affine:

@@ -4,10 +4,8 @@ rational.
 
 from __future__ import annotations
 
-from gmpy2 import mpq
-
 from exactspline.errors import NumberError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
 

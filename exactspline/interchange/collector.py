@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gmpy2 import mpq
-
 from exactspline.errors import ExactSplineError, ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.limits import work
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
 from exactspline.splines.nurbs import Nurbs

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
 from exactspline.splines.nurbs import Nurbs

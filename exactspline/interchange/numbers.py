@@ -6,10 +6,8 @@ import re
 from dataclasses import dataclass, field
 from math import inf
 
-from gmpy2 import isqrt, mpq
-
 from exactspline.errors import NumberError, shown
-from exactspline.exact import rational
+from exactspline.exact import isqrt, mpq, rational
 from exactspline.interchange.limits import Limits
 
 _DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)

@@ -9,9 +9,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import comb
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 
 Point = tuple[mpq, ...]

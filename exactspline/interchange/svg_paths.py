@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from gmpy2 import mpq
-
 from exactspline.errors import ExactSplineError, NumberError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees
 from exactspline.interchange.limits import Limits

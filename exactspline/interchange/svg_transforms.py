@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 
-from gmpy2 import mpq
-
 from exactspline.errors import NumberError, ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees
 from exactspline.interchange.limits import Limits

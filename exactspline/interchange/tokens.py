@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal, whole
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError, WeightError
+from exactspline.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 Point = tuple[mpq, ...]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Generic, TypeVar
 
-from exactspline.language.formula import Evaluated
+from exactspline.language.argument import Evaluated
 from exactspline.language.operand import Operand
 from exactspline.language.vector import Vector
 
@@ -143,46 +143,8 @@ PARAMETERS = ("s", "s̄")
 COORDINATES, BARRED, POINT = "xyzuvst", "XYZUVST", "abcefgh"
 
 
-#: The dimensions in which there are formulas of a kind.
-DIMENSIONS = {
-    "curve": (2, 3),
-    "plane": (2,),
-    "space": (3,),
-    "table": (3,),
-    "pair": (3,),
-    "point": (3,),
-    "plane point": (2,),
-}
-
-
-def operands(argument: Evaluated) -> dict[str, Any]:
-    """The operands of an argument by name: what `assemble` puts together."""
-    return argument.operands()
-
-
-def with_point(curve: Curve[T], point: Any) -> Curve[T]:
-    """A curve and a point as the argument of formulas."""
-    return curve.with_point(point)
-
-
 def embedded(c: Curve[T]) -> Curve[T]:
     """A plane curve (and its point) in the plane z = 0 of space."""
     zero = c.w.constant(0)
     point = None if c.point is None else Vector(*c.point, zero)
     return Curve(Vector(*c.p, zero), c.w, polynomial=c.polynomial, point=point)
-
-
-def assemble(kind: str, dimension: int, operand: Callable[[str], Any], one: Any, *, polynomial: bool = False) -> Any:
-    """The argument of formulas of a kind (see `Formula`) from its operands by name.
-
-    The first curve has ``x, y, z, w``, the second one ``X, Y, Z, W``, the point ``a, b, c``; ``one`` stands for w where
-    the curves are polynomial.
-    """
-
-    def curve(names: str, w: str) -> Curve[Any]:
-        p = Vector(*map(operand, names[:dimension]))
-        point = Vector(*map(operand, POINT[:dimension])) if kind.endswith("point") else None
-        return Curve(p, one if polynomial else operand(w), polynomial=polynomial, point=point)
-
-    first = curve(COORDINATES, "w")
-    return Pair(first, curve(BARRED, "W")) if kind == "pair" else first

@@ -1,83 +1,33 @@
-"""Formulas, and what they are handed: a formula is a function with its name, its symbol and where it stands in its
-source.
-"""
+"""Formulas: a function with its name, its symbol and where it stands in its source."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.language.argument import Argument
+from exactspline.language.kinds import CURVE, Kind, kind_of
 from exactspline.language.services import Displayed
 
 
-class Argument(Displayed, ABC):
-    """What formulas are handed."""
-
-    @abstractmethod
-    def calls(self, formula: Formula) -> Any:
-        """The value of a formula."""
-
-
-class Evaluated(Argument):
-    """An argument whose operands are at hand: a formula is evaluated on them.
-
-    An evaluation owns its memo: what several parts of a formula call is computed once, in a copy of the argument that
-    nobody else sees, so that an argument can be shared between threads.
-    """
-
-    #: Values of the formulas that were called, in a copy that remembers.
-    _values: dict[Formula, Any] | None = None
-
-    def calls(self, formula: Formula) -> Any:
-        """The value of a formula."""
-        if self._values is None:
-            return self.remembering().calls(formula)
-        if formula not in self._values:
-            self._values[formula] = formula.function(self)
-        return self._values[formula]
-
-    def remembering(self) -> Evaluated:
-        """A copy that remembers every value as long as it lives: for many formulas of one argument."""
-        kept = self.copied()
-        kept._values = {}
-        return kept
-
-    @abstractmethod
-    def copied(self) -> Evaluated:
-        """The same operands in an argument of its own."""
-
-    @abstractmethod
-    def operands(self) -> dict[str, Any]:
-        """The operands by name."""
-
-    @abstractmethod
-    def mapped(self, change: Callable[[Any], Any]) -> Any:
-        """The argument with every operand changed: into another reading, or onto another domain."""
-
-    def together(self) -> tuple[Evaluated, ...]:
-        """The arguments that it is made of, itself among them."""
-        return (self,)
-
-
 class Formula(Displayed):
-    """A formula with its name, its symbol and where it stands in the paper; calling it evaluates it in the reading of
+    """A formula with its name, its symbol and where it stands in its source; calling it evaluates it in the reading of
     its argument.
 
-    ``curve`` tells what the argument must be: ``"curve"`` (any dimension), ``"plane"``, ``"space"``, ``"table"`` (the
-    operands of Table 1), ``"pair"`` (two curves in space), ``"point"`` or ``"plane point"`` (a curve and a point, in
-    space or in the plane). `symbol` is its LaTeX name, where the paper gives it one. A reading may take the call over
-    (a tree keeps a symbol as a node).
+    `kind` tells what the argument must be (see `exactspline.language.kinds`). `symbol` is its LaTeX name, where the
+    source gives it one: typography, nothing hangs on it. A reading may take the call over (a tree keeps a symbol as a
+    node).
     """
 
-    def __init__(self, function: Callable[..., Any], source: str, curve: str, symbol: str) -> None:
-        self.function, self.source, self.curve, self.symbol = function, source, curve, symbol
-        self.name, self.__name__, self.__doc__, self.__module__ = (
-            function.__name__,
-            function.__name__,
-            function.__doc__,
-            function.__module__,
-        )
+    def __init__(self, function: Callable[..., Any], source: str, kind: Kind, symbol: str) -> None:
+        self.function, self.source, self.kind, self.symbol = function, source, kind, symbol
+        self.name = self.__name__ = function.__name__
+        self.__doc__, self.__module__ = function.__doc__, function.__module__
+
+    @property
+    def curve(self) -> str:
+        """The name of the kind of its argument."""
+        return self.kind.name
 
     def __call__(self, c: Any) -> Any:
         """The formula in the reading of `c`."""
@@ -87,13 +37,16 @@ class Formula(Displayed):
         return f"<formula {self.name}, {self.source}>"
 
 
-def formula(source: str, *, curve: str = "curve", symbol: str = "") -> Callable[[Callable[..., Any]], Formula]:
-    """Mark a function as a formula of the paper (or of a user).
+def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callable[[Callable[..., Any]], Formula]:
+    """Mark a function as a formula of a paper (or of a user), on arguments of a kind or of the kind with that name.
 
     >>> @formula("Table 1, T16")
     ... def velocity(c):
     ...     return c.p.d(1)
     >>> velocity
     <formula velocity, Table 1, T16>
+
+    Raises `FormulaError` for a kind that does not exist.
     """
-    return lambda function: Formula(function, source, curve, symbol)
+    kind = kind_of(on) if isinstance(on, str) else on
+    return lambda function: Formula(function, source, kind, symbol)

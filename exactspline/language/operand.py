@@ -63,8 +63,15 @@ class Counted(Ring, Protocol):
     def provenance(self) -> Provenance:
         """How it was made (see `exactspline.language.provenance`)."""
 
+    @property
+    def vanishes_somewhere(self) -> bool:
+        """Whether it is identically zero, if only on one segment of its domain."""
+
     def elevated_to(self, other: Any, /) -> Self:
         """The same thing, of at least the degree of another."""
+
+    def hash_of_quotients(self, numerators: tuple[Any, ...]) -> int:
+        """A hash of the quotients by this that all equal ones share."""
 
 
 R = TypeVar("R", bound=Ring)
@@ -82,6 +89,25 @@ class Operand(Displayed, ABC):
     is_vector: bool = False
     #: The parameter of an operand that has but one.
     parameter: ClassVar[str] = "s"
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes identically.
+
+        Raises `FormulaError` in a reading that cannot tell.
+        """
+        raise FormulaError(
+            f"whether a {type(self).__name__} vanishes", remedy="ask in a reading that has values, as jets or splines"
+        )
+
+    @property
+    def vanishes_somewhere(self) -> bool:
+        """Whether it is identically zero, if only on one segment of its domain."""
+        return bool(self.is_zero)
+
+    def hash_of_quotients(self, numerators: tuple[Any, ...]) -> int:
+        """A hash of the quotients by this that all equal ones share; a reading that can tell more than nothing does."""
+        return len(numerators)
 
     @abstractmethod
     def __add__(self, other: Any, /) -> Self: ...

@@ -11,6 +11,7 @@ from typing import Any, Generic, TypeVar
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnProducts, larger
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
@@ -69,7 +70,7 @@ def _agree(a: Any, b: Any) -> bool:
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
-class Rational(Operand, OwnProducts, Generic[T]):
+class Rational(Immutable, Operand, OwnProducts, Generic[T]):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
     Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
@@ -87,9 +88,11 @@ class Rational(Operand, OwnProducts, Generic[T]):
     product: Product[T]
 
     def __init__(self, numerator: T | Vector[T], *denominator: T | Product[T]) -> None:
-        self.numerator = numerator
-        first = denominator[0]
-        self.product = first if isinstance(first, Product) else Product(*denominator)  # type: ignore[arg-type]  # no product among them
+        first: Any = denominator[0]
+        fill(self, numerator=numerator, product=first if isinstance(first, Product) else Product(*denominator))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Rational, (self.numerator, self.product)
 
     @property
     def denominator(self) -> T:
@@ -156,12 +159,25 @@ class Rational(Operand, OwnProducts, Generic[T]):
         return numerator(*place, **side) / w
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same function: cross-multiplied, so that common factors do not matter."""
+        """Whether both are the same function: cross-multiplied, so that common factors do not matter.
+
+        Where a denominator vanishes identically, if only on one segment, there is no function: such a quotient equals
+        nothing, not even itself.
+
+        >>> from exactspline import BSpline
+        >>> t = BSpline.identity(0, 1)
+        >>> t * t / t == t / 1, t * t / t == (t * t * t) / (t * t), (t - t) / (t - t) == t / (t + 1)
+        (False, True, False)
+        """
         if not isinstance(other, Rational) or self.is_vector != other.is_vector:
             return NotImplemented
+        if self.denominator.vanishes_somewhere or other.denominator.vanishes_somewhere:
+            return False
         return bool(self.numerator * other.denominator == other.numerator * self.denominator)
 
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        scalars = tuple(self.numerator) if isinstance(self.numerator, Vector) else (self.numerator,)
+        return hash((self.is_vector, self.denominator.hash_of_quotients(scalars)))
 
     def __add__(self, other: Any) -> Rational[T]:
         """Rows T4 and T5."""

@@ -7,7 +7,7 @@ from typing import Any, Generic, TypeVar
 from exactspline.language.operand import Constant, OwnVectors
 from exactspline.language.rational import Rational
 from exactspline.language.services import Displayed
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, det
 
 T = TypeVar("T")
 
@@ -59,6 +59,11 @@ def ruled(directrix: Any, generator: Any) -> Any:
     Vector(1, 0, 2)
     """
     return directrix.ruled(generator) if isinstance(directrix, OwnVectors) else RuledSurface(directrix, generator)
+
+
+def development(surface: Any) -> Any:
+    """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is one along every ruling."""
+    return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
 
 
 def _extended(value: Any, before: list[Any], behind: list[Any]) -> Any:

@@ -8,6 +8,7 @@ from typing import Any, Generic, ParamSpec, TypeVar, overload
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
     Constant,
@@ -27,7 +28,7 @@ S = TypeVar("S", bound=Scalar)
 P = ParamSpec("P")
 
 
-class Vector(Displayed, Generic[T]):
+class Vector(Immutable, Displayed, Generic[T]):
     """A tuple of scalar operands of one reading.
 
     >>> a, b = Vector(1, 2), Vector(mpq(1, 2), 0)
@@ -39,10 +40,14 @@ class Vector(Displayed, Generic[T]):
     is_vector = True
     components: tuple[T, ...]
 
+    _derivatives: dict[str | None, Vector[T]]
+
     def __init__(self, *components: T) -> None:
-        self.components = components
-        #: First derivatives by parameter, once they were asked for.
-        self._derivatives: dict[str | None, Vector[T]] = {}
+        #: First derivatives by parameter are kept once they were asked for.
+        fill(self, components=components, _derivatives={})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Vector, self.components
 
     def __len__(self) -> int:
         return len(self.components)

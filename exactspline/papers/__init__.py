@@ -15,7 +15,7 @@ from importlib import import_module, resources
 from importlib.resources.abc import Traversable
 from typing import Any
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, nearest
 from exactspline.language.formula import Formula
 
 
@@ -31,7 +31,8 @@ class Table:
 class Paper:
     """A source: its folder, its title, the modules of its formulas and the files of its claims.
 
-    ``uses`` are the papers whose formulas its own may build on and its claims may name.
+    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors by
+    the name under which claims are joined that fail for one reason, with what is wrong.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Paper:
     modules: tuple[str, ...]
     claim_files: tuple[str, ...]
     uses: tuple[Paper, ...]
+    errors: dict[str, str]
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -53,13 +55,13 @@ class Paper:
         >>> paper("chen_riesenfeld_cohen_2007").find("f2")
         <formula f2, eq. (8)>
 
-        Raises `FormulaError` with the names there are.
+        Raises `FormulaError` with the nearest names.
         """
         for source in (self, *self.uses):
             if name in source.formulas:
                 return source.formulas[name]
         known = [known for source in (self, *self.uses) for known in source.formulas]
-        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=f"there are {', '.join(known)}")
+        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
 
     def claim_tables(self) -> Iterator[Table]:
         """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims."""
@@ -112,6 +114,7 @@ def papers() -> tuple[Paper, ...]:
                 tuple(data["formulas"]),
                 tuple(data["claims"]),
                 tuple(make(other) for other in data.get("uses", ())),
+                data.get("errors", {}),
             )
         return made[name]
 
@@ -126,7 +129,7 @@ def paper(name: str) -> Paper:
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` with the nearest names.
     """
     for known in papers():
         if known.name == name:
@@ -150,12 +153,13 @@ def find(name: str) -> Formula:
     >>> find("f2"), find("lifted:evolute_lifted").name
     (<formula f2, eq. (8)>, 'evolute_lifted')
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` with the nearest names.
     """
     source, _, own = name.rpartition(":")
     if source:
         return paper(source).find(own)
     known = all_formulas()
     if name not in known:
-        raise FormulaError(f"no formula is called {name!r}", remedy=f"there are {', '.join(known)}")
+        remedy = nearest(name, known, listed_by="exactspline derive")
+        raise FormulaError(f"no formula is called {name!r}", remedy=remedy)
     return known[name]

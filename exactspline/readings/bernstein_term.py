@@ -10,12 +10,13 @@ from __future__ import annotations
 from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
-from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational, to_fmpq
-from exactspline.language.arguments import Curve
+from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 
 
@@ -86,18 +87,31 @@ class Monomials(Operand):
         return not self.terms
 
 
-def monomial_curve(dimension: int) -> Curve:
+class BernsteinTermReading(Reading):
     """One term of the rational curve of degree d.
 
-    >>> c = monomial_curve(2)
+    >>> from exactspline.language.kinds import CURVE
+    >>> c = BernsteinTermReading().argument(CURVE, 2)
     >>> (c.p.d(1)[0] * c.w - c.p[0] * c.w.d(1)).terms
     {(0, 1): a - b, (1, 0): a - b}
     """
-    context = fmpq_mpoly_ctx.get(["d", "a", "b"], Ordering.degrevlex)
-    d, a, b = context.gens()
-    one = context.constant(1)
-    p = Monomials((d - a, a), {(0, 0): one})
-    return Curve(Vector(*[p] * dimension), Monomials((d - b, b), {(0, 0): one}))
+
+    name = "term"
+    proves = "which coefficients of what is linear in p and in w vanish, for every degree d"
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """The same term for all numerators, another one for the denominators."""
+        context = fmpq_mpoly_ctx.get(["d", "a", "b"], Ordering.degrevlex)
+        d, a, b = context.gens()
+        terms = {(0, 0): context.constant(1)}
+        numerator, denominator = Monomials((d - a, a), terms), Monomials((d - b, b), terms)
+        one = numerator.constant(1)
+        return kind.argument(
+            dimension,
+            lambda symbol: denominator if symbol.name in ("w", "W") else numerator,
+            one,
+            polynomial=polynomial,
+        )
 
 
 def every_coefficient(value: Any) -> tuple[mpq, mpq] | None:
@@ -108,7 +122,11 @@ def every_coefficient(value: Any) -> tuple[mpq, mpq] | None:
     with the numbers that are returned; they are not zero. (For one a and one b no two terms meet in one coefficient, so
     that nothing cancels.)
 
-    >>> c = monomial_curve(2)
+    >>> from exactspline.language.kinds import CURVE
+
+    >>> from exactspline.readings.bernstein_term import BernsteinTermReading
+
+    >>> c = BernsteinTermReading().argument(CURVE, 2)
     >>> every_coefficient(c.p.d(1) * c.w - c.p * c.w.d(1)), every_coefficient(c.p.d(1) * c.w.d(1))
     ((mpq(1,1), mpq(1,1)), None)
     """

@@ -11,13 +11,15 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import BARRED, COORDINATES, Curve, Pair, assemble
+from exactspline.exact import mpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Curve, Pair
+from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, Operand, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational
+from exactspline.language.reading import Reading
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
 Term = tuple[tuple[tuple[str, int], ...], int]
@@ -238,16 +240,6 @@ def parse(text: str) -> Degree:
     return Degree([term])
 
 
-def degree_curve(dimension: int, *, polynomial: bool = False, name: str = "d") -> Curve:
-    """A curve of that many coordinates whose degree is the name.
-
-    >>> degree_curve(2).gamma.d(2).degree
-    4d
-    """
-    curve: Curve = degree_argument("curve", dimension, polynomial=polynomial, name=name)
-    return curve
-
-
 class DifferentiatedPartByPart(Rational[Degree]):
     """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one.
 
@@ -261,32 +253,39 @@ class DifferentiatedPartByPart(Rational[Degree]):
         return DifferentiatedPartByPart(self.numerator.d(order, by=by), self.denominator.d(order, by=by))
 
 
-def degree_argument(
-    kind: str, dimension: int, *, polynomial: bool = False, name: str = "d", parameter: str = "s", counting: str = ""
-) -> Any:
-    """What formulas of a kind are handed: degrees in one parameter, ``s`` that of the first curve or ``s̄`` that of the
-    second one.
+class DegreeReading(Reading):
+    """Degrees in one parameter, ``s`` that of the first curve or ``s̄`` that of the second one.
 
-    With the `counting` ``part by part`` a rational curve is differentiated as (24) does it.
+    With the `counting` ``part by part`` a rational curve is differentiated as (24) does it. `name` replaces ``d``.
 
-    >>> c = degree_argument("pair", 3)
+    >>> from exactspline.language.kinds import PAIR
+    >>> c = DegreeReading().argument(PAIR, 3)
     >>> (c.first.p.d(1) * c.second.w.d(1)).degree
     d − 1
     """
-    counted = BARRED + "W" if parameter == "s̄" else COORDINATES + "w"
-    still = Degree.number(0, still=True, counted=parameter)
-    argument = assemble(
-        kind,
-        dimension,
-        lambda x: Degree.named(name, parameter) if x in counted else Degree.number(0, still=True, counted=parameter),
-        Degree.number(0, counted=parameter),
-        polynomial=polynomial,
-    )
-    if polynomial and isinstance(argument, Pair):
-        uncounted = argument.first if parameter == "s̄" else argument.second
-        uncounted.w = still
-    if counting == "part by part":
-        for curve in argument.together():
-            if isinstance(curve, Curve) and not polynomial:
-                curve.gamma = DifferentiatedPartByPart(curve.p, curve.w)
-    return argument
+
+    name = "degree"
+    proves = "what Table 1 counts, for every degree d"
+
+    def __init__(self, degree: str = "d", parameter: str = "s", counting: str = "") -> None:
+        self.degree, self.parameter, self.counting = degree, parameter, counting
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """The degrees of the operands; what does not depend on the parameter that is counted has degree 0."""
+        parameter = self.parameter
+
+        def operand(symbol: Symbol) -> Degree:
+            if symbol.parameter != parameter:
+                return Degree.number(0, still=True, counted=parameter)
+            return Degree.named(self.degree + symbol.degree.removeprefix("d"), parameter)
+
+        one = Degree.number(0, counted=parameter)
+        argument = kind.argument(dimension, operand, one, polynomial=polynomial)
+        if polynomial and isinstance(argument, Pair):
+            uncounted = argument.first if parameter == "s̄" else argument.second
+            uncounted.w = Degree.number(0, still=True, counted=parameter)
+        if self.counting == "part by part":
+            for curve in argument.together():
+                if isinstance(curve, Curve) and not polynomial:
+                    curve.gamma = DifferentiatedPartByPart(curve.p, curve.w)
+        return argument

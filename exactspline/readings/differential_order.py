@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.language.arguments import assemble
+from exactspline.language.argument import Evaluated
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, Kind
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.parts import joined
+from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 
 
@@ -50,6 +54,17 @@ class Order(Operand):
         return Order(self.order + order)
 
 
+class OrderReading(Reading):
+    """Every operand of order 0."""
+
+    name = "order"
+    proves = "how many derivatives a formula needs"
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Every operand underived."""
+        return kind.argument(dimension, lambda _: Order(0), Order(0), polynomial=polynomial)
+
+
 def is_polynomial(formula: Any, dimension: int) -> bool:
     """Whether a formula is a polynomial in the curve and its derivatives: no quotient on a rational curve.
 
@@ -78,5 +93,5 @@ def _highest(value: Any) -> int:
 
 
 def _orders(formula: Any, dimension: int) -> Any:
-    result = formula(assemble(getattr(formula, "curve", "curve"), dimension, lambda _: Order(0), Order(0)))
-    return getattr(result, "joined", result)
+    kind = formula.kind if isinstance(formula, Formula) else CURVE
+    return joined(formula(OrderReading().argument(kind, dimension)))

@@ -12,9 +12,12 @@ from typing import Any
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
-from exactspline.readings.jet import Jet, JetRing, jet_argument
+from exactspline.language.reading import Reading
+from exactspline.readings.jet import Jet, JetReading, JetRing
 
 #: Sums of more terms than this are tried for the factors that were met before; those have fewer.
 LONG = 100
@@ -25,7 +28,11 @@ Powers = tuple[tuple[fmpq_mpoly, int], ...]
 class FactoredJet(Operand):
     """``unit · Π baseᵉ``; the bases are monic but need not be irreducible.
 
-    >>> c = factored_argument("curve", 2, 1)
+    >>> from exactspline.language.kinds import CURVE
+
+    >>> from exactspline.readings.factored_jet import FactoredJetReading
+
+    >>> c = FactoredJetReading(1).argument(CURVE, 2)
     >>> (c.p[0] * c.w * c.w + c.p[1] * c.w).powers
     ((w0, 1), (x0*w0 + y0, 1))
     """
@@ -187,6 +194,17 @@ def without(a: Powers, b: Powers) -> Powers:
     return tuple((p, e - f) for (p, e), (_, f) in zip(a, gone, strict=True) if e > f)
 
 
-def factored_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
-    """The indeterminate argument of formulas of a kind."""
-    return jet_argument(kind, dimension, order, polynomial=polynomial).mapped(FactoredJet.of)
+class FactoredJetReading(Reading):
+    """The indeterminate argument, whose products stay products."""
+
+    name = "factored jet"
+    proves = "an identity for every curve of every degree"
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Every operand an indeterminate."""
+        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
+        argument: Evaluated = jets.mapped(FactoredJet.of)
+        return argument

@@ -11,10 +11,12 @@ from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language.arguments import Curve
+from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Operand
-from exactspline.language.vector import Vector
+from exactspline.language.reading import Reading
 
 
 class Generic(Operand):
@@ -89,19 +91,35 @@ class Generic(Operand):
         return result
 
 
-def generic_curve(dimension: int, degree: int, *, polynomial: bool = False) -> Curve:
-    """The generic Bézier segment of that dimension and degree.
+class GenericReading(Reading):
+    """One Bézier segment of a degree, whose control points and weights are indeterminates.
 
-    >>> c = generic_curve(2, 2)
+    >>> from exactspline.language.kinds import CURVE
+    >>> c = GenericReading(2).argument(CURVE, 2)
     >>> len(c.w.d(1).coefficients), c.w.d(3).is_zero
     (2, True)
     """
-    names = [*"xyzuvst"[:dimension], *([] if polynomial else ["w"])]
-    context = fmpq_mpoly_ctx.get([f"{name}{i}" for name in names for i in range(degree + 1)], Ordering.degrevlex)
-    gens = context.gens()
-    size = degree + 1
-    functions = [
-        Generic(context, [comb(degree, i) * gens[k * size + i] for i in range(size)]) for k in range(len(names))
-    ]
-    p = Vector(*functions[:dimension])
-    return Curve(p, functions[0].constant(1) if polynomial else functions[-1], polynomial=polynomial)
+
+    name = "generic"
+    proves = "what holds for all curves of one degree but special ones"
+
+    def __init__(self, degree: int) -> None:
+        self.degree = degree
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Functions of the one parameter there is.
+
+        Raises `FormulaError` for a kind with several parameters, or with constants.
+        """
+        symbols = kind.symbols(dimension, polynomial=polynomial)
+        if len({symbol.parameter for symbol in symbols}) > 1:
+            raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
+        names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]
+        context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
+        gens, size = context.gens(), self.degree + 1
+        functions = {
+            symbol.name: Generic(context, [comb(self.degree, i) * gens[k * size + i] for i in range(size)])
+            for k, symbol in enumerate(symbols)
+        }
+        one = Generic(context, [context.constant(1)])
+        return kind.argument(dimension, lambda symbol: functions[symbol.name], one, polynomial=polynomial)

@@ -10,44 +10,40 @@ from __future__ import annotations
 from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
-from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational, to_fmpq
-from exactspline.language.arguments import BARRED, COORDINATES, POINT, Curve, assemble
+from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
+from exactspline.language.reading import Reading
 
 PRIMES = ("", "′", "″", "‴")
 
 
 class JetRing:
-    """Polynomials in the derivatives up to `order` of the functions with the given names, and in constants.
+    """Polynomials in the derivatives up to `order` of the operands of a kind of argument, and in its constants.
 
-    >>> ring = JetRing(("x", "w"), 2)
+    >>> from exactspline.language.kinds import CURVE
+    >>> ring = JetRing(CURVE, 2, 2)
     >>> (ring["x"].d() * ring["w"] - ring["x"] * ring["w"].d()).d()
     x″·w − x·w″
     """
 
-    def __init__(self, names: tuple[str, ...], order: int, constants: tuple[str, ...] = ()) -> None:
-        self.names, self.order, self.constants = names, order, constants
-        self.variables = [(name, i) for name in names for i in range(order + 1)] + [(name, 0) for name in constants]
+    def __init__(self, kind: Kind, dimension: int, order: int, *, polynomial: bool = False) -> None:
+        self.kind, self.dimension, self.order, self.polynomial = kind, dimension, order, polynomial
+        self.symbols = {s.name: s for s in kind.symbols(dimension, polynomial=polynomial)}
+        functions = [name for name, symbol in self.symbols.items() if symbol.parameter]
+        self.constants = tuple(name for name, symbol in self.symbols.items() if not symbol.parameter)
+        self.variables = [(name, i) for name in functions for i in range(order + 1)]
+        self.variables += [(name, 0) for name in self.constants]
         self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
         #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
-
-    @property
-    def kind(self) -> str:
-        """The kind of argument that it describes: ``pair``, ``point`` or ``curve``."""
-        return "pair" if BARRED[0] in self.names else "point" if self.constants else "curve"
-
-    @property
-    def dimension(self) -> int:
-        """Number of coordinates of the curve."""
-        return sum(name in COORDINATES for name in self.names)
 
     def __getitem__(self, name: str) -> Jet:
         return Jet(self, self.gens[self.index[name, 0]])
@@ -56,21 +52,13 @@ class JetRing:
         """An exact constant."""
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
-    def parameter(self, name: str) -> str:
-        """The parameter of a function: s, or s̄ on the second curve."""
-        return "s̄" if name in BARRED + "W" else "s"
-
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
         name, order = self.variables[i]
-        if name in BARRED + "W":
-            name = name.lower() + "\u0304"
-        elif name in POINT:
-            name = "Q" + COORDINATES[POINT.index(name)].translate(SUBSCRIPTS)
-        return name + (PRIMES[order] if order < len(PRIMES) else f"⁽{str(order).translate(SUPERSCRIPTS)}⁾")
+        primes = PRIMES[order] if order < len(PRIMES) else f"⁽{str(order).translate(SUPERSCRIPTS)}⁾"
+        return self.symbols[name].text + primes
 
 
-SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
@@ -123,7 +111,7 @@ class Jet(Operand):
             for i, used in enumerate(result.degrees()):
                 if int(used) > 0:
                     name, k = ring.variables[i]
-                    if name in ring.constants or by not in (None, ring.parameter(name)):
+                    if name in ring.constants or by not in (None, ring.symbols[name].parameter):
                         continue
                     if k == ring.order:
                         raise FormulaError(
@@ -190,25 +178,22 @@ def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
     return ("− " if c < 0 else "+ ") + "·".join(factors)
 
 
-def jet_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
-    """The indeterminate curve with its derivatives up to `order`.
+class JetReading(Reading):
+    """The indeterminate argument, with its derivatives up to an order.
 
-    >>> jet_curve(2, 2).w.d(2)
-    w″
-    """
-    curve: Curve = jet_argument("curve", dimension, order, polynomial=polynomial)
-    return curve
-
-
-def jet_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
-    """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves.
-
-    >>> c = jet_argument("pair", 3, 1)
+    >>> from exactspline.language.kinds import PAIR
+    >>> c = JetReading(1).argument(PAIR, 3)
     >>> c.first.p[0] * c.second.w.d(1)
     x·w̄′
     """
-    names = [*COORDINATES[:dimension], *([] if polynomial else ["w"])]
-    if kind == "pair":
-        names += [*BARRED[:dimension], *([] if polynomial else ["W"])]
-    ring = JetRing(tuple(names), order, tuple(POINT[:dimension]) if kind.endswith("point") else ())
-    return assemble(kind, dimension, ring.__getitem__, ring.number(1), polynomial=polynomial)
+
+    name = "jet"
+    proves = "an identity for every curve of every degree"
+
+    def __init__(self, order: int) -> None:
+        self.order = order
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Every operand an indeterminate; a polynomial curve has the denominator 1."""
+        ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
+        return kind.argument(dimension, lambda symbol: ring[symbol.name], ring.number(1), polynomial=polynomial)

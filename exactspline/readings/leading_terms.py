@@ -14,9 +14,13 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
-from exactspline.language.arguments import BARRED, COORDINATES, POINT, Curve, assemble
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import PARAMETERS
+from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
+from exactspline.readings.degree import Degree, parse
 from exactspline.readings.differential_order import order_of
 
 #: More vanishing terms than any formula of the library has.
@@ -24,24 +28,39 @@ MAX_TERMS = 40
 
 
 class Expansion(Operand):
-    """``t^(k d − m) (c_0 + c_1/t + …)``: the polynomial c_i in d and the coefficients of the curve."""
+    """A sum of parts ``t^(k d − m) (c_0 + c_1/t + …)``, one for each degree k and weight m: the c_i are polynomials in
+    d and the coefficients of the curve, known to a few terms. What is exactly zero has no part at all; a part whose
+    known terms vanish is not thereby zero.
 
-    __slots__ = ("context", "k", "m", "terms")
+    >>> from exactspline.language.kinds import CURVE
+
+    >>> from exactspline.readings.leading_terms import LeadingTermsReading
+
+    >>> c = LeadingTermsReading(2).argument(CURVE, 2)
+    >>> d1 = c.p.d(1) * c.w - c.p * c.w.d(1)
+    >>> sorted((d1[0] + c.w).parts), (c.w * 0).parts
+    ([(1, 0), (2, 1)], {})
+    """
+
+    __slots__ = ("context", "known", "parts")
     provenance = 0
 
-    def __init__(self, context: Any, k: int, m: int, terms: list[fmpq_mpoly]) -> None:
-        self.context, self.k, self.m, self.terms = context, k, m, terms
+    def __init__(self, context: Any, known: int, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> None:
+        self.context, self.known, self.parts = context, known, parts
 
     @property
     def degree(self) -> int:
-        """Degree k in the curve."""
-        return self.k
+        """The largest degree k of the parts."""
+        return max((k for k, _ in self.parts), default=0)
 
     def constant(self, value: Any) -> Expansion:
         """A constant: it expands to itself."""
+        number = to_fmpq(rational(value))
+        if not number:
+            return Expansion(self.context, self.known, {})
         zero = self.context.constant(0)
         return Expansion(
-            self.context, 0, 0, [self.context.constant(to_fmpq(rational(value))), *[zero] * (len(self.terms) - 1)]
+            self.context, self.known, {(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]}
         )
 
     def __add__(self, other: Any) -> Any:
@@ -49,53 +68,59 @@ class Expansion(Operand):
             other = self.constant(other)
         if not isinstance(other, Expansion):
             return NotImplemented
-        if not any(self.terms):
-            return other
-        if not any(other.terms):
-            return self
-        if (self.k, self.m) != (other.k, other.m):
-            raise FormulaError(
-                f"a sum of terms of degree and weight {(self.k, self.m)} and {(other.k, other.m)}",
-                remedy="homogeneous formulas of rational curves only",
-            )
-        return Expansion(self.context, self.k, self.m, [a + b for a, b in zip(self.terms, other.terms, strict=True)])
+        parts = dict(self.parts)
+        for grading, terms in other.parts.items():
+            own = parts.get(grading)
+            parts[grading] = terms if own is None else [a + b for a, b in zip(own, terms, strict=True)]
+        return Expansion(self.context, self.known, parts)
 
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Expansion):
             return NotImplemented
-        a, b = self.terms, other.terms
-        terms = [sum((a[j] * b[i - j] for j in range(i + 1)), self.context.constant(0)) for i in range(len(a))]
-        return Expansion(self.context, self.k + other.k, self.m + other.m, terms)
+        result, zero = Expansion(self.context, self.known, {}), self.context.constant(0)
+        for (k, m), a in self.parts.items():
+            for (n, o), b in other.parts.items():
+                terms = [sum((a[j] * b[i - j] for j in range(i + 1)), zero) for i in range(self.known)]
+                result = result + Expansion(self.context, self.known, {(k + n, m + o): terms})
+        return result
 
     def scaled(self, constant: Any) -> Expansion:
         """The expansion times an exact constant."""
         q = to_fmpq(rational(constant))
-        return Expansion(self.context, self.k, self.m, [q * a for a in self.terms])
+        parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
+        return Expansion(self.context, self.known, parts)
 
     def elevated_to(self, other: Any) -> Expansion:
         """Itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
-        """The derivative, term by term."""
+        """The derivative, term by term; that of a constant is exactly zero."""
         self.only_parameter(by)
         result, d = self, self.context.gens()[0]
         for _ in range(order):
-            terms = [(result.k * d - (result.m + i)) * a for i, a in enumerate(result.terms)]
-            result = Expansion(self.context, result.k, result.m + 1, terms)
+            parts = {
+                (k, m + 1): [(k * d - (m + i)) * a for i, a in enumerate(terms)]
+                for (k, m), terms in result.parts.items()
+                if k or m or any(terms[1:])
+            }
+            result = Expansion(self.context, self.known, parts)
         return result
 
     @property
-    def drop(self) -> int | None:
-        """How many leading terms vanish identically in d; None when all known ones do."""
-        return next((i for i, a in enumerate(self.terms) if a), None)
-
-    @property
-    def exceptions(self) -> tuple[int, ...]:
-        """The degrees d ≥ 1 at which the first remaining term vanishes too."""
-        return common_roots(self.terms[self.drop or 0])
+    def leading(self) -> dict[tuple[int, int], tuple[int, fmpq_mpoly]] | None:
+        """Of every part how many leading terms vanish identically in d, and the first that does not; None as long as
+        all known terms of some part vanish.
+        """
+        found = {}
+        for grading, terms in self.parts.items():
+            drop = next((i for i, a in enumerate(terms) if a), None)
+            if drop is None:
+                return None
+            found[grading] = drop, terms[drop]
+        return found
 
 
 def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
@@ -132,36 +157,36 @@ class StillExpansion(Expansion):
         return self.derivatives[order]
 
 
-def expansion_argument(kind: str, dimension: int, terms: int, order: int, *, polynomial: bool = False) -> Any:
-    """What formulas of a kind are handed at infinity of the first parameter; the second curve and the point stay
-    constant.
+class LeadingTermsReading(Reading):
+    """Leading coefficients at infinity of the first parameter, to so many terms, with derivatives up to an order of
+    what does not depend on it: the second curve and the point stay constant.
     """
-    first = [*COORDINATES[:dimension], *([] if polynomial else ["w"])]
-    second = [*BARRED[:dimension], *([] if polynomial else ["W"])] if kind == "pair" else []
-    still = second + (list(POINT[:dimension]) if kind.endswith("point") else [])
-    names = [f"{name}{i}" for name in first for i in range(terms)] + [
-        f"{name}{i}" for name in still for i in range(order + 1)
-    ]
-    context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
-    known = dict(zip(names, context.gens()[1:], strict=True))
-    zero = context.constant(0)
 
-    def operand(name: str) -> Expansion:
-        if name in first:
-            return Expansion(context, 1, 0, [known[f"{name}{i}"] for i in range(terms)])
-        constants = [
-            StillExpansion(context, 0, 0, [known[f"{name}{i}"], *[zero] * (terms - 1)]) for i in range(order + 1)
-        ]
-        constants[0].derivatives = constants
-        return constants[0]
+    name = "infinity"
+    proves = "the true degree on the generic curve, for every d but those named"
 
-    return assemble(kind, dimension, operand, operand(first[0]).constant(1), polynomial=polynomial)
+    def __init__(self, terms: int, order: int = 0) -> None:
+        self.terms, self.order = terms, order
 
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Expansions of the functions of s; constants for everything else."""
+        symbols = kind.symbols(dimension, polynomial=polynomial)
+        lengths = {s.name: self.terms if s.parameter == PARAMETERS[0] else self.order + 1 for s in symbols}
+        names = [f"{name}{i}" for name, length in lengths.items() for i in range(length)]
+        context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
+        known = dict(zip(names, context.gens()[1:], strict=True))
+        nothing = [context.constant(0)] * (self.terms - 1)
 
-def expansion_curve(dimension: int, terms: int, *, polynomial: bool = False) -> Curve:
-    """The generic curve at infinity, to so many terms."""
-    curve: Curve = expansion_argument("curve", dimension, terms, 0, polynomial=polynomial)
-    return curve
+        def operand(symbol: Symbol) -> Expansion:
+            own = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
+            if symbol.parameter == PARAMETERS[0]:
+                return Expansion(context, self.terms, {(1, 0): own})
+            constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in own]
+            constants[0].derivatives = constants
+            return constants[0]
+
+        one = Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]})
+        return kind.argument(dimension, operand, one, polynomial=polynomial)
 
 
 def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
@@ -175,24 +200,72 @@ def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int
     >>> generic_drop(D1, 2)
     (2, 1, 1, ())
 
-    Raises `FormulaError` for formulas that are no polynomial of the curve, or not homogeneous.
+    Raises `FormulaError` for formulas that are no polynomial of the curve, or not homogeneous (see
+    `generic_true_degree`).
     """
     order = order_of(formula, dimension)
-    return drop_of(formula, lambda terms: expansion_argument(formula.curve, dimension, terms, order), formula.name)
+    return drop_of(
+        formula, lambda terms: LeadingTermsReading(terms, order).argument(formula.kind, dimension), formula.name
+    )
 
 
-def drop_of(
-    formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str
-) -> tuple[int, int, int, tuple[int, ...]]:
-    """The same for any function of a curve at infinity that is known to as many terms as needed."""
+def generic_true_degree(formula: Any, dimension: int, *, polynomial: bool = False) -> Degree:
+    """The true degree of a polynomial formula on the generic curve for symbolic d, homogeneous or not.
+
+    Leading terms of parts of different degree and weight have no monomial in common: nothing cancels between them.
+
+    >>> from exactspline.language.formula import formula
+    >>> @formula("an example")
+    ... def mixed(c):
+    ...     return c.p[0].d(1) * c.w - c.p[0] * c.w.d(1) + c.w
+    >>> generic_true_degree(mixed, 2)
+    max(2d − 2, d)
+    """
+    order = order_of(formula, dimension)
+    found = _resolved(
+        formula,
+        lambda terms: LeadingTermsReading(terms, order).argument(formula.kind, dimension, polynomial=polynomial),
+        formula.name,
+    )
+    degrees = [parse(f"{k}d-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]
+    result = degrees[0]
+    for degree in degrees[1:]:
+        result = result.max(degree)
+    return result
+
+
+Leading = dict[tuple[int, int], tuple[int, fmpq_mpoly]]
+
+
+def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str) -> list[Leading]:
+    """The leading terms of the components that are not exactly zero, with as many terms known as that takes. Where all
+    have one degree and weight, those that take more terms than another are lower and left out.
+    """
     for terms in range(1, MAX_TERMS):
         result = formula(curve(terms))
         components = list(result) if isinstance(result, Vector) else [result]
         if not all(isinstance(c, Expansion) for c in components):
             raise FormulaError(f"{name} is a quotient", remedy="ask for numerator and denominator one by one")
-        found = [c for c in components if c.drop is not None]
-        if found:
-            best = min(found, key=lambda c: c.drop)
-            exceptions = set(best.exceptions).intersection(*[set(c.exceptions) for c in found if c.drop == best.drop])
-            return best.k, best.m, best.drop, tuple(sorted(exceptions))
+        found = [c.leading for c in components if c.parts]
+        last = [part for part in found if part is not None]
+        gradings = {grading for c in components for grading in c.parts}
+        if last and (len(last) == len(found) or len(gradings) == 1):
+            return last
     raise FormulaError(f"{name} vanishes to {MAX_TERMS} terms", remedy="it may be identically zero")
+
+
+def drop_of(
+    formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str
+) -> tuple[int, int, int, tuple[int, ...]]:
+    """The same as `generic_drop` for any function of a curve at infinity that is known to as many terms as needed."""
+    found = _resolved(formula, curve, name)
+    gradings = {grading for part in found for grading in part}
+    if len(gradings) > 1:
+        raise FormulaError(
+            f"a sum of terms of degree and weight {sorted(gradings)}", remedy="homogeneous formulas only"
+        )
+    ((k, m),) = gradings
+    leading = [part[k, m] for part in found]
+    least = min(drop for drop, _ in leading)
+    exceptions = set.intersection(*[set(common_roots(term)) for drop, term in leading if drop == least])
+    return k, m, least, tuple(sorted(exceptions))

@@ -12,15 +12,21 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import Curve
+from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import FieldOperand
-from exactspline.readings.jet import Jet, JetRing, jet_argument
+from exactspline.language.reading import Reading
+from exactspline.readings.jet import Jet, JetReading, JetRing
 
 
 class JetFraction(FieldOperand):
     """``top / bottom`` without common factor, the bottom monic.
 
-    >>> c = fraction_curve(2, 1)
+    >>> from exactspline.language.kinds import CURVE
+
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+
+    >>> c = RationalJetReading(1).argument(CURVE, 2)
     >>> (c.gamma[0] * c.w).top == c.p[0].top
     True
     """
@@ -107,17 +113,17 @@ def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     return common / common.leading_coefficient() if common else common
 
 
-def fraction_curve(dimension: int, order: int, *, polynomial: bool = False) -> Curve:
-    """The indeterminate curve with its derivatives up to `order`.
+class RationalJetReading(Reading):
+    """The indeterminate argument, whose quotients are in lowest terms."""
 
-    >>> fraction_curve(2, 2).gamma.d(1)[0]
-    (x′·w − x·w′) / (w²)
-    """
-    curve: Curve = fraction_argument("curve", dimension, order, polynomial=polynomial)
-    return curve
+    name = "rational jet"
+    proves = "an identity for every curve of every degree"
 
+    def __init__(self, order: int) -> None:
+        self.order = order
 
-def fraction_argument(kind: str, dimension: int, order: int, *, polynomial: bool = False) -> Any:
-    """The indeterminate argument of formulas of a kind: a curve, a curve and a point, or two curves."""
-    jets = jet_argument(kind, dimension, order, polynomial=polynomial)
-    return jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Every operand an indeterminate."""
+        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
+        argument: Evaluated = jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
+        return argument

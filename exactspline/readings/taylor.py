@@ -9,12 +9,13 @@ from __future__ import annotations
 from math import factorial
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError
+from exactspline.exact import mpq
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import FieldOperand
-from exactspline.language.vector import Vector
+from exactspline.language.reading import Reading
 
 
 class Series(FieldOperand):
@@ -106,7 +107,28 @@ def taylor(spline: Any, t: Any, terms: int, side: str = "right") -> Series:
     return Series(coefficients)
 
 
+class TaylorReading(Reading):
+    """An argument of splines in one parameter, expanded at that parameter to so many terms.
+
+    >>> from exactspline.splines.examples import load
+    >>> from exactspline.language.kinds import PLANE
+    >>> TaylorReading(load("circle"), 0, 2).argument(PLANE, 2).p[0].coefficients
+    (mpq(1,1), mpq(0,1))
+    """
+
+    name = "series"
+    proves = "values and derivatives at one parameter"
+
+    def __init__(self, given: Evaluated, t: Any, terms: int, side: str = "right") -> None:
+        self.given, self.t, self.terms, self.side = given, t, terms, side
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """The expansion of the argument at hand."""
+        expanded: Evaluated = self.given.mapped(lambda spline: taylor(spline, self.t, self.terms, self.side))
+        return expanded
+
+
 def series_curve(curve: Any, t: Any, terms: int, side: str = "right") -> Curve:
     """The expansion of a concrete curve at a parameter."""
-    p = Vector(*[taylor(x, t, terms, side) for x in curve.p])
-    return Curve(p, taylor(curve.w, t, terms, side), polynomial=curve.polynomial)
+    expanded: Curve = curve.mapped(lambda spline: taylor(spline, t, terms, side))
+    return expanded

@@ -10,8 +10,11 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from exactspline.errors import FormulaError
-from exactspline.language.formula import Argument, Formula
+from exactspline.language.argument import Argument
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
+from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
 from exactspline.language.services import service
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
@@ -147,23 +150,25 @@ class NamedCall(NamedTuple):
 
 
 class Traced(Argument):
-    """The argument of the tree reading, curve or pair: its operands are leaves, and formulas called on it keep their
-    names.
+    """The argument of the tree reading: its operands are leaves, and formulas called on it keep their names.
 
-    A leaf of one curve of a pair has that curve in its name: ``second.p``.
+    A leaf of one part of the argument has that part in its name: ``second.p``.
     """
 
-    vectors = ("p", "gamma", "point", "axis_x", "axis_y", "axis_z")
+    def __init__(self, kind: Kind, dimension: int, *, expand: bool = False, path: str = "") -> None:
+        self._kind, self._dimension, self._expand, self._path = kind, dimension, expand, path
 
-    def __init__(self, dimension: int = 3, *, expand: bool = False, path: str = "") -> None:
-        self.dimension, self.polynomial, self._expand, self._path = dimension, False, expand, path
-
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Node | Traced:
         if name.startswith("_"):
             raise AttributeError(name)
-        if name in ("first", "second"):
-            return Traced(self.dimension, expand=self._expand, path=f"{name}.")
-        return Node("leaf", value=self._path + name, vector=name in self.vectors)
+        names, parts = self._kind.names(self._dimension), self._kind.parts
+        if name in parts:
+            return Traced(parts[name], self._dimension, expand=self._expand, path=f"{name}.")
+        if name not in names:
+            raise FormulaError(
+                f"a {self._kind.name} has no operand {name!r}", remedy=f"it has {', '.join([*names, *parts])}"
+            )
+        return Node("leaf", value=self._path + name, vector=names[name])
 
     def calls(self, formula: Formula) -> Any:
         """A formula called by another one: a node with its symbol (only its body where it has none, or when
@@ -180,14 +185,28 @@ class Traced(Argument):
         )
 
 
+class TreeReading(Reading):
+    """The formula itself; formulas that it calls keep their names, unless it is to be expanded."""
+
+    name = "tree"
+    proves = "nothing: it is the formula"
+
+    def __init__(self, *, expand: bool = False) -> None:
+        self.expand = expand
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Traced:
+        """Leaves by name."""
+        return Traced(kind, dimension, expand=self.expand)
+
+
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
     """The tree of a formula.
 
-    >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1
-    >>> trace(D1)
+    >>> from exactspline.papers import find
+    >>> trace(find("D1"))
     p′ w − p w′
     """
-    node: Node = formula.function(Traced(dimension, expand=expand))
+    node: Node = formula.function(TreeReading(expand=expand).argument(formula.kind, dimension))
     return node
 
 

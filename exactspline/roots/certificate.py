@@ -11,9 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from gmpy2 import mpq
-
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 
 if TYPE_CHECKING:
     from exactspline.roots.isolation import Isolation

@@ -12,12 +12,11 @@ Riesenfeld, Bounds on a polynomial, BIT 1981.
 from __future__ import annotations
 
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import fmpz, fmpz_poly, nmod_poly
-from gmpy2 import mpq
 
-from exactspline.exact import ratio
+from exactspline.exact import mpq, ratio
 from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
@@ -38,6 +37,9 @@ class Factor:
     def __init__(self, polynomial: fmpz_poly) -> None:
         self.polynomial = polynomial
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _factor, tuple(int(x) for x in self.polynomial.coeffs())
+
     @cached_property
     def slope(self) -> fmpz_poly:
         """Derivative by z."""
@@ -52,6 +54,10 @@ class Factor:
     def reversed_slope(self) -> fmpz_poly:
         """Derivative by 1/z of the polynomial in 1/z."""
         return self.reversed.derivative()
+
+
+def _factor(*coefficients: int) -> Factor:
+    return Factor(fmpz_poly(list(coefficients)))
 
 
 class LocalZero(NamedTuple):

@@ -20,9 +20,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from flint import arb, arb_poly, ctx, fmpz_poly
-from gmpy2 import mpq, mpz
 
-from exactspline.exact import to_fmpq
+from exactspline.exact import mpq, mpz, to_fmpq
 from exactspline.roots.isolation import Factor
 from exactspline.splines.bernstein import ONE, value
 

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from functools import cached_property, total_ordering
+from functools import total_ordering
 from typing import Any
 
 from flint import fmpz_poly
-from gmpy2 import lcm, mpq, mpz
 
 from exactspline.errors import NumberError
-from exactspline.exact import rational, text, to_fmpq
+from exactspline.exact import lcm, mpq, mpz, nearest_double, rational, text, to_fmpq
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
 from exactspline.roots.isolation import LocalZero
-from exactspline.roots.refinement import enclosures, sign_at
+from exactspline.roots.refinement import Interval, enclosures, sign_at
 from exactspline.splines.bernstein import substituted
 
 #: What a root is compared with, besides roots.
@@ -22,23 +22,52 @@ _EXACT = (int, Fraction, type(mpz()), type(mpq()))
 
 
 @total_ordering
-class Root(Displayed):
-    """One zero of a spline, in the spline's own parameter.
+class Root(Immutable, Displayed):
+    """One zero of a spline, in the spline's own parameter: a real number, known exactly.
 
     Either `low` = `high` is the root itself, or it is the only one strictly between them and `polynomial` has a simple
     zero there. The interval shrinks when digits are asked for (also by comparisons), and keeps what was reached when
-    that is interrupted.
+    that is interrupted; nothing else of a root ever changes.
 
-    Roots, also those of different splines, compare with one another and with exact numbers by value, exactly.
+    Roots, also those of different splines, compare with one another and with exact numbers by value, exactly; equal
+    ones, and the numbers they equal, have one hash. ``float(root)`` is the correctly rounded double.
 
-    >>> from exactspline import BSpline
-    >>> from exactspline.roots.zero_set import zeros
+    >>> from exactspline import BSpline, zeros
     >>> r, s = zeros(BSpline.bezier([1, "-1/2", "-2/3", 1], 0, 3))
     >>> r
     <Root 0.936908…: multiplicity 1, sign + to −>
-    >>> r < s, r == s, 0 < r < 1, s.exact
-    (True, False, True, None)
+    >>> r < s, r == s, 0 < r < 1, s.exact, float(r)
+    (True, False, True, None, 0.936907552882186)
     """
+
+    __slots__ = (
+        "_first",
+        "_minimal",
+        "_polynomial",
+        "_rational",
+        "_reached",
+        "_zero",
+        "left_multiplicity",
+        "right_multiplicity",
+        "segment",
+        "signs",
+    )
+    #: The interval reached, one tuple, so that threads see both ends of one interval.
+    _reached: Interval
+    #: The first interval: the spline may have other roots at its ends.
+    _first: Interval
+    _zero: LocalZero | None
+    #: What is found out when it is asked for.
+    _polynomial: fmpz_poly | None
+    _minimal: fmpz_poly | None
+    _rational: bool | None
+    #: Multiplicity seen from either side: they can differ at a knot; None where the domain ends.
+    left_multiplicity: int | None
+    right_multiplicity: int | None
+    #: Sign of the spline just left and just right of the root; None where the domain ends.
+    signs: tuple[int | None, int | None]
+    #: The segment (its ends) with the root strictly inside, None at a knot.
+    segment: Interval | None
 
     def __init__(
         self,
@@ -47,21 +76,37 @@ class Root(Displayed):
         multiplicities: tuple[int | None, int | None],
         signs: tuple[int | None, int | None],
         zero: LocalZero | None = None,
-        segment: tuple[mpq, mpq] | None = None,
+        segment: Interval | None = None,
     ) -> None:
-        #: Ends of the isolating interval; equal when the root is known exactly.
-        self.low, self.high = low, high
-        #: The first interval: the spline may have other roots at its ends.
-        self._first = low, high
-        #: Multiplicity seen from either side: they can differ at a knot; None where the domain ends.
-        self.left_multiplicity, self.right_multiplicity = multiplicities
-        #: Sign of the spline just left and just right of the root; None where the domain ends.
-        self.signs = signs
-        #: The segment (its ends) with the root strictly inside, None at a knot.
-        self.segment = segment
-        self._zero = zero
+        fill(
+            self,
+            _reached=(low, high),
+            _first=(low, high),
+            _zero=zero,
+            _polynomial=None,
+            _minimal=None,
+            _rational=None,
+            left_multiplicity=multiplicities[0],
+            right_multiplicity=multiplicities[1],
+            signs=signs,
+            segment=segment,
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        multiplicities = self.left_multiplicity, self.right_multiplicity
+        return _restored, (*self._first, multiplicities, self.signs, self._zero, self.segment, self._reached)
 
     # ---- what it is
+
+    @property
+    def low(self) -> mpq:
+        """The lower end of the isolating interval."""
+        return self._reached[0]
+
+    @property
+    def high(self) -> mpq:
+        """The upper end of the isolating interval; equal to `low` when the root is known exactly."""
+        return self._reached[1]
 
     @property
     def multiplicity(self) -> int:
@@ -81,16 +126,47 @@ class Root(Displayed):
 
     @property
     def exact(self) -> mpq | None:
-        """The root itself where it is known to be rational (`minimal_polynomial` finds out), else None."""
-        return self.low if self.low == self.high else None
+        """The root itself where it is rational, None where it is irrational: decided exactly, without factoring.
 
-    @cached_property
-    def _polynomial(self) -> fmpz_poly:
-        if self._zero is None or self.segment is None or self._zero.low == self._zero.high:
-            return fmpz_poly([int(-self.low.numerator), int(self.low.denominator)])
+        The denominator of a rational root divides the leading coefficient a of `polynomial`: of the multiples of 1/a
+        at most one is in an interval narrower than that.
+
+        >>> from exactspline import BSpline, zeros
+        >>> t = BSpline.identity(0, 1)
+        >>> [r.exact for r in zeros((3 * t - 1) * (2 * t * t - 1))]
+        [mpq(1,3), None]
+        """
+        if self._rational is None:
+            fill(self, _rational=self._is_rational())
+        return self.low if self._rational else None
+
+    def _is_rational(self) -> bool:
+        low, high = self._reached
+        if low == high:
+            return True
+        a = int(self._integers().leading_coefficient())
+        low, high = self.refine(a.bit_length() * 30103 // 100000 + 1)
+        if low < high:
+            candidate = mpq((low * a) // 1 + 1, a)
+            if candidate < high and self._against_number(candidate) == 0:
+                return True
+        return self.low == self.high
+
+    def _integers(self) -> fmpz_poly:
+        """The polynomial of `polynomial`."""
+        known = self._polynomial
+        if known is None:
+            known = self._computed_polynomial()
+            fill(self, _polynomial=known)
+        return known
+
+    def _computed_polynomial(self) -> fmpz_poly:
+        zero = self._zero
+        if zero is None or self.segment is None or zero.low == zero.high:
+            return _linear(self._first[0])
         a, b = self.segment
         m = lcm(a.denominator, b.denominator)
-        c = self._zero.factor.polynomial
+        c = zero.factor.polynomial
         u, v = fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)])
         p = substituted(c, c.degree(), u, v)
         return p // (p.content() if p.leading_coefficient() > 0 else -p.content())
@@ -101,37 +177,53 @@ class Root(Displayed):
 
         Primitive, with positive leading coefficient; the root is a simple one of it. On the segment [a, b] it is ``Σ
         c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant, where the ``c_i`` are the integers of the segment's form or of its
-        square-free factor; for an exact root it is linear.
+        square-free factor; for a root found exactly it is linear.
         """
-        return [int(x) for x in self._polynomial.coeffs()]
-
-    @cached_property
-    def _minimal(self) -> fmpz_poly:
-        self.refine(0)
-        if self.low == self.high:
-            return fmpz_poly([int(-self.low.numerator), int(self.low.denominator)])
-        for p, _ in self._polynomial.factor()[1]:
-            if _changes_sign(p, self.low, self.high):
-                if p.degree() == 1:
-                    self.low = self.high = mpq(int(-p[0]), int(p[1]))
-                return p if p.leading_coefficient() > 0 else -p
-        raise AssertionError("a factor changes sign around every root")
+        return [int(x) for x in self._integers().coeffs()]
 
     def minimal_polynomial(self) -> list[int]:
-        """The irreducible one among the integer polynomials with this root, constant term first; a rational root
-        becomes `exact`.
+        """The irreducible one among the integer polynomials with this root, constant term first.
 
-        >>> from exactspline import BSpline
-        >>> from exactspline.roots.zero_set import zeros
+        >>> from exactspline import BSpline, zeros
         >>> t = BSpline.identity(0, 1)
         >>> [r.minimal_polynomial() for r in zeros((t * t + t - 1) * (t - 2) * (3 * t - 1))]
         [[-1, 3], [-1, 1, 1]]
         """
-        return [int(x) for x in self._minimal.coeffs()]
+        known = self._minimal
+        if known is None:
+            known = self._computed_minimal()
+            fill(self, _minimal=known)
+        return [int(x) for x in known.coeffs()]
+
+    def _computed_minimal(self) -> fmpz_poly:
+        low, high = self.refine(0)
+        if low == high:
+            return _linear(low)
+        for p, _ in self._integers().factor()[1]:
+            if _changes_sign(p, low, high):
+                if p.degree() == 1:
+                    self._found(mpq(int(-p[0]), int(p[1])))
+                return p if p.leading_coefficient() > 0 else -p
+        raise AssertionError("a factor changes sign around every root")
+
+    def is_root_of(self, polynomial: fmpz_poly) -> bool:
+        """Whether a polynomial with integer coefficients vanishes here, exactly.
+
+        >>> from exactspline import BSpline, zeros
+        >>> root = zeros(BSpline.bezier([-1, -1, 1])).roots[0]  # 2t² = 1
+        >>> root.is_root_of(fmpz_poly([0, -1, 0, 2])), root.is_root_of(fmpz_poly([-1, 1]))
+        (True, False)
+        """
+        low, high = self.refine(0)
+        if low == high:
+            return _sign(polynomial, low) == 0
+        # a divisor of `polynomial` has no other zero between low and high, nor at them, and this one once at most
+        common = self._integers().gcd(polynomial)
+        return common.degree() > 0 and _changes_sign(common, low, high)
 
     # ---- where it is
 
-    def refine(self, digits: int, progress: Callable[[int], None] | None = None) -> tuple[mpq, mpq]:
+    def refine(self, digits: int, progress: Callable[[int], None] | None = None) -> Interval:
         """An interval with the root in it, at most ``10^−digits`` wide: ``low < root < high``, or ``low = high``, the
         root.
 
@@ -143,23 +235,36 @@ class Root(Displayed):
         """
         if type(digits) is not int:
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
+        low, high = self._reached
         if self._zero is None or self.segment is None:
-            return self.low, self.high
+            return low, high
         scale = mpz(10) ** max(digits, 0)
         a, b = self.segment
         width = b - a
         bits = int(width * scale + 1).bit_length()
-        while self.low < self.high and (
-            (self.high - self.low) * scale > 1 or self.low == self._first[0] or self.high == self._first[1]
-        ):
-            for low, high in enclosures(
-                self._zero.factor, (self.low - a) / width, (self.high - a) / width, self._zero.sign, bits
-            ):
-                self.low, self.high = a + width * low, a + width * high
+        while low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1]):
+            for u, v in enclosures(self._zero.factor, (low - a) / width, (high - a) / width, self._zero.sign, bits):
+                low, high = a + width * u, a + width * v
+                self._keep(low, high)
                 if progress is not None:
-                    progress(_digits(self.high - self.low, digits))
+                    progress(_digits(high - low, digits))
             bits = 2 * bits + 64
-        return self.low, self.high
+        return low, high
+
+    def _keep(self, low: mpq, high: mpq) -> None:
+        """Keep an interval, unless another thread was faster with a narrower one."""
+        if high - low < self.high - self.low:
+            fill(self, _reached=(low, high))
+
+    def _found(self, value: mpq) -> None:
+        fill(self, _reached=(value, value))
+
+    def __float__(self) -> float:
+        """The correctly rounded double: the nearest one, of two equally near the even one.
+
+        Raises `OverflowError` beyond the largest.
+        """
+        return nearest_double(self.refine, self._against_number)
 
     def mpf(self, digits: int = 15) -> Any:
         """The root as an ``mpmath.mpf`` that is off by at most ``10^−digits``; mpmath's own precision is not
@@ -211,60 +316,72 @@ class Root(Displayed):
         return self._against(other) < 0
 
     def __hash__(self) -> int:
-        minimal = self._minimal
-        return hash(self.exact) if minimal.degree() == 1 else hash(tuple(map(int, minimal.coeffs())))
+        """That of the number where it is rational, otherwise that of ``⌊2⁶⁴ · root⌋``."""
+        if (exact := self.exact) is not None:
+            return hash(exact)
+        digits = 20
+        while True:
+            low, high = (int((t * (1 << 64)) // 1) for t in self.refine(digits))
+            if low == high:
+                return hash((Root, low))
+            digits *= 2
 
     def _against(self, other: Any) -> int:
         if not isinstance(other, Root):
-            return self._against_number(rational(other))
+            return self._against_number(mpq(other))
         if self is other:
             return 0
-        if other.low == other.high:
-            return self._against_number(other.low)
-        if self.low == self.high:
-            return -other._against_number(self.low)
-        digits = 10
-        while self._overlaps(other):
-            self.refine(digits)
-            other.refine(digits)
-            if self.low == self.high or other.low == other.high:
-                return self._against(other)
-            if digits == 10 and self._overlaps(other) and self._same(other):
+        (a, b), (c, d), digits = self._reached, other._reached, 10
+        while True:
+            if c == d:
+                return self._against_number(c)
+            if a == b:
+                return -other._against_number(a)
+            if b <= c or d <= a:
+                return -1 if b <= c else 1
+            if digits == 20 and self._same(other):
                 return 0
-            digits *= 2
-        return -1 if self.low < other.low else 1
-
-    def _overlaps(self, other: Root) -> bool:
-        return bool(self.low < other.high and other.low < self.high)
+            (a, b), (c, d), digits = self.refine(digits), other.refine(digits), 2 * digits
 
     def _against_number(self, t: mpq) -> int:
-        if self.low == self.high or self._zero is None or self.segment is None:
-            return int(self.low > t) - int(self.low < t)
-        if t <= self.low or t >= self.high:
-            return 1 if t <= self.low else -1
+        low, high = self._reached
+        if low == high or self._zero is None or self.segment is None:
+            return int(low > t) - int(low < t)
+        if t <= low or t >= high:
+            return 1 if t <= low else -1
         a, b = self.segment
         sign = sign_at(self._zero.factor.polynomial, (t - a) / (b - a))
         if sign == 0:
-            self.low = self.high = t
+            self._found(t)
             return 0
         return 1 if sign == self._zero.sign else -1
 
     def _same(self, other: Root) -> bool:
-        """Whether two roots in overlapping intervals agree: the common divisor changes sign at both, and once over
-        both.
-        """
-        common = self._polynomial.gcd(other._polynomial)
+        """Whether two irrational roots agree: the common divisor changes sign at both, and once over both."""
+        common = self._integers().gcd(other._integers())
         if common.degree() < 1:
             return False
-        self.refine(0)
-        other.refine(0)
-        if self.low == self.high or other.low == other.high or not self._overlaps(other):
+        (a, b), (c, d) = self.refine(0), other.refine(0)
+        if a == b or c == d or b <= c or d <= a:
             return False
         return (
-            _changes_sign(common, self.low, self.high)
-            and _changes_sign(common, other.low, other.high)
-            and _changes_sign(common, min(self.low, other.low), max(self.high, other.high))
+            _changes_sign(common, a, b) and _changes_sign(common, c, d) and _changes_sign(common, min(a, c), max(b, d))
         )
+
+
+def _restored(
+    low: mpq,
+    high: mpq,
+    multiplicities: Any,
+    signs: Any,
+    zero: LocalZero | None,
+    segment: Interval | None,
+    reached: Interval,
+) -> Root:
+    """What was pickled, as far as it was refined."""
+    root = Root(low, high, multiplicities, signs, zero, segment)
+    fill(root, _reached=reached)
+    return root
 
 
 def between(low: Any, high: Any) -> mpq:
@@ -286,6 +403,10 @@ def between(low: Any, high: Any) -> mpq:
     while (found := mpq(int(a * scale // 1) + 1, scale)) >= b:
         scale *= 2
     return found
+
+
+def _linear(value: mpq) -> fmpz_poly:
+    return fmpz_poly([int(-value.numerator), int(value.denominator)])
 
 
 def _sign(p: fmpz_poly, t: mpq) -> int:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from gmpy2 import mpq
+from flint import fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import ratio, text
+from exactspline.exact import mpq, ratio, text
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
-from exactspline.roots.isolation import Isolation, isolate
+from exactspline.roots.isolation import Factor, Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 
@@ -52,7 +53,7 @@ class ZeroInterval:
     """An interval [low, high] on which the spline vanishes, with its sign before and behind (None where the domain
     ends).
 
-    On a periodic spline a interval across the seam begins before the end of the domain, and `high` lies beyond the end
+    On a periodic spline an interval across the seam begins before the end of the domain, and `high` lies beyond the end
     by as much as the interval goes on behind the start.
     """
 
@@ -64,56 +65,46 @@ class ZeroInterval:
         return f"<ZeroInterval [{text(self.low)}, {text(self.high)}]>"
 
 
-class ZeroSet(Displayed):
+class ZeroSet(Immutable, Displayed):
     """All zeros of a spline; a sequence of its roots, in order, each parameter once.
 
-    `roots`, `intervals` and `jumps` are complete and disjoint: a root at an end of a interval belongs to the interval.
+    `roots`, `intervals` and `jumps` are complete and disjoint: a root at an end of an interval belongs to the interval.
+    Two zero sets are equal when these agree, multiplicities and signs included.
     """
 
-    def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
-        self.spline, self.periodic, self.isolations = spline, periodic, isolations
-        self.roots: list[Root] = []
-        self.jumps: list[Jump] = []
-        self.intervals = _zero_intervals(spline, isolations, periodic)
-        breaks = spline.mesh.breaks
-        for i, isolation in enumerate(isolations):
-            self._judge(breaks[i], self._left_of(i), _sides(spline, i, isolation)[0])
-            if isolation is not None:
-                self._inner(isolation, (breaks[i], breaks[i + 1]))
-        if not periodic:
-            self._judge(breaks[-1], _sides(spline, len(isolations) - 1, isolations[-1])[1], None)
+    __slots__ = ("intervals", "isolations", "jumps", "periodic", "roots", "spline")
+    spline: BSpline
+    periodic: bool
+    isolations: tuple[Isolation | None, ...]
+    roots: tuple[Root, ...]
+    jumps: tuple[Jump, ...]
+    intervals: tuple[ZeroInterval, ...]
 
-    def _left_of(self, i: int) -> Side | None:
-        if i == 0 and not self.periodic:
-            return None
-        return _sides(self.spline, (i - 1) % len(self.isolations), self.isolations[i - 1])[1]
+    def __init__(self, spline: BSpline, periodic: bool, isolations: Iterable[Isolation | None]) -> None:
+        found = _Found(spline, periodic, list(isolations))
+        fill(
+            self,
+            spline=spline,
+            periodic=periodic,
+            isolations=tuple(found.isolations),
+            roots=tuple(found.roots),
+            jumps=tuple(found.jumps),
+            intervals=tuple(_zero_intervals(spline, found.isolations, periodic)),
+        )
 
-    def _inner(self, isolation: Isolation, segment: tuple[mpq, mpq]) -> None:
-        a, b = segment
-        width = b - a
-        for zero in isolation.inner:
-            self.roots.append(
-                Root(
-                    a + width * zero.low,
-                    a + width * zero.high,
-                    (zero.multiplicity, zero.multiplicity),
-                    zero.signs,
-                    zero,
-                    segment,
-                )
-            )
+    def __reduce__(self) -> tuple[Any, ...]:
+        isolations = [i and i._replace(factors=_pickled(i.factors)) for i in self.isolations]
+        return _restored, (self.spline, self.periodic, isolations, self.roots, self.jumps, self.intervals)
 
-    def _judge(self, t: mpq, left: Side | None, right: Side | None) -> None:
-        """What there is at a knot; at an end of the domain one side is None."""
-        sides = [side for side in (left, right) if side is not None]
-        if left is not None and right is not None:
-            zero_sides = sum(side.multiplicity != 0 for side in sides)
-            if zero_sides == 1 or (zero_sides == 0 and left.sign != right.sign):
-                self.jumps.append(Jump(t, left, right))
-                return
-        if all(side.multiplicity for side in sides):
-            multiplicities = (left and left.multiplicity, right and right.multiplicity)
-            self.roots.append(Root(t, t, multiplicities, (left and left.sign, right and right.sign)))
+    def _facts(self) -> tuple[Any, ...]:
+        roots = [(r, r.left_multiplicity, r.right_multiplicity, r.signs) for r in self.roots]
+        return tuple(roots), self.jumps, self.intervals
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, ZeroSet) and self._facts() == other._facts())
+
+    def __hash__(self) -> int:
+        return hash(self._facts())
 
     def __iter__(self) -> Iterator[Root]:
         return iter(self.roots)
@@ -147,6 +138,60 @@ class ZeroSet(Displayed):
         return certificate(self)
 
 
+def _pickled(factors: list[tuple[fmpz_poly, int]] | None) -> Any:
+    return factors and [(Factor(p), k) for p, k in factors]
+
+
+def _restored(
+    spline: BSpline, periodic: bool, isolations: list[Any], roots: Any, jumps: Any, intervals: Any
+) -> ZeroSet:
+    """What was pickled, its roots as far as they were refined."""
+    found = object.__new__(ZeroSet)
+    back = [i and i._replace(factors=i.factors and [(f.polynomial, k) for f, k in i.factors]) for i in isolations]
+    fill(found, spline=spline, periodic=periodic, isolations=tuple(back), roots=roots, jumps=jumps, intervals=intervals)
+    return found
+
+
+class _Found:
+    """The roots and jumps of a spline, collected from left to right."""
+
+    def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
+        self.spline, self.periodic, self.isolations = spline, periodic, isolations
+        self.roots: list[Root] = []
+        self.jumps: list[Jump] = []
+        breaks = spline.mesh.breaks
+        for i, isolation in enumerate(isolations):
+            self._judge(breaks[i], self._left_of(i), _sides(spline, i, isolation)[0])
+            if isolation is not None:
+                self._inner(isolation, (breaks[i], breaks[i + 1]))
+        if not periodic:
+            self._judge(breaks[-1], _sides(spline, len(isolations) - 1, isolations[-1])[1], None)
+
+    def _left_of(self, i: int) -> Side | None:
+        if i == 0 and not self.periodic:
+            return None
+        return _sides(self.spline, (i - 1) % len(self.isolations), self.isolations[i - 1])[1]
+
+    def _inner(self, isolation: Isolation, segment: tuple[mpq, mpq]) -> None:
+        a, b = segment
+        width = b - a
+        for zero in isolation.inner:
+            low, high = a + width * zero.low, a + width * zero.high
+            self.roots.append(Root(low, high, (zero.multiplicity, zero.multiplicity), zero.signs, zero, segment))
+
+    def _judge(self, t: mpq, left: Side | None, right: Side | None) -> None:
+        """What there is at a knot; at an end of the domain one side is None."""
+        sides = [side for side in (left, right) if side is not None]
+        if left is not None and right is not None:
+            zero_sides = sum(side.multiplicity != 0 for side in sides)
+            if zero_sides == 1 or (zero_sides == 0 and left.sign != right.sign):
+                self.jumps.append(Jump(t, left, right))
+                return
+        if all(side.multiplicity for side in sides):
+            multiplicities = (left and left.multiplicity, right and right.multiplicity)
+            self.roots.append(Root(t, t, multiplicities, (left and left.sign, right and right.sign)))
+
+
 def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     """All zeros of a spline on its domain, proved complete.
 
@@ -155,7 +200,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)
     >>> found, found.roots, found.intervals
-    (<ZeroSet: 1 roots, 1 intervals, 0 jumps>, [<Root 1/2: multiplicity 1, sign + to −>], [<ZeroInterval [2, 3]>])
+    (<ZeroSet: 1 roots, 1 intervals, 0 jumps>, (<Root 1/2: multiplicity 1, sign + to −>,), (<ZeroInterval [2, 3]>,))
 
     Raises `ShapeError` for anything but a `BSpline`.
     """

@@ -15,9 +15,8 @@ from itertools import pairwise
 from math import comb
 
 from flint import fmpq, fmpz, fmpz_poly
-from gmpy2 import lcm, mpq
 
-from exactspline.exact import ratio, to_fmpq, to_fmpz
+from exactspline.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
 
 Form = tuple[fmpz_poly, fmpz]
 
@@ -71,17 +70,17 @@ def add(a: Form, b: Form) -> Form:
 
 
 def common_denominators(
-    p: list[fmpz_poly], k: list[fmpz], q: list[fmpz_poly], m: list[fmpz]
-) -> tuple[list[fmpz_poly], list[fmpz_poly], list[fmpz]]:
+    p: Sequence[fmpz_poly], k: Sequence[fmpz], q: Sequence[fmpz_poly], m: Sequence[fmpz]
+) -> tuple[tuple[fmpz_poly, ...], tuple[fmpz_poly, ...], tuple[fmpz, ...]]:
     """Two lists of polynomials, over the denominators k and m, brought to common ones."""
     shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
-    denominators = [x * y for x, y in zip(shared, m, strict=True)]
+    denominators = tuple([x * y for x, y in zip(shared, m, strict=True)])
     lifts = [d // x for d, x in zip(denominators, k, strict=True)]
     return _times(p, lifts), _times(q, shared), denominators
 
 
-def _times(polynomials: list[fmpz_poly], factors: list[fmpz]) -> list[fmpz_poly]:
-    return [c if x == 1 else c * x for c, x in zip(polynomials, factors, strict=True)]
+def _times(polynomials: Sequence[fmpz_poly], factors: Sequence[fmpz]) -> tuple[fmpz_poly, ...]:
+    return tuple([c if x == 1 else c * x for c, x in zip(polynomials, factors, strict=True)])
 
 
 def value(form: Form, n: int, t: mpq) -> mpq:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 
-from gmpy2 import mpq
-
+from exactspline.exact import mpq
 from exactspline.splines.bernstein import blossom
 
 

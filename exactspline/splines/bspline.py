@@ -14,10 +14,10 @@ from operator import sub as minus
 from typing import Any
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import mpq
 
 from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
-from exactspline.exact import rational, text, to_fmpz
+from exactspline.exact import mpq, rational, text, to_fmpz
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.splines import blossom, refinement
@@ -38,19 +38,8 @@ from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 MAX_DEGREE = 1000
 
 
-class BSpline(Operand):
-    """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
-
-    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
-    The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as
-    `exactspline.exact.rational` takes them.
-
-    >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
-    >>> f(1), (f * f).degree, f.d().control_points
-    (mpq(1,2), 4, (mpq(2,1), mpq(-1,1), mpq(1,1)))
-
-    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
-    """
+class _Parts:
+    """What a spline is made of; being filled in it becomes a `BSpline`, which does not change any more."""
 
     __slots__ = (
         "_derivative",
@@ -67,13 +56,30 @@ class BSpline(Operand):
     degree: int
     mesh: Mesh
     continuity: tuple[int, ...]
-    #: The forms, their polynomials and denominators apart: never changed in place.
-    polynomials: list[fmpz_poly]
-    denominators: list[fmpz]
+    #: The forms, their polynomials and denominators apart.
+    polynomials: tuple[fmpz_poly, ...]
+    denominators: tuple[fmpz, ...]
     provenance: Provenance
     _derivative: BSpline | None
     _knots: KnotVector | None
     _points: tuple[mpq, ...] | None
+
+
+class BSpline(Immutable, _Parts, Operand):
+    """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
+
+    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
+    The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as
+    `exactspline.exact.rational` takes them.
+
+    >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
+    >>> f(1), (f * f).degree, f.d().control_points
+    (mpq(1,2), 4, (mpq(2,1), mpq(-1,1), mpq(1,1)))
+
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
+    """
+
+    __slots__ = ()
 
     def __init__(self, degree: int, knots: Iterable[Any], control_points: Iterable[Any]) -> None:
         degree = checked_degree(degree)
@@ -87,19 +93,33 @@ class BSpline(Operand):
                 remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
             )
         mesh, continuity, spans = mesh_of(vector, degree)
-        self.degree, self.mesh, self.continuity = degree, mesh, continuity
         forms = [from_bezier(blossom.of_span(vector.knots, degree, points, j)) for j in spans]
-        self.polynomials, self.denominators = [c for c, _ in forms], [m for _, m in forms]
-        self.provenance, self._derivative, self._knots, self._points = leaf(), None, vector, points
+        fill(
+            self,
+            degree=degree,
+            mesh=mesh,
+            continuity=continuity,
+            polynomials=tuple(c for c, _ in forms),
+            denominators=tuple(m for _, m in forms),
+            provenance=leaf(),
+            _derivative=None,
+            _knots=vector,
+            _points=points,
+        )
 
     @classmethod
     def from_forms(
         cls, degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: Iterable[Form], provenance: Provenance = None
     ) -> BSpline:
         """The spline with these forms; the caller vouches for the continuity."""
-        forms = list(forms)
-        provenance = leaf() if provenance is None else provenance
-        return _make(degree, mesh, continuity, [c for c, _ in forms], [m for _, m in forms], provenance)
+        polynomials, denominators = zip(*forms, strict=True)
+        return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
+
+    def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
+        """This spline with its forms over other denominators; the caller vouches that they are the same functions."""
+        made = BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance)
+        fill(made, _knots=self._knots, _points=self._points)
+        return made
 
     @classmethod
     def bezier(cls, points: Sequence[Any], a: Any = 0, b: Any = 1) -> BSpline:
@@ -123,33 +143,37 @@ class BSpline(Operand):
     # ---- representation
 
     @property
-    def forms(self) -> list[Form]:
+    def forms(self) -> tuple[Form, ...]:
         """The form of every segment."""
-        return list(zip(self.polynomials, self.denominators, strict=True))
+        return tuple(zip(self.polynomials, self.denominators, strict=True))
 
     @property
     def knots(self) -> KnotVector:
         """The knots, as given or (of a computed spline) clamped."""
-        if self._knots is None:
-            self._knots = clamped(self.mesh, self.continuity, self.degree)
-        return self._knots
+        known = self._knots
+        if known is None:
+            known = clamped(self.mesh, self.continuity, self.degree)
+            fill(self, _knots=known)
+        return known
 
     @property
     def control_points(self) -> tuple[mpq, ...]:
         """The control points over `knots`."""
-        if self._points is None:
+        points = self._points
+        if points is None:
             known = (self.knots.knots, self.degree, self.mesh.breaks, self.segments)
-            self._points = blossom.to_control_points(*known) if self.degree >= 0 else ()
-        return self._points
+            points = blossom.to_control_points(*known) if self.degree >= 0 else ()
+            fill(self, _points=points)
+        return points
 
     @property
-    def segments(self) -> list[list[mpq]]:
+    def segments(self) -> tuple[tuple[mpq, ...], ...]:
         """The Bézier points of every segment.
 
         >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).segments
-        [[mpq(1,1), mpq(2,1)], [mpq(2,1), mpq(0,1)]]
+        ((mpq(1,1), mpq(2,1)), (mpq(2,1), mpq(0,1)))
         """
-        return [bezier(form, self.degree) for form in self.forms]
+        return tuple(tuple(bezier(form, self.degree)) for form in self.forms)
 
     @property
     def domain(self) -> tuple[mpq, mpq]:
@@ -166,6 +190,10 @@ class BSpline(Operand):
         points = ", ".join(map(text, self.control_points))
         return f"BSpline({self.degree}, [{knots}], [{points}])"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in self.forms)
+        return _restored, (self.degree, self.mesh, self.continuity, forms, self._knots, self._points)
+
     def same_representation(self, other: BSpline) -> bool:
         """Whether degree, knots and control points agree (`==` asks only whether the functions agree)."""
         return self.degree == other.degree and self.knots == other.knots and self.control_points == other.control_points
@@ -176,7 +204,7 @@ class BSpline(Operand):
         """The constant spline of degree 0 on this domain."""
         q, segments = rational(number), len(self.mesh)
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
-        return _make(0, self.mesh, (SMOOTH,) * (segments - 1), [c] * segments, [m] * segments, (MULTIPLE, UNIT, q))
+        return _make(0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q))
 
     def __add__(self, other: Any) -> Any:
         return self._sum(other, plus, SUM)
@@ -193,16 +221,16 @@ class BSpline(Operand):
         n, p, q = a.degree, a.polynomials, b.polynomials
         if n < b.degree:
             n, lift = b.degree, raiser(b.degree - n)
-            p = [c * lift for c in p]
+            p = tuple([c * lift for c in p])
         elif n > b.degree:
             lift = raiser(n - b.degree)
-            q = [c * lift for c in q]
+            q = tuple([c * lift for c in q])
         denominators = a.denominators
         if denominators != b.denominators:
             p, q, denominators = common_denominators(p, denominators, q, b.denominators)
         continuity = a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity))
         return _make(
-            n, a.mesh, continuity, list(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
+            n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
         )
 
     def __mul__(self, other: Any) -> Any:
@@ -213,30 +241,22 @@ class BSpline(Operand):
             a.degree + b.degree,
             a.mesh,
             a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
-            list(map(times, a.polynomials, b.polynomials)),
-            list(map(times, a.denominators, b.denominators)),
+            tuple(map(times, a.polynomials, b.polynomials)),
+            tuple(map(times, a.denominators, b.denominators)),
             (PRODUCT, self.provenance, other.provenance),
         )
 
     def scaled(self, constant: Any) -> BSpline:
         """The spline times an exact constant."""
-        if type(constant) is int:
-            factor, provenance = fmpz(constant), (MULTIPLE, self.provenance, mpq(constant))
-            return _make(
-                self.degree,
-                self.mesh,
-                self.continuity,
-                [c * factor for c in self.polynomials],
-                self.denominators,
-                provenance,
-            )
-        q = rational(constant)
-        top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
-        denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
+        q = constant if type(constant) is int else rational(constant)
         provenance = (MULTIPLE, self.provenance, q)
-        return _make(
-            self.degree, self.mesh, self.continuity, [c * top for c in self.polynomials], denominators, provenance
-        )
+        if type(q) is int:
+            top, denominators = fmpz(q), self.denominators
+        else:
+            top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
+            denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
+        polynomials = tuple([c * top for c in self.polynomials])
+        return _make(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
         """The derivative of the given order.
@@ -252,9 +272,11 @@ class BSpline(Operand):
             raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self
         for _ in range(order):
-            if result._derivative is None:
-                result._derivative = _differentiated(result)
-            result = result._derivative
+            derivative = result._derivative
+            if derivative is None:
+                derivative = _differentiated(result)
+                fill(result, _derivative=derivative)
+            result = derivative
         return result
 
     def elevated_to(self, other: BSpline) -> BSpline:
@@ -282,11 +304,22 @@ class BSpline(Operand):
         """Whether both are the same function on the same domain, whatever their knots and degrees."""
         if not isinstance(other, BSpline):
             return NotImplemented
-        return self.domain == other.domain and (self - other).is_zero
+        return self is other or (self.domain == other.domain and (self - other).is_zero)
 
     def __hash__(self) -> int:
         a, b = self.domain
         return hash((a, b, *[self(a + (b - a) * mpq(i, 5)) for i in range(6)]))
+
+    @property
+    def vanishes_somewhere(self) -> bool:
+        """Whether it is identically zero on one segment at least."""
+        return not all(self.polynomials)
+
+    def hash_of_quotients(self, numerators: tuple[BSpline, ...]) -> int:
+        """From the limits of the quotients at fixed parameters: common factors leave no trace in them."""
+        a, b = self.domain
+        places = [a + (b - a) * mpq(i, 5) for i in range(5)]
+        return hash((a, b, *[limit(f, self, t) for f in numerators for t in places]))
 
     @property
     def true_degree(self) -> int:
@@ -358,24 +391,41 @@ def _make(
     degree: int,
     mesh: Mesh,
     continuity: tuple[int, ...],
-    polynomials: list[fmpz_poly],
-    denominators: list[fmpz],
+    polynomials: tuple[fmpz_poly, ...],
+    denominators: tuple[fmpz, ...],
     provenance: Provenance,
 ) -> BSpline:
-    spline = _new(BSpline)
+    spline: Any = _new(_Parts)
     spline.degree, spline.mesh, spline.continuity, spline.provenance = degree, mesh, continuity, provenance
     spline.polynomials, spline.denominators = polynomials, denominators
     spline._derivative = spline._knots = spline._points = None
-    return spline
+    # setting the class at the end costs a tenth of setting nine fields of an object that refuses to be set
+    spline.__class__ = BSpline
+    made: BSpline = spline
+    return made
+
+
+def _restored(
+    degree: int,
+    mesh: Mesh,
+    continuity: tuple[int, ...],
+    forms: tuple[tuple[tuple[int, ...], int], ...],
+    knots: KnotVector | None,
+    points: tuple[mpq, ...] | None,
+) -> BSpline:
+    """What was pickled; its provenance is a new one, since numbers of leaves mean nothing in another process."""
+    made = BSpline.from_forms(degree, mesh, continuity, [(fmpz_poly(list(c)), fmpz(m)) for c, m in forms])
+    fill(made, _knots=knots, _points=points)
+    return made
 
 
 def _differentiated(f: BSpline) -> BSpline:
     n, provenance = f.degree, (DERIVATIVE, f.provenance)
     continuity = tuple([max(c - 1, -1) for c in f.continuity]) if f.continuity else ()
     if n <= 0:
-        return _make(n - 1, f.mesh, continuity, [fmpz_poly([])] * len(f.mesh), [ONE] * len(f.mesh), provenance)
+        return _make(n - 1, f.mesh, continuity, (fmpz_poly([]),) * len(f.mesh), (ONE,) * len(f.mesh), provenance)
     order = fmpz(n)
-    polynomials = [derivative(c, order) for c in f.polynomials]
+    polynomials = tuple([derivative(c, order) for c in f.polynomials])
     if f.mesh.unit:
         return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, provenance)
     widths = f.mesh.widths
@@ -383,10 +433,27 @@ def _differentiated(f: BSpline) -> BSpline:
         n - 1,
         f.mesh,
         continuity,
-        [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)],
-        [m * top for m, (top, _) in zip(f.denominators, widths, strict=True)],
+        tuple([c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)]),
+        tuple([m * top for m, (top, _) in zip(f.denominators, widths, strict=True)]),
         provenance,
     )
+
+
+def limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
+    """The limit of a quotient at a parameter from the right; None at a pole and where it is 0/0 beyond.
+
+    >>> t = BSpline.identity(0, 1)
+    >>> limit(t * t + t, t, mpq(0)), limit(t, t * t, mpq(0))
+    (mpq(1,1), None)
+    """
+    for _ in range(max(numerator.degree, denominator.degree, 0) + 1):
+        below = denominator(t)
+        if below:
+            return numerator(t) / below
+        if numerator(t):
+            return None
+        numerator, denominator = numerator.d(), denominator.d()
+    return None
 
 
 def checked_degree(degree: Any) -> int:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from itertools import pairwise
-
-from gmpy2 import mpq
+from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ReductionError
-from exactspline.exact import text, to_fmpz
+from exactspline.exact import mpq, text, to_fmpz
 from exactspline.splines import bernstein
-from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
+
+if TYPE_CHECKING:
+    from exactspline.splines.bspline import BSpline
 
 
 def composed(outer: BSpline, inner: BSpline) -> BSpline:
@@ -39,7 +40,8 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
                 outer.forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree
             )
         )
-    return BSpline.from_forms(outer.degree * inner.degree, mesh, tuple(continuity[t] for t in mesh.breaks[1:-1]), parts)
+    inside = tuple(continuity[t] for t in mesh.breaks[1:-1])
+    return type(outer).from_forms(outer.degree * inner.degree, mesh, inside, parts)
 
 
 def _typical(inner: BSpline, outer: BSpline, low: mpq, high: mpq) -> mpq:

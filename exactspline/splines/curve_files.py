@@ -1,8 +1,9 @@
 """Curve files: JSON with ``degree``, ``knots``, ``control_points``, optional ``weights``, ``name``, ``source``; numbers
 as ints, decimals or text.
 
-A number in JSON is read as the decimal it shows: 0.1 is 1/10. What ``derive`` wrote is read too, where it is one curve
-in one piece.
+A control point is a list of coordinates, or ``{"vector": [x, y]}`` for a direction (see `Direction`), whose weight is
+0. A number in JSON is read as the decimal it shows: 0.1 is 1/10. What ``derive`` and ``bisector`` wrote is read too:
+where it is one curve in one piece, and any piece copied out of it, over the part of the domain that the piece has.
 """
 
 from __future__ import annotations
@@ -14,8 +15,12 @@ from pathlib import Path
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import rational
+from exactspline.errors import CurveFileError, ExactSplineError, NumberError
+from exactspline.exact import mpq, rational
+from exactspline.exact import text as text_of
+from exactspline.splines.bspline import BSpline, checked_degree
+from exactspline.splines.control_points import Direction, exact_points
+from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
 #: Largest file read, in bytes: room for a hundred thousand control points.
@@ -67,6 +72,8 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         )
     if "pieces" in data:
         data = _one_piece(data)
+    if "kind" in data:
+        return _curve_of_piece(data, name)
     for field in REQUIRED:
         if field not in data:
             raise CurveFileError(
@@ -81,52 +88,117 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     for field in ("knots", "control_points", "weights"):
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is no list", where=field, remedy="write a JSON list")
-    degree = data["degree"]
-    if isinstance(degree, _Decimal):
-        degree = rational(str(degree))
-        degree = int(degree) if degree.denominator == 1 else str(degree)
+    points, weights = _points(data["control_points"]), data.get("weights")
     return Nurbs(
-        degree,
+        _degree(data["degree"]),
         map(_number, data["knots"]),
-        (map(_number, row) if isinstance(row, list) else row for row in data["control_points"]),
-        None if data.get("weights") is None else map(_number, data["weights"]),
+        points,
+        None if weights is None else map(_number, weights),
         name=str(data.get("name") or name),
         source=str(data.get("source") or ""),
         note=str(data.get("note") or ""),
     )
 
 
+def _points(rows: list[Any]) -> list[Any]:
+    """Points are lists of numbers, directions are objects: ``{"vector": [x, y]}``."""
+    points: list[Any] = []
+    for i, row in enumerate(rows):
+        if isinstance(row, dict):
+            if set(row) != {"vector"} or not isinstance(row["vector"], list):
+                raise CurveFileError(
+                    "is no control point",
+                    where=f"control_points[{i}]",
+                    remedy='write [x, y], or {"vector": [x, y]} for a direction',
+                )
+            try:
+                points.append(Direction(*map(_number, row["vector"])))
+            except NumberError as error:
+                place = error.where.removeprefix("Direction")
+                raise NumberError(error.problem, remedy=error.remedy).at(f"control_points[{i}].vector{place}") from None
+        else:
+            points.append(list(map(_number, row)) if isinstance(row, list) else row)
+    return points
+
+
 def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
-    """The curve in what `derive` wrote: its only piece, its homogeneous control points ``(w x, w y, …, w)`` divided
-    out.
-    """
+    """The only piece of what `derive` or `bisector` wrote."""
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
-    if (
-        data.get("layout")
-        or len(pieces) != 1
-        or not isinstance(pieces[0], dict)
-        or pieces[0].get("kind") not in ("polynomial", "rational")
-    ):
+    curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
+    if data.get("layout") or len(pieces) != 1 or not curves:
         raise CurveFileError(
             "is a derived object, but not one curve in one piece",
             where="pieces",
             remedy="a curve has degree, knots and control points; copy a piece",
         )
-    piece = pieces[0]
-    curve = {"name": f"{data.get('name')} of {data.get('curve')}"} | {
-        field: piece[field] for field in ("degree", "knots") if field in piece
-    }
-    if piece["kind"] == "polynomial":
-        return curve | {field: piece[field] for field in ("control_points",) if field in piece}
-    net = piece.get("homogeneous_control_points")
-    if not isinstance(net, list) or not all(isinstance(row, list) and row for row in net):
+    if pieces[0].get("cut"):
         raise CurveFileError(
-            "is no list of points", where="homogeneous_control_points", remedy="write (w x, w y, …, w) for each"
+            "is a part of these control points that ends at an irrational parameter",
+            where="pieces[0]",
+            remedy="low and high tell where; a curve file can only end at a rational parameter",
         )
-    rows = [[rational(_number(x)) for x in row] for row in net]
-    # a point of weight zero is a direction: it is kept as it stands
-    points = [[str(x / (row[-1] or 1)) for x in row[:-1]] for row in rows]
-    return curve | {"control_points": points, "weights": [str(row[-1]) for row in rows]}
+    of = f" of {data['curve']}" if data.get("curve") else ""
+    return {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"} | curves[0]
+
+
+def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
+    """The curve in a piece, over the part of its knots' domain that the piece says it has.
+
+    Its homogeneous control points are ``(w x, w y, …, w)``.
+    """
+    if piece["kind"] not in ("polynomial", "rational"):
+        raise CurveFileError(
+            f"a piece of the kind {piece['kind']!r} is no curve", where="kind", remedy="copy one that is a curve"
+        )
+    rational_piece = piece["kind"] == "rational"
+    field = "homogeneous_control_points" if rational_piece else "control_points"
+    for needed in ("degree", "knots", field):
+        if needed not in piece:
+            raise CurveFileError(f"the field {needed!r} is missing", remedy="copy the whole piece")
+    if not isinstance(piece["knots"], list):
+        raise CurveFileError("is no list", where="knots", remedy="write a JSON list")
+    net = piece[field]
+    if not isinstance(net, list) or not net or not all(isinstance(row, list) and row for row in net):
+        raise CurveFileError(
+            "is no list of points",
+            where=field,
+            remedy="write (w x, w y, …, w) for each" if rational_piece else "write (x, y, …) for each",
+        )
+    rows = exact_points([list(map(_number, row)) for row in net], least=3 if rational_piece else 2)
+    degree, knots = _degree(piece["degree"]), KnotVector(map(_number, piece["knots"]))
+    knots.check(checked_degree(degree))
+    low, high = _ends(piece, knots.domain(degree))
+    *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]
+    name = str(piece.get("name") or name)
+    return Nurbs.from_splines(p, last, name=name) if rational_piece else Nurbs.from_splines([*p, last], name=name)
+
+
+def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
+    """Where a piece begins and ends: said by ``low`` and ``high``, or else by ``interval``, or else by its knots."""
+    interval = piece.get("interval")
+    if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
+        raise CurveFileError("is no interval", where="interval", remedy="write [low, high]")
+    return tuple(_end(piece.get(key), key, t) for key, t in zip(("low", "high"), interval or domain))  # type: ignore[return-value]
+
+
+def _end(end: Any, key: str, otherwise: Any) -> mpq:
+    if not isinstance(end, dict):
+        return rational(_number(otherwise if end is None else end))
+    if end.get("parameter") is None:
+        raise CurveFileError(
+            f"the piece ends at an irrational parameter (in {end.get('interval')})",
+            where=key,
+            remedy="no curve with rational knots ends there; write a rational parameter inside the piece",
+        )
+    return rational(_number(end["parameter"]))
+
+
+def _degree(degree: Any) -> Any:
+    """A degree as it stands in JSON: an int where the number is whole, else its text, which is refused later."""
+    if not isinstance(degree, _Decimal):
+        return degree
+    exact = rational(str(degree))
+    return int(exact) if exact.denominator == 1 else str(degree)
 
 
 class _Decimal(str):
@@ -161,9 +233,31 @@ def curve_data(curve: Nurbs) -> dict[str, Any]:
     data |= {
         "degree": curve.degree,
         "knots": [str(t) for t in curve.knots],
-        "control_points": [[str(x) for x in row] for row in curve.control_points],
+        "control_points": [_written(point) for point in curve.control_points],
     }
+    if curve.note:
+        data["note"] = curve.note
     return data if curve.polynomial else data | {"weights": [str(w) for w in curve.weights]}
+
+
+def _written(point: tuple[mpq, ...]) -> Any:
+    coordinates = [text_of(x) for x in point]
+    return {"vector": coordinates} if isinstance(point, Direction) else coordinates
+
+
+def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
+    """Write a curve as a curve file, all numbers as exact text; the file is there whole or not at all.
+
+    >>> import tempfile
+    >>> from exactspline import example, load
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save(example("circle"), f"{folder}/circle.json")
+    ...     load(f"{folder}/circle.json") == example("circle")
+    True
+
+    Raises `ExactSplineError` where the file cannot be written.
+    """
+    write_json(path, curve_data(curve))
 
 
 def write_json(path: str | os.PathLike[str], data: Any) -> None:

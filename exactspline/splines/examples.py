@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 from importlib import resources
+from pathlib import Path
 
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, nearest
 from exactspline.splines.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
 
@@ -35,15 +36,19 @@ def example(name: str) -> Nurbs:
     >>> example("circle")("1/2")
     (mpq(3,5), mpq(4,5))
 
-    Raises `CurveFileError` with the names there are.
+    Raises `CurveFileError` with the nearest names.
     """
     if name not in example_names():
-        raise CurveFileError(f"no example curve is called {name!r}", remedy=f"there are {', '.join(example_names())}")
+        remedy = nearest(name, example_names(), listed_by="exactspline curves")
+        raise CurveFileError(f"no file and no example curve is called {name!r}", remedy=remedy)
     return curve_from_text(
         resources.files(__package__).joinpath("example_curves", f"{name}.json").read_text(encoding="utf-8"), name
     )
 
 
 def load(name_or_path: str) -> Nurbs:
-    """An example curve by its name, otherwise a curve file by its path."""
-    return example(name_or_path) if name_or_path in example_names() else read_curve(name_or_path)
+    """An example curve by its name, otherwise a curve file by its path; what looks like a name and is none gets the
+    nearest ones.
+    """
+    is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
+    return example(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)

@@ -13,16 +13,16 @@ from itertools import groupby, pairwise
 from typing import Any
 
 from flint import fmpz
-from gmpy2 import mpq
 
 from exactspline.errors import DomainError, KnotError, NumberError
-from exactspline.exact import rational, text, to_fmpz
+from exactspline.exact import mpq, rational, text, to_fmpz
+from exactspline.language.immutable import Immutable, fill
 
 #: Continuity at a breakpoint where the function has no knot.
 SMOOTH = 1 << 60
 
 
-class KnotVector:
+class KnotVector(Immutable):
     """A non-decreasing sequence of exact knots.
 
     >>> k = KnotVector([0, 0, "1/2", 1, 1])
@@ -33,6 +33,7 @@ class KnotVector:
     """
 
     __slots__ = ("knots",)
+    knots: tuple[mpq, ...]
 
     def __init__(self, knots: Iterable[Any]) -> None:
         exact = []
@@ -49,7 +50,10 @@ class KnotVector:
                     remedy="knots must not decrease",
                     knot=b,
                 )
-        self.knots = tuple(exact)
+        fill(self, knots=tuple(exact))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return KnotVector, (self.knots,)
 
     def __len__(self) -> int:
         return len(self.knots)
@@ -129,7 +133,7 @@ class KnotVector:
             )
 
 
-class Mesh:
+class Mesh(Immutable):
     """Distinct breakpoints of a domain, shared by all splines computed from one another.
 
     >>> Mesh([mpq(0), mpq(1, 2), mpq(2)]).locate(mpq(1, 2))
@@ -137,14 +141,24 @@ class Mesh:
     """
 
     __slots__ = ("breaks", "unit", "widths")
+    breaks: tuple[mpq, ...]
+    #: Width of each segment as numerator and denominator.
+    widths: tuple[tuple[fmpz, fmpz], ...]
+    #: Whether all segments have width one, so that derivatives need no scaling.
+    unit: bool
 
-    def __init__(self, breaks: Sequence[mpq]) -> None:
-        self.breaks = tuple(breaks)
-        widths = [b - a for a, b in pairwise(self.breaks)]
-        #: Width of each segment as numerator and denominator.
-        self.widths: list[tuple[fmpz, fmpz]] = [(to_fmpz(h.numerator), to_fmpz(h.denominator)) for h in widths]
-        #: Whether all segments have width one, so that derivatives need no scaling.
-        self.unit = all(h == 1 for h in widths)
+    def __init__(self, breaks: Iterable[mpq]) -> None:
+        breaks = tuple(breaks)
+        widths = [b - a for a, b in pairwise(breaks)]
+        fill(
+            self,
+            breaks=breaks,
+            widths=tuple((to_fmpz(h.numerator), to_fmpz(h.denominator)) for h in widths),
+            unit=all(h == 1 for h in widths),
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Mesh, (self.breaks,)
 
     @property
     def domain(self) -> tuple[mpq, mpq]:
@@ -196,8 +210,8 @@ def mesh_of(knots: KnotVector, degree: int) -> tuple[Mesh, tuple[int, ...], list
     first, last = degree, len(knots) - 1 - degree
     spans = [j for j in range(first, last) if knots[j] < knots[j + 1]]
     breaks = [knots[j] for j in spans] + [knots[last]]
-    counts = dict(zip(knots.breakpoints, knots.multiplicities, strict=True))
-    continuity = tuple(degree - counts[t] for t in breaks[1:-1])
+    multiplicity = dict(zip(knots.breakpoints, knots.multiplicities, strict=True))
+    continuity = tuple(degree - multiplicity[t] for t in breaks[1:-1])
     return Mesh(breaks), continuity, spans
 
 

@@ -4,9 +4,10 @@ division).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import ReductionError
 from exactspline.exact import text
@@ -16,6 +17,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.common import with_common_knots
 
 
 def common_factor(v: Vector) -> BSpline:
@@ -45,10 +47,7 @@ def control_point_count(value: Any) -> int:
     """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity,
     over the knots of all.
     """
-    first, *rest = _scalars(value)
-    common = first * 0
-    for s in rest:
-        common = common + s * 0
+    common = with_common_knots(_scalars(value))[0]
     inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)
     ends: int = max(common.degree + 1, 0)
     return ends + inner_points
@@ -105,7 +104,7 @@ def _lowest_rows(scalars: list[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
     return rows
 
 
-def _common(denominators: list[Any]) -> Any:
+def _common(denominators: Sequence[fmpz]) -> fmpz:
     total = denominators[0]
     for m in denominators[1:]:
         total = total * (m // total.gcd(m))
@@ -168,7 +167,7 @@ def primitive(f: BSpline) -> BSpline:
     """
     if f.is_zero:
         return f
-    scale = _common(f.denominators)
+    scale = _common(list(f.denominators))
     forms = [c * (scale // m) for c, m in f.forms]
     content = forms[0].content()
     for c in forms[1:]:

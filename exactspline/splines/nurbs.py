@@ -5,29 +5,41 @@ ask for.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from gmpy2 import mpq
-
-from exactspline.errors import NumberError, ShapeError, WeightError, shown
-from exactspline.exact import rational, text
+from exactspline.errors import ShapeError, WeightError
+from exactspline.exact import mpq, text
 from exactspline.language.arguments import Curve
+from exactspline.language.immutable import Immutable
 from exactspline.language.vector import Vector
-from exactspline.splines.bernstein import rescaled, zero_on_segment
+from exactspline.splines import nurbs_operations as operations
+from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline, checked_degree
+from exactspline.splines.common import with_common_denominators, with_common_knots
+from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector
+from exactspline.splines.nurbs_values import ValuesAlong
+
+if TYPE_CHECKING:
+    from exactspline.splines.knots import Mesh
 
 
-class Nurbs(Curve):
+class Nurbs(Immutable, ValuesAlong, Curve):
     """A polynomial or rational B-spline curve with exact data.
 
-    `control_points` are Cartesian, all of one dimension; `weights` are optional. Equal weights mean that the curve is
-    polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the vector ``p``, and `polynomial` says so.
-    Otherwise ``gamma`` is the `Rational` ``p/w``.
+    `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is
+    ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator alone.
+    Equal weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the vector
+    ``p``, and `polynomial` says so. Otherwise ``gamma`` is the `Rational` ``p/w``.
 
     >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
     >>> arc("1/2"), arc.polynomial
     ((mpq(3,5), mpq(4,5)), False)
+
+    A curve is a value: it never changes, and ``==`` asks whether two curves are the same function.
+
+    >>> arc == arc.insert_knot("1/3").elevate_degree(), arc == arc.reverse()
+    (True, False)
 
     Raises `ShapeError`, `KnotError`, `NumberError` with the place at fault, and `WeightError` when the denominator has
     a zero on the domain, with the parameter (or an interval around it) as witness.
@@ -35,8 +47,16 @@ class Nurbs(Curve):
 
     degree: int
     knots: KnotVector
-    control_points: tuple[tuple[mpq, ...], ...]
+    #: Tuples of coordinates, or a `Direction`.
+    control_points: tuple[Point, ...]
     weights: tuple[mpq, ...]
+    name: str
+    source: str
+    note: str
+    p: Vector
+    w: BSpline
+    #: What `exactspline.analyse` found: set once, neither pickled nor compared.
+    _analysis: Any = None
 
     def __init__(
         self,
@@ -49,52 +69,72 @@ class Nurbs(Curve):
         source: str = "",
         note: str = "",
     ) -> None:
-        points = _points(control_points)
-        exact_weights = (mpq(1),) * len(points) if weights is None else _row(weights, "weights")
-        if len(exact_weights) != len(points):
-            raise ShapeError(
-                f"{len(exact_weights)} weights for {len(points)} control points",
-                where="weights",
-                remedy="give one weight a control point",
-            )
-        self.name, self.source, self.note = name, source, note
-        self._set(checked_degree(degree), KnotVector(knots), points, exact_weights)
+        points = exact_points(control_points)
+        vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
+        data = checked_degree(degree), vector, points, exact_weights(weights, points)
+        vars(self).update(_fields(*data), name=name, source=source, note=note)
 
     @classmethod
     def from_homogeneous(
-        cls, degree: int, knots: Iterable[Any], points: Iterable[Iterable[Any]], *, name: str = "", source: str = ""
+        cls,
+        degree: int,
+        knots: Iterable[Any],
+        points: Iterable[Iterable[Any]],
+        *,
+        name: str = "",
+        source: str = "",
+        note: str = "",
     ) -> Nurbs:
-        """The curve by homogeneous control points ``(w x, w y, …, w)``; a point with w = 0 is a control vector.
+        """The curve by homogeneous control points ``(w x, w y, …, w)``; a point with w = 0 is a direction.
 
         >>> Nurbs.from_homogeneous(1, [0, 0, 1, 1], [(2, 4, 2), (0, 3, 1)]).control_points
         ((mpq(1,1), mpq(2,1)), (mpq(0,1), mpq(3,1)))
         """
-        rows = _points(points, least=3)
-        curve = cls.__new__(cls)
-        curve.name, curve.source, curve.note = name, source, ""
-        weights = tuple(row[-1] for row in rows)
-        cartesian = tuple(tuple(x / row[-1] if row[-1] else x for x in row[:-1]) for row in rows)
-        curve._set(checked_degree(degree), KnotVector(knots), cartesian, weights)
-        return curve
+        rows = exact_points(points, least=3)
+        cartesian = [projected(row) for row in rows]
+        return cls(degree, knots, cartesian, [row[-1] for row in rows], name=name, source=source, note=note)
 
-    def _set(
-        self, degree: int, knots: KnotVector, points: tuple[tuple[mpq, ...], ...], weights: tuple[mpq, ...]
-    ) -> None:
-        self.degree, self.knots, self.control_points, self.weights = degree, knots, points, weights
-        polynomial = len(set(weights)) == 1 and weights[0] != 0
-        knots.check(degree)
-        if len(points) != len(knots) - degree - 1:
-            raise ShapeError(
-                f"{len(points)} control points for {len(knots)} knots of degree {degree}",
-                where="control_points",
-                remedy=f"there must be {len(knots) - degree - 1} (knots − degree − 1)",
-            )
-        lifted = [tuple(x if polynomial else x * (w or 1) for x in row) for row, w in zip(points, weights, strict=True)]
-        rows = [*zip(*lifted, strict=True), *([] if polynomial else [weights])]
-        splines = _shared(BSpline(degree, knots, row) for row in rows)
-        w = splines[0].constant(1) if polynomial else splines.pop()
-        _check_weight(w)
-        super().__init__(Vector(*splines), w, polynomial=polynomial)
+    @classmethod
+    def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
+        """The curve ``p/w`` (or ``p``), of splines with degrees and knots of their own.
+
+        >>> t = BSpline.identity(0, 2)
+        >>> Nurbs.from_splines([t, t * t]).control_points
+        ((mpq(0,1), mpq(0,1)), (mpq(1,1), mpq(0,1)), (mpq(2,1), mpq(4,1)))
+        """
+        splines = with_common_knots([*p, *([] if w is None else [w])])
+        rows = list(zip(*[f.control_points for f in splines], strict=True))
+        degree, knots = splines[0].degree, splines[0].knots
+        return (
+            cls(degree, knots, rows, name=name) if w is None else cls.from_homogeneous(degree, knots, rows, name=name)
+        )
+
+    # ---- a value
+
+    def __setattr__(self, name: str, value: object) -> None:  # type: ignore[override]  # one slot may be set, once
+        if name != "_analysis":
+            super().__setattr__(name, value)
+        vars(self).setdefault(name, value)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        data = self.degree, self.knots, self.control_points, self.weights
+        return _restored, (*data, self.name, self.source, self.note)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function on the same domain, whatever their knots, degrees and weights."""
+        if not isinstance(other, Nurbs):
+            return NotImplemented
+        if self is other:
+            return True
+        if self.dimension != other.dimension or self.domain != other.domain:
+            return False
+        return all((x * other.w - y * self.w).is_zero for x, y in zip(self.p, other.p, strict=True))
+
+    def __hash__(self) -> int:
+        a, b = self.domain
+        return hash((a, b, *[self(a + (b - a) * mpq(i, 4)) for i in range(4)]))
+
+    # ---- the curve
 
     def __call__(self, t: Any, side: str = "right") -> tuple[mpq, ...]:
         """The exact point at a parameter (at a jump the limit from the right, or from the `side` asked for)."""
@@ -104,14 +144,17 @@ class Nurbs(Curve):
     @property
     def domain(self) -> tuple[mpq, mpq]:
         """The parameter interval."""
-        domain: tuple[mpq, mpq] = self.w.domain
-        return domain
+        return self.w.domain
 
     @property
     def breakpoints(self) -> tuple[mpq, ...]:
         """The distinct knots of the domain, ends included."""
-        breaks: tuple[mpq, ...] = self.w.breakpoints
-        return breaks
+        return self.w.breakpoints
+
+    @property
+    def mesh(self) -> Mesh:
+        """The distinct knots of the domain as all splines of the curve share them."""
+        return self.w.mesh
 
     @property
     def segments(self) -> int:
@@ -131,59 +174,102 @@ class Nurbs(Curve):
             f"control points in R{self.dimension}>"
         )
 
+    # ---- other representations, parts, images (see exactspline.splines.nurbs_operations)
 
-def _row(values: Iterable[Any], place: str) -> tuple[mpq, ...]:
-    exact = []
-    for i, value in enumerate(values):
-        try:
-            exact.append(rational(value))
-        except NumberError as error:
-            raise error.at(f"{place}[{i}]") from None
-    return tuple(exact)
+    def insert_knot(self, t: Any, times: int = 1) -> Nurbs:
+        """The same curve with a knot more inside the domain.
+
+        >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
+        >>> line.insert_knot("1/4").control_points
+        ((mpq(0,1), mpq(0,1)), (mpq(1,1), mpq(1,2)), (mpq(4,1), mpq(2,1)))
+
+        Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
+        degree + 1.
+        """
+        return operations.changed(self, lambda f: f.insert_knot(t, times))
+
+    def elevate_degree(self, by: int = 1) -> Nurbs:
+        """The same curve, its degree raised.
+
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).elevate_degree().control_points
+        ((mpq(0,1), mpq(0,1)), (mpq(2,1), mpq(1,1)), (mpq(4,1), mpq(2,1)))
+        """
+        return operations.changed(self, lambda f: f.elevate_degree(by))
+
+    def split(self, t: Any) -> tuple[Nurbs, Nurbs]:
+        """The parts before and behind an inner parameter.
+
+        >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
+        >>> first.control_points[1] == second.control_points[0], second.domain
+        (True, (mpq(1,2), mpq(1,1)))
+
+        Raises `DomainError` for a parameter that is not inside the domain.
+        """
+        a, b = self.domain
+        return self.restrict(a, t), self.restrict(t, b)
+
+    def restrict(self, a: Any, b: Any) -> Nurbs:
+        """The part over [a, b], over the same parameters.
+
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).restrict("1/4", "3/4").control_points
+        ((mpq(1,1), mpq(1,2)), (mpq(3,1), mpq(3,2)))
+
+        Raises `DomainError` unless a < b are in the domain.
+        """
+        return operations.changed(self, lambda f: f.restrict(a, b))
+
+    def reverse(self) -> Nurbs:
+        """The curve run through backwards, over the same domain.
+
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).reverse()(0)
+        (mpq(4,1), mpq(2,1))
+        """
+        return operations.changed(self, lambda f: f.reverse())
+
+    def transform(self, matrix: Sequence[Sequence[Any]]) -> Nurbs:
+        """The image under a linear, an affine or a projective map with exact entries.
+
+        In Rⁿ a matrix of n columns is linear, one of n rows and n + 1 columns is affine (its last column the
+        translation), one of n + 1 rows and columns is projective, acting on ``(w x, …, w)``.
+
+        >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
+        >>> line.transform([[0, -1], [1, 0]])(1), line.transform([[1, 0, 5], [0, 1, 0]])(0)
+        ((mpq(-2,1), mpq(4,1)), (mpq(5,1), mpq(0,1)))
+
+        Raises `ShapeError` for a matrix of another shape, and `WeightError` where the image passes through infinity.
+        """
+        return operations.transformed(self, matrix)
 
 
-def _points(rows: Iterable[Iterable[Any]], least: int = 2) -> tuple[tuple[mpq, ...], ...]:
-    points = []
-    for i, row in enumerate(rows):
-        if isinstance(row, str) or not isinstance(row, Iterable):
-            raise ShapeError(
-                f"{shown(row)} is no point", where=f"control_points[{i}]", remedy="write a list of coordinates"
-            )
-        points.append(_row(row, f"control_points[{i}]"))
-    if not points:
-        raise ShapeError("no control points", where="control_points", remedy="give at least degree + 1")
-    for i, point in enumerate(points):
-        if len(point) != len(points[0]):
-            raise ShapeError(
-                f"{len(point)} coordinates where control_points[0] has {len(points[0])}",
-                where=f"control_points[{i}]",
-                remedy="use one dimension",
-            )
-        if len(point) < least:
-            raise ShapeError(
-                f"{len(point)} coordinates", where=f"control_points[{i}]", remedy=f"at least {least} are needed"
-            )
-    return tuple(points)
+def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, Any]:
+    """All that a curve with this data consists of."""
+    polynomial = len(set(weights)) == 1 and weights[0] != 0
+    knots.check(degree)
+    if len(points) != len(knots) - degree - 1:
+        raise ShapeError(
+            f"{len(points)} control points for {len(knots)} knots of degree {degree}",
+            where="control_points",
+            remedy=f"there must be {len(knots) - degree - 1} (knots − degree − 1)",
+        )
+    rows = points if polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
+    splines = with_common_denominators([BSpline(degree, knots, column) for column in zip(*rows, strict=True)])
+    w = splines[0].constant(1) if polynomial else splines.pop()
+    _check_weight(w)
+    operands = Curve(Vector(*splines), w, polynomial=polynomial)
+    return vars(operands) | {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
 
 
-def _shared(splines: Iterable[BSpline]) -> list[BSpline]:
-    """The components of one curve over one mesh and, segment by segment, over one denominator, so that sums stay
-    cheap.
-    """
-    splines = list(splines)
-    mesh, continuity = splines[0].mesh, splines[0].continuity
-    columns = []
-    for forms in zip(*[s.forms for s in splines], strict=True):
-        common = forms[0][1]
-        for _, m in forms[1:]:
-            common = common * (m // common.gcd(m))
-        columns.append([rescaled(form, common) for form in forms])
-    shared = []
-    for s, forms in zip(splines, zip(*columns, strict=True), strict=True):
-        one = BSpline.from_forms(s.degree, mesh, continuity, forms, s.provenance)
-        one._knots, one._points = s._knots, s._points
-        shared.append(one)
-    return shared
+def _restored(
+    degree: int,
+    knots: KnotVector,
+    points: tuple[Point, ...],
+    weights: tuple[mpq, ...],
+    name: str,
+    source: str,
+    note: str,
+) -> Nurbs:
+    """What was pickled, checked like any other data."""
+    return Nurbs(degree, knots, points, weights, name=name, source=source, note=note)
 
 
 def _check_weight(w: BSpline) -> None:

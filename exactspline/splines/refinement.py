@@ -7,10 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from gmpy2 import mpq
-
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.splines import bernstein
 from exactspline.splines.knots import SMOOTH, Mesh
 

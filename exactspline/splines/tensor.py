@@ -14,31 +14,24 @@ from operator import sub as minus
 from typing import Any
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import lcm, mpq
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.exact import rational, text, to_fmpz
+from exactspline.exact import lcm, mpq, rational, text, to_fmpz
 from exactspline.language.arguments import PARAMETERS, Curve, Pair
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
-from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
+from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, leaf
 from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_lines import Degrees, joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
-from exactspline.splines.tensor_univariate import (
-    Profile,
-    changed_one,
-    one_parameter,
-    packed_segments,
-    replaced,
-    smooth,
-    spread,
-)
+from exactspline.splines.tensor_parts import TensorParts
+from exactspline.splines.tensor_univariate import changed_one, one_parameter, packed_segments, replaced, smooth, spread
 
 
-class TensorSpline(Operand):
+class TensorSpline(Immutable, TensorParts, Operand):
     """A scalar tensor-product B-spline in two parameters s and t, over a rectangle.
 
     `degrees`, knots and `control_points` as for `BSpline`, in each direction: ``control_points[i][j]`` with i along s
@@ -51,33 +44,7 @@ class TensorSpline(Operand):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
 
-    __slots__ = (
-        "_denominators",
-        "_packed",
-        "_points",
-        "continuity",
-        "degree",
-        "meshes",
-        "profile",
-        "provenance",
-        "stride",
-    )
-
-    degree: Degrees
-    #: The breakpoints in each direction, and the continuity at the interior ones.
-    meshes: tuple[Mesh, Mesh]
-    continuity: tuple[tuple[int, ...], tuple[int, ...]]
-    #: Where it depends on one parameter only: which (0 for s), and the spline.
-    profile: Profile | None
-    provenance: Provenance
-    #: The stride of `polynomials` (see `exactspline.splines.tensor_bernstein`); results keep it while it has room,
-    #: since packing anew costs more than a product.
-    stride: int
-    #: The packed polynomials by stride, and the denominators; what depends on one parameter only has them when they are
-    #: asked for.
-    _packed: dict[int, list[fmpz_poly]]
-    _denominators: list[fmpz] | None
-    _points: tuple[tuple[mpq, ...], ...] | None
+    __slots__ = ()
 
     def __init__(
         self,
@@ -94,41 +61,52 @@ class TensorSpline(Operand):
         along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
         stride = tensor_bernstein.stride_for(degree.s)
         forms = [tensor_bernstein.from_net(net, stride) for net in bezier_nets(degree, along_s)]
-        self.degree, self.meshes, self.provenance, self.stride = (
-            degree,
-            (along_s[0].mesh, along_t[0].mesh),
-            leaf(),
-            stride,
+        fill(
+            self,
+            degree=degree,
+            meshes=(along_s[0].mesh, along_t[0].mesh),
+            continuity=(along_s[0].continuity, along_t[0].continuity),
+            provenance=leaf(),
+            stride=stride,
+            profile=None,
+            _packed={stride: tuple(c for c, _ in forms)},
+            _denominators=tuple(d for _, d in forms),
+            _points=None,
         )
-        self.continuity = along_s[0].continuity, along_t[0].continuity
-        self._packed, self._denominators = {stride: [c for c, _ in forms]}, [d for _, d in forms]
-        self.profile = self._points = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self.profile is not None:
+            return lifted, (self.profile[1], self.meshes, self.profile[0], self.stride)
+        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self.polynomials, self.denominators))
+        return _restored, (tuple(self.degree), self.meshes, self.continuity, self.stride, forms)
 
     # ---- representation
 
-    def packed(self, stride: int) -> list[fmpz_poly]:
+    def packed(self, stride: int) -> tuple[fmpz_poly, ...]:
         """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
-                found = [tensor_bernstein.repacked(c, self.stride, stride) for c in self.polynomials]
+                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self.polynomials)
             else:
                 found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
             self._packed[stride] = found
         return found
 
     @property
-    def polynomials(self) -> list[fmpz_poly]:
+    def polynomials(self) -> tuple[fmpz_poly, ...]:
         """The packed polynomials at the stride at hand: zero where the spline is."""
         return self.packed(self.stride)
 
     @property
-    def denominators(self) -> list[fmpz]:
+    def denominators(self) -> tuple[fmpz, ...]:
         """Denominators patch by patch, t running faster."""
-        if self._denominators is None:
+        known = self._denominators
+        if known is None:
             assert self.profile is not None
-            self._denominators = spread(self.profile[1].denominators, self.profile[0], self.meshes)
-        return self._denominators
+            known = spread(self.profile[1].denominators, self.profile[0], self.meshes)
+            fill(self, _denominators=known)
+        return known
 
     @property
     def domain(self) -> tuple[tuple[mpq, mpq], tuple[mpq, mpq]]:
@@ -144,10 +122,12 @@ class TensorSpline(Operand):
     @property
     def control_points(self) -> tuple[tuple[mpq, ...], ...]:
         """The control net over `knots`, rows along s."""
-        if self._points is None:
+        points = self._points
+        if points is None:
             nets = [[self.bezier_net(i, j) for j in range(len(self.meshes[1]))] for i in range(len(self.meshes[0]))]
-            self._points = control_net(self.knots, self.degree, self.meshes, nets)
-        return self._points
+            points = control_net(self.knots, self.degree, self.meshes, nets)
+            fill(self, _points=points)
+        return points
 
     @property
     def control_point_counts(self) -> tuple[int, int]:
@@ -205,7 +185,7 @@ class TensorSpline(Operand):
             a.meshes,
             continuity,
             stride,
-            list(map(operation, p, q)),
+            tuple(map(operation, p, q)),
             denominators,
             (name, self.provenance, right.provenance),
         )
@@ -229,8 +209,8 @@ class TensorSpline(Operand):
             a.meshes,
             a.continuity if a.continuity == b.continuity else _lower(a, b),
             stride,
-            list(map(times, a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride))),
-            list(map(times, a.denominators, b.denominators)),
+            tuple(map(times, a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride))),
+            tuple(map(times, a.denominators, b.denominators)),
             (PRODUCT, self.provenance, other.provenance),
         )
 
@@ -240,8 +220,8 @@ class TensorSpline(Operand):
             return lifted(self.profile[1].scaled(constant), self.meshes, self.profile[0], self.stride)
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
-        denominators = self.denominators if bottom == 1 else [m * bottom for m in self.denominators]
-        polynomials = self.polynomials if top == 1 else [c * top for c in self.polynomials]
+        denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
+        polynomials = self.polynomials if top == 1 else tuple([c * top for c in self.polynomials])
         provenance = (MULTIPLE, self.provenance, q)
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
@@ -258,12 +238,14 @@ class TensorSpline(Operand):
         return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 
     def partial(self, i: int, j: int) -> TensorSpline:
-        """The derivative of order i by s and j by t.
+        """The derivative of order i by s and j by t; beyond the degree the constant 0.
 
         >>> s = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
         (mpq(3,1), True)
         """
+        if any(0 <= degree < order for degree, order in zip(self.degree, (i, j), strict=True)):
+            return self.constant(0)
         first = self.along(0, lambda f: f.d(i)) if i else self
         return first.along(1, lambda f: f.d(j)) if j else first
 
@@ -310,13 +292,22 @@ class TensorSpline(Operand):
         """Whether both are the same function on the same rectangle, whatever their knots and degrees."""
         if not isinstance(other, TensorSpline):
             return NotImplemented
-        return self.domain == other.domain and bool((self - other).is_zero)
+        return self is other or (self.domain == other.domain and bool((self - other).is_zero))
 
     def __hash__(self) -> int:
         (a, b), (c, d) = self.domain
         return hash(
             (self.domain, *[self(a + (b - a) * mpq(i, 4), c + (d - c) * mpq(j, 5)) for i in range(4) for j in range(3)])
         )
+
+    @property
+    def vanishes_somewhere(self) -> bool:
+        """Whether it is identically zero on one patch at least."""
+        return not all(self.polynomials)
+
+    def hash_of_quotients(self, numerators: tuple[TensorSpline, ...]) -> int:
+        """From the rectangle alone, in which equal quotients agree."""
+        return hash((self.domain, len(numerators)))
 
     @property
     def true_degree(self) -> Degrees:
@@ -369,10 +360,9 @@ class TensorSpline(Operand):
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
         degree, stride = Degrees(self.degree.t, self.degree.s), tensor_bernstein.stride_for(self.degree.t)
         order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
-        polynomials = [
-            tensor_bernstein.transposed(self.polynomials[k], self.stride, self.degree.t, stride) for k in order
-        ]
-        return make(degree, meshes, continuity, stride, polynomials, [self.denominators[k] for k in order], leaf())
+        own, denominators = self.polynomials, self.denominators
+        polynomials = tuple(tensor_bernstein.transposed(own[k], self.stride, self.degree.t, stride) for k in order)
+        return make(degree, meshes, continuity, stride, polynomials, tuple(denominators[k] for k in order), leaf())
 
 
 _new, _tuple = object.__new__, tuple.__new__
@@ -383,12 +373,12 @@ def make(
     meshes: Any,
     continuity: Any,
     stride: int,
-    polynomials: list[fmpz_poly],
-    denominators: list[fmpz],
+    polynomials: tuple[fmpz_poly, ...],
+    denominators: tuple[fmpz, ...],
     provenance: Any,
 ) -> TensorSpline:
     """The spline with these packed polynomials; the caller vouches for the continuity."""
-    spline = _new(TensorSpline)
+    spline: Any = _new(TensorParts)
     spline.degree, spline.meshes, spline.continuity, spline.stride, spline.provenance = (
         degree,
         meshes,
@@ -398,17 +388,27 @@ def make(
     )
     spline._packed, spline._denominators = {stride: polynomials}, denominators
     spline.profile = spline._points = None
-    return spline
+    spline.__class__ = TensorSpline  # see `exactspline.splines.bspline`
+    made: TensorSpline = spline
+    return made
 
 
-def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> list[fmpz_poly]:
+def _restored(
+    degree: tuple[int, int], meshes: Any, continuity: Any, stride: int, forms: tuple[tuple[tuple[int, ...], int], ...]
+) -> TensorSpline:
+    """What was pickled; its provenance is a new one."""
+    polynomials, denominators = zip(*[(fmpz_poly(list(c)), fmpz(m)) for c, m in forms], strict=True)
+    return make(Degrees(*degree), meshes, continuity, stride, polynomials, denominators, leaf())
+
+
+def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> tuple[fmpz_poly, ...]:
     """The packed polynomials raised to a degree."""
     if f.degree == degree:
         return f.packed(stride)
     lift = raiser(degree.s - f.degree.s) * raiser(degree.t - f.degree.t).inflate(stride)
     if f.profile is None:
-        return [c * lift for c in f.packed(stride)]
-    return spread([c * lift for c in packed_segments(f.profile, stride)], f.profile[0], f.meshes)
+        return tuple([c * lift for c in f.packed(stride)])
+    return spread(tuple([c * lift for c in packed_segments(f.profile, stride)]), f.profile[0], f.meshes)
 
 
 def _lower(a: TensorSpline, b: TensorSpline) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -443,7 +443,8 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
     >>> lifted(f, (f.mesh, Mesh([mpq(0), mpq(1)])), 0)("1/2", "1/3")
     mpq(1,4)
     """
-    result, n = _new(TensorSpline), spline.degree
+    result: Any = _new(TensorParts)
+    n = spline.degree
     if direction == 0:
         result.degree, result.continuity = _tuple(Degrees, (n, 0)), (spline.continuity, smooth(len(meshes[1].widths)))
         result.stride = stride if n < stride else tensor_bernstein.stride_for(n)
@@ -461,7 +462,9 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
         None,
     )
     result._denominators = None
-    return result
+    result.__class__ = TensorSpline
+    made: TensorSpline = result
+    return made
 
 
 #: Degrees in each parameter stay below this multiple of the curve's in the polynomial forms of §6.

@@ -11,9 +11,8 @@ from collections.abc import Sequence
 from math import comb
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import lcm, mpq
 
-from exactspline.exact import ratio, to_fmpz
+from exactspline.exact import lcm, mpq, ratio, to_fmpz
 from exactspline.splines.bernstein import Form, primitive, value
 
 

@@ -7,9 +7,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flint import fmpz_poly
-from gmpy2 import lcm
 
-from exactspline.exact import to_fmpz
+from exactspline.exact import lcm, to_fmpz
 from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import primitive
 from exactspline.splines.bspline import BSpline
@@ -67,6 +66,6 @@ def joined(found: list[list[BSpline]], old: TensorSpline) -> tuple[Degrees, Any,
         (old.meshes[0], first.mesh),
         continuity,
         stride,
-        polynomials,
-        denominators,
+        tuple(polynomials),
+        tuple(denominators),
     )

@@ -87,9 +87,9 @@ def _joined(value: Rational, w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly
     for forms, own in lowest:
         lift = raiser(degree.s - own.s) * raiser(degree.t - own.t).inflate(stride)
         columns.append([as_packed(form, stride) * lift for form in forms])
-    ones = [ONE] * len(lowest)
+    ones = (ONE,) * len(lowest)
     *top, bottom = [
-        make(degree, w.meshes, rough, stride, list(column), ones, leaf()) for column in zip(*columns, strict=True)
+        make(degree, w.meshes, rough, stride, column, ones, leaf()) for column in zip(*columns, strict=True)
     ]
     return Rational(Vector(*top) if value.is_vector else top[0], bottom)
 

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
+from exactspline.exact import mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline, checked_degree, exact_points
 from exactspline.splines.knots import KnotVector, Mesh

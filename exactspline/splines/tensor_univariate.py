@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import TypeVar
 
 from flint import fmpz_poly
 
@@ -14,20 +14,21 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import SMOOTH, Mesh
 
 Profile = tuple[int, BSpline]
+T = TypeVar("T")
 
 
-def packed_segments(profile: Profile, stride: int) -> list[fmpz_poly]:
+def packed_segments(profile: Profile, stride: int) -> tuple[fmpz_poly, ...]:
     """The packed polynomials, one a segment."""
     direction, spline = profile
-    return [c.inflate(stride) for c in spline.polynomials] if direction else spline.polynomials
+    return tuple([c.inflate(stride) for c in spline.polynomials]) if direction else spline.polynomials
 
 
-def spread(values: list[Any], direction: int, meshes: tuple[Mesh, Mesh]) -> list[Any]:
+def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> tuple[T, ...]:
     """What belongs to the segments of one direction, patch by patch, t running faster."""
     count = len(meshes[1 - direction].widths)
     if count == 1:
         return values
-    return values * count if direction else [x for x in values for _ in range(count)]
+    return values * count if direction else tuple([x for x in values for _ in range(count)])
 
 
 @cache

@@ -11,9 +11,8 @@ from __future__ import annotations
 from math import factorial
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import mpq
 
-from exactspline.exact import to_fmpz
+from exactspline.exact import mpq, to_fmpz
 from exactspline.language.vector import Vector, det
 from exactspline.splines.bernstein import raiser
 from exactspline.splines.bspline import BSpline

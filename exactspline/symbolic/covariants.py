@@ -68,8 +68,9 @@ def true_degree(jets: Jet | Iterable[Jet]) -> TrueDegree:
     """k, m, j and the true degree of a differential polynomial, or of a vector of them (the largest of the components).
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f2
-    >>> from exactspline.readings.jet import jet_curve
-    >>> t = true_degree(f2(jet_curve(2, 2)))
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.jet import JetReading
+    >>> t = true_degree(f2(JetReading(2).argument(CURVE, 2)))
     >>> (t.k, t.m, t.j), t.nominal, t.generic, t.lower
     ((3, 3, 0), 3d − 3, 3d − 6, ((1, -1),))
 
@@ -108,9 +109,9 @@ def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
 
 def graded(jet: Jet) -> list[Jet]:
     """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel.
-
-    >>> from exactspline.readings.jet import jet_curve
-    >>> x = jet_curve(2, 1).p[0]
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.jet import JetReading
+    >>> x = JetReading(1).argument(CURVE, 2).p[0]
     >>> graded(x * x + 3 * x.d() * x + x.d())
     [x′, x², 3·x·x′]
     """
@@ -144,9 +145,9 @@ def _moving(ring: JetRing) -> list[tuple[int, int]]:
 
 def generic_degree(jets: Sequence[Jet]) -> Degree:
     """The true degree of a vector on the generic curve for symbolic d, homogeneous or not.
-
-    >>> from exactspline.readings.jet import jet_curve
-    >>> c = jet_curve(2, 1)
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(CURVE, 2)
     >>> generic_degree([c.p[0] * c.w.d(1) - c.p[0].d(1) * c.w, c.w])
     max(2d − 2, d)
     """

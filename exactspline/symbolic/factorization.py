@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import gcd, lcm
 from typing import Any
 
 from flint import fmpq_mpoly
-from gmpy2 import mpq
 
 from exactspline.errors import ClaimError
-from exactspline.language.arguments import DIMENSIONS, operands
+from exactspline.exact import mpq
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import split
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
-from exactspline.papers import all_formulas, find
+from exactspline.papers import Paper, find, papers
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetRing, jet_argument, polynomial_text
+from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
-from exactspline.readings.rational_jet import fraction_argument
+from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute
 
@@ -43,6 +44,11 @@ class Factor(Displayed):
     def names(self) -> frozenset[str]:
         """The names in it."""
         return frozenset(name for name, _, _ in self.powers)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it is the constant 0."""
+        return self.constant == 0
 
     @property
     def is_one(self) -> bool:
@@ -68,16 +74,22 @@ def _power(name: str, exponent: int) -> str:
     return name if exponent == 1 else base + str(exponent).translate(SUPERSCRIPTS)
 
 
-def jets_for(names: tuple[str, ...], dimension: int) -> Any:
-    """The indeterminate rational curve (and point, or two curves) with as many derivatives as the named formulas need,
-    in the fraction reading.
+def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Any:
+    """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the
+    fraction reading: rational, or with w = 1.
+
+    >>> jets_for(("f2",), 2, polynomial=True).w
+    (1) / (1)
     """
-    kind = next((find(name).curve for name in names if find(name).curve in ("pair", "point", "plane point")), "curve")
-    return fraction_argument(kind, dimension, max((order_of(find(name), dimension) for name in names), default=0))
+    chosen = [find(each) if isinstance(each, str) else each for each in formulas]
+    kind = common_kind(each.kind for each in chosen)
+    order = max((order_of(each, dimension) for each in chosen), default=0)
+    return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
 
 
 def find_factor(left: Any, right: Any) -> Factor | None:
-    """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional.
+    """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional; the
+    constant 0 where the left side alone vanishes.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f1, f2
     >>> c = jets_for(("f1", "f2"), 2)
@@ -162,32 +174,30 @@ def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
 
 def named_values(ring: JetRing) -> list[tuple[str, Any]]:
     """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
-    return _named_values(ring.kind, ring.dimension, ring.order, "w" not in ring.names)
+    found: list[tuple[str, Any]] = []
+    for source in papers():
+        found += _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
+    return _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial) + found
 
 
 @cache
-def _named_values(kind: str, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
-    c = jet_argument(kind, dimension, order, polynomial=polynomial)
-    known = operands(c)
-    values = (
-        []
-        if polynomial
-        else [
-            (known[name].ring.primes(known[name].ring.index[name, 0]), known[name])
-            for name in ("w", "W")
-            if name in known
-        ]
-    )
-    kinds = {
-        "pair": ("pair",),
-        "point": ("curve", "plane", "plane point") if dimension == 2 else ("curve", "space", "point"),
-    }
-    for formula in all_formulas().values():
-        if (
-            formula.curve in kinds.get(kind, ("curve", "plane", "space"))
-            and dimension in DIMENSIONS[formula.curve]
-            and is_polynomial(formula, dimension)
-            and order_of(formula, dimension) <= order
-        ):
-            values.append((symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c)))
-    return values
+def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+    """The denominators of the curves by their names."""
+    if polynomial:
+        return []
+    known = JetReading(order).argument(kind, dimension).operands()
+    jets = [(name, known[name]) for name in ("w", "W") if name in known]
+    return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
+
+
+@cache
+def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+    """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
+    c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
+    return [
+        (symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c))
+        for formula in source.formulas.values()
+        if kind.takes(formula.kind, dimension)
+        and is_polynomial(formula, dimension)
+        and order_of(formula, dimension) <= order
+    ]

@@ -11,43 +11,37 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from flint import fmpq_mpoly
-from gmpy2 import mpq
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
-from exactspline.language.arguments import DIMENSIONS
+from exactspline.exact import mpq
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, TABLE, Kind
 from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, degree_argument
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import (
     FactoredJet,
+    FactoredJetReading,
     Powers,
-    factored_argument,
     merged,
     multiplied,
     shared,
     without,
 )
 from exactspline.readings.jet import Jet, JetRing
+from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, factored, name_of_vector
 from exactspline.symbolic.substitution import substitute
 
-#: Factors known to have no zero, and why.
-ZERO_FREE = {
-    "w": "the weight function, without a zero",
-    "w̄": "the weight function of the second curve, without a zero",
-    "‖D1‖²": "positive where the curve is regular",
-    "‖b‖²": "positive where the curve is regular and its curvature is not zero",
-}
 #: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
 #: alone.
 VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
@@ -64,15 +58,20 @@ class Power:
     above: int
     below: int
 
+    @cached_property
+    def assumption(self) -> Assumption | None:
+        """The assumption by which it has no zero."""
+        return zero_free(self.jet)
+
     @property
     def meaning(self) -> str:
         """Why it has no zero; for one with roots of its own, that it has."""
-        return ZERO_FREE.get(self.name, "may have roots of its own")
+        return self.assumption.meaning if self.assumption else "may have roots of its own"
 
     @property
     def has_roots(self) -> bool:
-        """Whether it may vanish somewhere on a regular curve."""
-        return self.name not in ZERO_FREE
+        """Whether it may vanish somewhere on a regular curve without points of zero curvature."""
+        return self.assumption is None
 
 
 @dataclass(frozen=True)
@@ -213,7 +212,8 @@ class Part:
         exact division.
         """
         values = [substitute(jet, curve) for jet in self.reduced]
-        surplus = self.true.surplus if self.true and hasattr(values[0], "reduce_degree") else 0
+        in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
+        surplus = self.true.surplus if self.true and in_one_parameter else 0
         lowered = [
             value.reduce_degree(min(surplus, value.degree)) if surplus > 0 and value.degree > 0 else value
             for value in values
@@ -229,6 +229,20 @@ class Reduction:
     dimension: int
     polynomial: bool
     parts: tuple[Part, ...]
+
+    @property
+    def joined(self) -> list[Jet]:
+        """The components of all parts over their least common denominator, and that denominator last."""
+        denominator = self.parts[0].lowest[1]
+        for part in self.parts[1:]:
+            other = part.lowest[1].polynomial
+            denominator = Jet(denominator.ring, denominator.polynomial * (other / denominator.polynomial.gcd(other)))
+        raised = []
+        for part in self.parts:
+            top, bottom = part.lowest
+            lift = Jet(denominator.ring, denominator.polynomial / bottom.polynomial)
+            raised += [jet * lift for jet in top]
+        return [*raised, denominator]
 
     @property
     def main(self) -> Part:
@@ -271,22 +285,27 @@ def reduction(name: str, dimension: int, polynomial: bool = False) -> Reduction:
 
 
 def _dimensions(formula: Any) -> list[int]:
-    kind = getattr(formula, "curve", "curve")
-    if kind == "table":
+    kind = _kind(formula)
+    if kind is TABLE:
         raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="reduce formulas of a curve")
-    return list(DIMENSIONS[kind])
+    return list(kind.dimensions)
+
+
+def _kind(formula: Any) -> Kind:
+    """What a formula is handed; any other function a curve."""
+    return formula.kind if isinstance(formula, Formula) else CURVE
 
 
 def name_of_function(formula: Any) -> str:
     """The name of a formula or a function."""
-    return str(getattr(formula, "__name__", formula))
+    return formula.name if isinstance(formula, Formula) else str(getattr(formula, "__name__", formula))
 
 
 def _reduced(formula: Any, dimension: int, polynomial: bool) -> Reduction:
     name = name_of_function(formula)
-    kind = getattr(formula, "curve", "curve")
-    degrees = _parts(formula(degree_argument(kind, dimension, polynomial=polynomial)), name)
-    value = formula(factored_argument(kind, dimension, order_of(formula, dimension), polynomial=polynomial))
+    kind = _kind(formula)
+    degrees = _parts(formula(DegreeReading().argument(kind, dimension, polynomial=polynomial)), name)
+    value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
     parts = [
         _part(role, naive.degree, part) for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
     ]

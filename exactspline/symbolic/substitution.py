@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
-from exactspline.language.arguments import operands
+from exactspline.exact import mpq
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.jet import Jet
 
@@ -15,11 +13,13 @@ def substitute(jet: Jet, curve: Any) -> Any:
     """A jet polynomial on a concrete curve: the variables replaced by the derivatives of p and w.
 
     >>> from exactspline.splines.examples import example
-    >>> from exactspline.readings.jet import jet_curve
-    >>> substitute(jet_curve(2, 1).w.d(1), example("rational_cubic")) == example("rational_cubic").w.d(1)
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.jet import JetReading
+    >>> jets, curve = JetReading(1).argument(CURVE, 2), example("rational_cubic")
+    >>> substitute(jets.w.d(1), curve) == curve.w.d(1)
     True
     """
-    known = operands(curve)
+    known = curve.operands()
     terms = [(tuple(map(int, exponents)), mpq(int(c.p), int(c.q))) for exponents, c in jet.polynomial.terms()]
     value = _horner(
         terms, 0, [lambda name=name, order=order: known[name].d(order) for name, order in jet.ring.variables]

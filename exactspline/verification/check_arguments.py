@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
-from exactspline.exact import text
-from exactspline.language.arguments import Curve, Pair, with_point
+from exactspline.exact import mpq, text
+from exactspline.language.arguments import Curve, Pair
 from exactspline.language.vector import Vector
 from exactspline.splines.tensor import surface_pair
 
@@ -54,5 +52,5 @@ def argument(kind: str, curve: Any) -> tuple[Any, str]:
         return pair_with(curve), ", first segment, with its moved copy"
     if kind.endswith("point"):
         point = point_beside(curve)
-        return with_point(curve, point), f", with the point ({', '.join(map(text, point))})"
+        return curve.with_point(point), f", with the point ({', '.join(map(text, point))})"
     return curve, ""

@@ -3,34 +3,51 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
-from exactspline.language.arguments import operands
-from exactspline.papers import find
+from exactspline.language.formula import Formula
+from exactspline.papers import find as find_anywhere
+
+#: The names of the denominators, those of the curve and of the second one.
+WEIGHTS = ("w", "W")
 
 
-def factor_of_text(text: str, curve: Any) -> tuple[Any, Any]:
-    """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the
-    curve.
+def factor_parts(text: str) -> list[tuple[str, int]]:
+    """The names and numbers of a factor with their exponents.
 
-    Raises `ClaimError` when it cannot be read.
+    >>> factor_parts("2 w^16 D1_squared^-4")
+    [('2', 1), ('w', 16), ('D1_squared', -4)]
+
+    Raises `ClaimError` when it cannot be read, or is zero or divided by zero.
     """
-    known = operands(curve)
-    one = known["w"]
-    top = bottom = one.constant(1)
+    found = []
     for part in text.split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
             raise ClaimError(f"the factor {text!r} cannot be read", where=part, remedy='write for example "2 w^29 f2"')
-        name, exponent = match[1], int(match[2] or 1)
+        if not match[1][0].isalpha() and re.fullmatch(r"-?0+(/\d+)?|-?\d+/0+", match[1]):
+            raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="leave zero out")
+        found.append((match[1], int(match[2] or 1)))
+    if not found:
+        raise ClaimError("the factor is empty", remedy='write "1"')
+    return found
+
+
+def factor_of_text(text: str, curve: Any, find: Callable[[str], Formula] = find_anywhere) -> tuple[Any, Any]:
+    """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the
+    curve. `find` gives the formulas in it.
+
+    Raises `ClaimError` when it cannot be read.
+    """
+    known = curve.operands()
+    one = known["w"]
+    top = bottom = one.constant(1)
+    for name, exponent in factor_parts(text):
         value = (
-            known[name]
-            if name in ("w", "W")
-            else find(name)(curve)
-            if name[0].isalpha()
-            else one.constant(rational(name))
+            known[name] if name in WEIGHTS else find(name)(curve) if name[0].isalpha() else one.constant(rational(name))
         )
         if exponent > 0:
             top = top * value**exponent

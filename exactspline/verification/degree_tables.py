@@ -8,14 +8,16 @@ from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.errors import FormulaError, ReductionError
+from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.geometry.constructions import MINIMAL, Construction, all_constructions, construction, constructions_for
-from exactspline.language.arguments import DIMENSIONS, Curve, Pair
+from exactspline.geometry.derived import derive
+from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, degree_argument, degree_curve
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
@@ -40,9 +42,10 @@ class DegreeRow:
     formula: str
     variant: str
     nominal: str
-    represented: int
+    #: None where the object does not exist on any segment, as for the two that follow.
+    represented: int | None
     true: int | None
-    control_points: int
+    control_points: int | None
     generic: str
     text: str
     grading: str = "–"
@@ -77,16 +80,19 @@ def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
     else:
         text, nominal = (
             print_text(trace(formula, curve.dimension)),
-            str(formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree),
+            str(formula(DegreeReading().argument(CURVE, curve.dimension, polynomial=curve.polynomial)).degree),
         )
     start = perf_counter()
     try:
         value = c.on(curve, variant)
-    except ReductionError as error:
-        return DegreeRow(c.name, variant, nominal, -1, None, 0, "–", str(error))
+    except ReductionError:
+        return _in_pieces(c, variant, nominal, curve, perf_counter() - start)
     seconds = perf_counter() - start
+    true = true_degree_or_none(value)
+    if true is None:
+        return _in_pieces(c, variant, nominal, curve, seconds)
     generic = str(lowest) if variant == MINIMAL else "–"
-    counts = value.degree, true_degree_or_none(value), control_point_count(value)
+    counts = value.degree, true, control_point_count(value)
     return DegreeRow(
         c.name,
         variant,
@@ -97,6 +103,17 @@ def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
         _grading(formula, variant, curve.dimension, curve.polynomial),
         seconds,
     )
+
+
+def _in_pieces(c: Construction, variant: str, nominal: str, curve: Any, seconds: float) -> DegreeRow:
+    """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
+    lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == MINIMAL else "–"
+    try:
+        found = derive(c.name, curve, variant)
+    except ShapeError as error:
+        return DegreeRow(c.name, variant, nominal, None, None, None, lowest, str(error), seconds=seconds)
+    counts = found.degree, found.true_degree, found.control_points
+    return DegreeRow(c.name, variant, nominal, *counts, lowest, found.existence, seconds=seconds)
 
 
 def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:
@@ -173,7 +190,7 @@ def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
     numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
     found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))
     witnesses = [attained(c.name, d, polynomial=polynomial) for d in WITNESSES]
-    operands = degree_curve(c.dimension, polynomial=polynomial)
+    operands = DegreeReading().argument(CURVE, c.dimension, polynomial=polynomial)
     return GenericRow(
         c.title,
         str(first(operands).degree),
@@ -192,7 +209,7 @@ def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
 def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
     naive, paper, lifted = map(find, names)
     found = true_degree(reduction(lifted.name, 3, polynomial).main.reduced)
-    operands = degree_curve(3, polynomial=polynomial)
+    operands = DegreeReading().argument(CURVE, 3, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
         value = reduction(lifted.name, 3, polynomial).main.on(witness(3, d, polynomial=polynomial))
@@ -214,11 +231,11 @@ def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) ->
 
 def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> GenericRow:
     naive, paper, lifted = map(find, names)
-    (dimension,) = DIMENSIONS[lifted.curve]
+    (dimension,) = lifted.kind.dimensions
     numerator, denominator = reduction(lifted.name, dimension, polynomial).main.lowest
     parts = [part for jet in (*numerator, denominator) for part in graded(jet)]
     found = max(map(true_degree, parts), key=lambda t: t.at(WITNESSES[-1]))
-    operands = degree_argument(lifted.curve, dimension, polynomial=polynomial)
+    operands = DegreeReading().argument(lifted.kind, dimension, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
         handed = _bisected(lifted.curve, witness(dimension, d, polynomial=polynomial))

@@ -1,104 +1,166 @@
-"""Where the paper is wrong: what is printed, what is true, and how to check it in three lines.
+"""Where a paper is wrong: what is printed, what is true, why, and how to check it in three lines.
 
-Nothing here is written by hand: the list is made from the claims whose verdict is REFUTED and from those that say,
-under the same id, how it must read.
+Nothing here is written by hand: the list is made from the printed claims whose verdict is REFUTED, joined by the error
+to which they belong, and from those that say what holds instead.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from typing import Any
 
 from exactspline.language.services import Displayed
-from exactspline.papers import find
-from exactspline.verification.claims import Claim, all_claims
-from exactspline.verification.generic_proof import dimensions, factor_of, prove
+from exactspline.papers import papers
+from exactspline.readings.printing.text import symbol_text
+from exactspline.verification.claim import Claim, combined
+from exactspline.verification.claims import claims_of
+from exactspline.verification.generic_proof import factor_of
+from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
+from exactspline.verification.vocabulary import Measure, Parameter, Status
+
+
+@dataclass(frozen=True)
+class Refuted:
+    """One statement that fails: the verbatim words and their place, what it claims, what was found, where it fails, and
+    Python that shows it.
+    """
+
+    id: str
+    key: str
+    place: str
+    words: str
+    statement: str
+    claimed: str
+    found: str
+    witness: str
+    check: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Erratum(Displayed):
-    """One error of the paper.
+    """One error of a paper: the statements that fail for one reason, and what holds instead, with its verdict."""
 
-    ``truth`` lists statements with their verdicts; ``check`` is Python that prints what ``shows`` says.
-    """
-
-    id: str
-    where: str
-    printed: str
-    found: str
+    paper: str
+    error: str
+    title: str
+    statements: tuple[Refuted, ...]
     truth: tuple[str, ...]
-    why: str
-    check: tuple[str, ...]
+    why: tuple[str, ...]
+
+    @property
+    def id(self) -> str:
+        """The id of the claim to which the first of its statements belongs."""
+        return self.statements[0].id
+
+    def data(self) -> dict[str, Any]:
+        """The error for a program."""
+        return {"key": f"{self.paper}: {self.error}"} | asdict(self)
 
 
 def errata() -> Iterator[Erratum]:
-    """The errors of the paper, in its order, each decided anew.
+    """The errors of the papers, in the order of each, decided anew.
 
-    >>> [e.id for e in errata()][:2]
-    ['C3c', 'C3f']
+    >>> first = next(errata())
+    >>> first.error, [each.id for each in first.statements]
+    ('span', ['C3c'])
     """
-    for claim in all_claims():
-        if claim.expected == REFUTED:
-            finding = prove(claim)[1]
-            if finding.verdict == REFUTED:
-                yield Erratum(
-                    claim.id,
-                    claim.source,
-                    _printed(claim),
-                    finding.witness or finding.computed,
-                    _truth(claim),
-                    claim.note,
-                    check(claim),
-                )
+    return _joined(Status.PRINTED)
 
 
-def _printed(claim: Claim) -> str:
-    return f"{claim.statement}: {claim.claimed}" if claim.kind == "count" else claim.statement
+def remarks() -> Iterator[Erratum]:
+    """What fails too, in the same form, although no paper says it: what one might read into it.
+
+    >>> [each.error for each in remarks()]
+    ['second-parameter']
+    """
+    return _joined(Status.OURS)
 
 
-def _truth(claim: Claim) -> tuple[str, ...]:
-    """What holds instead: the corrected statements of the same id that are decided in the affirmative."""
-    found = []
-    for other in all_claims():
-        if other.id == claim.id and other.as_meant and (other.formula == claim.formula or claim.kind != "count"):
-            verdict = prove(other)[1].verdict
-            if verdict in (PROVED, VERIFIED):
-                computed = f" ({other.claimed})" if other.kind == "count" else ""
-                found.append(f"{other.statement}{computed} [{verdict}]")
-    return tuple(found)
+def _joined(status: Status) -> Iterator[Erratum]:
+    """The statements of one status that fail, joined by the error to which they belong."""
+    for source in papers():
+        claims = claims_of(source.name)
+        for error, title in source.errors.items():
+            own = [claim for claim in claims if claim.error == error]
+            fails = [claim for claim in own if claim.status == status and claim.expected == REFUTED]
+            refuted = tuple(found for claim in fails if (found := _refuted(claim)))
+            if refuted:
+                why = tuple(dict.fromkeys(claim.note for claim in fails if claim.note))
+                yield Erratum(source.name, error, title, refuted, _truth(own), why)
+
+
+def _refuted(claim: Claim) -> Refuted | None:
+    finding = combined(claim)[1]
+    if finding.verdict != REFUTED:
+        return None
+    place = ", ".join(dict.fromkeys(part for part in (claim.source, claim.place.split(",")[0]) if part))
+    found = _equation(claim, finding.factor) or finding.computed
+    witness = "" if isinstance(claim, Identity) and finding.factor else finding.witness
+    return Refuted(claim.id, claim.key, place, claim.words, numbered(claim), claim.claims, found, witness, check(claim))
+
+
+def _equation(claim: Claim, factor: str) -> str:
+    """What holds of the two sides of an identity: ``left = factor · right``; empty where no factor is known."""
+    if not isinstance(claim, Identity) or not factor:
+        return ""
+    return f"{name_of(claim, claim.left)} = {'' if factor == '1' else f'{factor} · '}{name_of(claim, claim.right)}"
+
+
+def name_of(claim: Claim, formula: str) -> str:
+    """A formula of a claim by its symbol, by its name where it has none."""
+    symbol = claim.find(formula).symbol
+    return symbol_text(symbol) if symbol else formula
+
+
+def _truth(claims: list[Claim]) -> tuple[str, ...]:
+    """What holds instead: the corrected statements that are decided in the affirmative."""
+    decided = [(claim, combined(claim)[1].verdict) for claim in claims if claim.status == Status.MEANT]
+    return tuple(f"{numbered(claim)} [{verdict}]" for claim, verdict in decided if verdict in (PROVED, VERIFIED))
+
+
+def numbered(claim: Claim) -> str:
+    """A statement with the number that it claims.
+
+    >>> from exactspline.verification.claims import select
+    >>> numbered(select(["Fig1-g0"])[0])
+    'g0 of a cubic of six segments: degree 6, 24 control points'
+    """
+    said = isinstance(claim, (Count, DegreeClaim)) and claim.claims not in claim.statement
+    return f"{claim.statement}: {claim.claims}" if said else claim.statement
 
 
 def check(claim: Claim) -> tuple[str, ...]:
     """Three lines of Python that show that the claim fails."""
-    d = dimensions(claim)[0]
-    if claim.kind == "identity" and factor_of(claim.left, claim.right, d) is not None:
+    d = claim.dimensions[0]
+    if isinstance(claim, Identity) and factor_of(claim.find(claim.left), claim.find(claim.right), d) is not None:
         return (
             "from exactspline.verification.generic_proof import factor_of",
             f'factor = factor_of("{claim.left}", "{claim.right}", {d})',
             "print(factor)",
         )
-    if claim.kind == "vanishing":
+    if isinstance(claim, Vanishing):
         return (
             "from exactspline.symbolic.factorization import jets_for",
             "from exactspline.papers import find",
             f'print(find("{claim.left}")(jets_for(("{claim.left}",), {d})))',
         )
-    if claim.kind == "degree" and claim.measure == "lowest terms":
+    if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS:
         return (
             "from exactspline.verification.generic_degree import lowest_degree",
             "from exactspline.papers import find",
             f'print(lowest_degree(find("{claim.formula}"), {d}))',
         )
-    if claim.kind == "degree":
-        parameter = f', parameter="{claim.parameter}"' if claim.parameter != "s" else ""
+    if isinstance(claim, DegreeClaim):
+        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.S else ""
         return (
             "from exactspline.papers import find",
-            "from exactspline.readings.degree import degree_argument",
-            f'print(find("{claim.formula}")(degree_argument("{find(claim.formula).curve}", {d}, '
-            f"polynomial={claim.of == 'polynomial'}{parameter})).degree)",
+            "from exactspline.readings.degree import DegreeReading",
+            f'print(DegreeReading({parameter}).of(find("{claim.formula}"), {d}, '
+            f"polynomial={claim.of == 'polynomial'}).degree)",
         )
-    if claim.kind == "count":
+    if isinstance(claim, Count):
         return (
             "from exactspline.papers import find; from exactspline.splines.examples import example",
             "from exactspline.verification.measure import measure",
@@ -106,6 +168,6 @@ def check(claim: Claim) -> tuple[str, ...]:
         )
     return (
         "from exactspline.verification.claims import select",
-        "from exactspline.verification.generic_proof import prove",
-        f'print(*[prove(c)[1].witness for c in select(["{claim.id}"])], sep="\\n")',
+        f'(claim,) = select(["{claim.key}"])',
+        "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",
     )

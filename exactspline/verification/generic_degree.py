@@ -5,7 +5,6 @@ from __future__ import annotations
 from exactspline.geometry.constructions import LIFTED, Construction
 from exactspline.language.formula import Formula
 from exactspline.readings.degree import Degree
-from exactspline.readings.jet import Jet
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction, reduction
 
@@ -36,25 +35,12 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     >>> lowest_degree(find("plane_bisector"), 2)
     4d − 2
     """
-    numerator, denominator = _joined(reduction(formula.name, dimension, polynomial))
-    return generic_degree(
-        [jet for jet in (*numerator, denominator) if not jet.is_zero and jet.polynomial.total_degree() > 0]
-    )
+    return joined_degree(reduction(formula.name, dimension, polynomial))
 
 
-def _joined(found: Reduction) -> tuple[list[Jet], Jet]:
-    """All components of all parts over the least common denominator."""
-    denominator = found.parts[0].lowest[1]
-    for part in found.parts[1:]:
-        other = part.lowest[1]
-        denominator = Jet(
-            other.ring, denominator.polynomial * (other.polynomial / denominator.polynomial.gcd(other.polynomial))
-        )
-    lifts = [
-        (part.lowest[0], Jet(denominator.ring, denominator.polynomial / part.lowest[1].polynomial))
-        for part in found.parts
-    ]
-    return [jet * lift for top, lift in lifts for jet in top], denominator
+def joined_degree(found: Reduction) -> Degree:
+    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator."""
+    return generic_degree([jet for jet in found.joined if not jet.is_zero and jet.polynomial.total_degree() > 0])
 
 
 def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | None:

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from time import perf_counter
 from typing import Any
 
 from exactspline.errors import ExactSplineError
 from exactspline.splines.examples import example, example_names
-from exactspline.verification import curve_check, generic_proof
-from exactspline.verification.check_arguments import argument
-from exactspline.verification.claims import Claim
-from exactspline.verification.verdict import UNDECIDED, Finding, Row, row
+from exactspline.verification.claim import Claim, contradict
+from exactspline.verification.curve_check import spline_table
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.verdict import REFUTED, UNDECIDED, ContradictionError, Finding, Row, row
+from exactspline.verification.vocabulary import ArgumentKind
 
 UNNAMED = "(unnamed curve)"
 TABLE = "splines of degrees 2 and 3 over different knots"
+Task = Callable[[], Row]
 
 
 def audit(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> Iterator[Row]:
@@ -24,50 +26,79 @@ def audit(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> Itera
     curves: checked on these.
 
     >>> from exactspline.verification.claims import select
-    >>> [(row.reading, row.verdict) for row in audit(select(["C4.1a"]), [example("circle")])]
+    >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
     [('spline', 'VERIFIED'), ('spline', 'VERIFIED')]
+
+    Raises `ContradictionError` when a claim is proved for all curves and fails on one of them.
     """
     for task in tasks(claims, curves):
         yield task()
 
 
-def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[Any]:
-    """The checks to be made, as calls that give a row each: so that progress can be shown."""
-    chosen = list(claims)
-    concrete = [example(name) for name in example_names()] if curves is None else list(curves)
-    calls: list[Any] = []
+def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[Task]:
+    """The checks to be made, as calls that give a row each: so that progress can be shown.
+
+    Every curve is evaluated by an object of this run, so that runs in several threads can share curves.
+    """
+    chosen, proofs = list(claims), Proofs()
+    calls: list[Task] = []
     if curves is None:
-        calls += [lambda claim=claim: proved(claim) for claim in chosen]
+        curves = [example(name) for name in example_names()]
+        calls += [lambda claim=claim: proved(claim, proofs) for claim in chosen]  # type: ignore[misc]
         calls += [
-            lambda claim=claim: _checked(claim, curve_check.spline_table(), TABLE)
+            lambda claim=claim: checked(claim, Evaluation(spline_table()), TABLE, proofs)  # type: ignore[misc]
             for claim in chosen
-            if claim.curve == "table"
+            if claim.curve == ArgumentKind.TABLE
         ]
-    for curve in concrete:
+    for curve in curves:
+        own = Evaluation(curve)
         calls += [
-            lambda claim=claim, curve=curve: _checked(
-                claim, curve, curve.name or UNNAMED, argument(claim.curve, curve)[1]
-            )
+            lambda claim=claim, own=own: checked(claim, own, own.curve.name or UNNAMED, proofs)  # type: ignore[misc]
             for claim in chosen
             if claim.speaks_of(curve.dimension, curve.polynomial)
         ]
     return calls
 
 
-def proved(claim: Claim) -> Row:
+class Proofs:
+    """The proofs of one run of the ledger, each made once."""
+
+    def __init__(self) -> None:
+        self._made: dict[Claim, tuple[str, Finding]] = {}
+
+    def __getitem__(self, claim: Claim) -> tuple[str, Finding]:
+        if claim not in self._made:
+            self._made[claim] = _proof(claim)
+        return self._made[claim]
+
+
+def _proof(claim: Claim) -> tuple[str, Finding]:
+    try:
+        return claim.prove()
+    except ContradictionError:
+        raise
+    except ExactSplineError as error:
+        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+
+
+def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
     """A claim decided for all curves."""
     start = perf_counter()
-    try:
-        reading, finding = generic_proof.prove(claim)
-    except ExactSplineError as error:
-        reading, finding = "jet", Finding(UNDECIDED, claim.claimed, witness=str(error))
+    reading, finding = (Proofs() if proofs is None else proofs)[claim]
     return row(claim, reading, "", finding, perf_counter() - start)
 
 
-def _checked(claim: Claim, curve: Any, name: str, beside: str = "") -> Row:
+def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
+    """A claim checked on one curve. What is refuted there must not be proved for all curves."""
     start = perf_counter()
     try:
-        finding = curve_check.check(claim, curve)
+        finding = claim.check(own)
+    except ContradictionError:
+        raise
     except ExactSplineError as error:
-        finding = Finding(UNDECIDED, claim.claimed, witness=str(error))
-    return row(claim, f"spline{beside}", name, finding, perf_counter() - start)
+        finding = Finding(UNDECIDED, claim.claims, witness=str(error))
+    if finding.verdict == REFUTED:
+        contradict(claim, proofs[claim][1], finding)
+    is_example = name in example_names() and own.curve is example(name)
+    beside, seconds = own.beside(claim.curve), perf_counter() - start
+    return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, PLANE, SPACE
+from exactspline.language.parts import joined
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, degree_curve
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.splines.lowest_terms import control_point_count, true_degree_or_none
 
 
@@ -34,13 +36,12 @@ def measure(formula: Formula, curve: Any) -> Measure:
     >>> measure(find("f2"), example("ellipse"))
     Measure(formula='f2', nominal=3d − 3, represented=3, true=0, control_points=16)
     """
-    value = formula(curve)
-    value = getattr(value, "joined", value)
-    nominal = formula(degree_curve(curve.dimension, polynomial=curve.polynomial)).degree
+    value = joined(formula(curve))
+    nominal = formula(DegreeReading().argument(CURVE, curve.dimension, polynomial=curve.polynomial)).degree
     return Measure(formula.name, nominal, value.degree, true_degree_or_none(value), control_point_count(value))
 
 
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that speak of curves of this dimension."""
-    kinds = {2: ("plane", "curve"), 3: ("space", "curve")}.get(dimension, ("curve",))
-    return [formula for formula in all_formulas().values() if formula.curve in kinds]
+    kinds = {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
+    return [formula for formula in all_formulas().values() if formula.kind in kinds]

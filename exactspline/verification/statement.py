@@ -7,33 +7,26 @@ proof.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from exactspline.errors import ExactSplineError
-from exactspline.language.arguments import DIMENSIONS
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
 from exactspline.papers import find
-from exactspline.readings.degree import Degree, degree_argument
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import Node, trace
-from exactspline.verification.claims import Claim, select
-from exactspline.verification.generic_proof import degree_table, dimensions, prove
-from exactspline.verification.verdict import UNDECIDED, Finding
+from exactspline.verification.claim import Claim, combined
+from exactspline.verification.claims import select
+from exactspline.verification.generic_proof import degree_table
+from exactspline.verification.kinds import DegreeClaim
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import Finding
 
 NAIVE, REDUCED = "naive", "reduced"
-#: What a claim measures, as LaTeX.
-MEASURES = {
-    "nominal": r"\deg",
-    "true": r"\deg_{\mathrm{true}}",
-    "lowest terms": r"\deg_{\mathrm{lowest\ terms}}",
-    "reduced": r"\deg_{\mathrm{reduced}}",
-    "height": r"\mathrm{height}",
-}
 
 
 @dataclass(frozen=True)
@@ -79,7 +72,12 @@ class Statement(Displayed):
             "source": c.source,
             "kind": c.kind,
             "statement": c.statement,
-            "as_meant": c.as_meant,
+            "key": c.key,
+            "paper": c.paper,
+            "status": c.status,
+            "words": c.words,
+            "place": c.place,
+            "error": c.error,
             "latex": self.latex,
         }
         sides = [vars(side) for side in self.sides]
@@ -89,10 +87,12 @@ class Statement(Displayed):
             "factor": f.factor,
             "witness": f.witness,
             "verdict": f.verdict,
+            "relation": f.relation,
+            "assumptions": list(f.assumptions),
         }
         return (
             head
-            | {"sides": sides, "assumes": c.assumes, "reading": self.reading, "note": c.note, "expected": c.expected}
+            | {"sides": sides, "assumes": c.assumed, "reading": self.reading, "note": c.note, "expected": c.expected}
             | verdict
         )
 
@@ -109,11 +109,8 @@ def statements(wanted: str) -> Iterator[Statement]:
 
 
 def statement(claim: Claim) -> Statement:
-    """A claim spelled out and decided."""
-    try:
-        reading, finding = prove(claim)
-    except ExactSplineError as error:
-        reading, finding = "jet", Finding(UNDECIDED, claim.claimed, witness=str(error))
+    """A claim spelled out, with its one verdict: the proof, held against the example curves."""
+    reading, finding = combined(claim)
     return Statement(claim, latex_of(claim), sides(claim), reading, finding)
 
 
@@ -139,16 +136,20 @@ def _side(name: str, role: str, claim: Claim) -> Side:
 
 def _dimension(name: str, claim: Claim) -> int:
     """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
-    own = DIMENSIONS[find(name).curve]
-    return dimensions(claim)[0] if dimensions(claim)[0] in own else own[0]
+    own = find(name).kind.dimensions
+    return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
 def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
     formula = find(name)
-    counted = {"parameter": claim.parameter, "counting": claim.counting}
+    parameter, counting = "s", ""
+    if isinstance(claim, DegreeClaim):
+        parameter, counting = str(claim.parameter), str(claim.counting)
     handed = (
-        degree_argument(formula.curve, _dimension(name, claim), polynomial=polynomial, **counted)
-        if formula.curve != "table"
+        DegreeReading(parameter=parameter, counting=counting).argument(
+            formula.kind, _dimension(name, claim), polynomial=polynomial
+        )
+        if formula.kind is not TABLE
         else degree_table()
     )
     degree: Degree = formula(handed).degree
@@ -172,63 +173,10 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
     return trace(formula, dimension, expand=True) if repeats else tree
 
 
-def symbol(name: str) -> str:
-    r"""The LaTeX name of a formula: its symbol in the paper, its own name where it has none.
-
-    >>> symbol("f2"), symbol("evolute_contact_1")
-    ('f_2', '\\mathrm{evolute\\_contact\\_1}')
-    """
-    return find(name).symbol or rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
-
-
 def latex_of(claim: Claim) -> str:
     r"""What a claim says, as LaTeX.
 
     >>> latex_of(select(["C4.1a"])[0]), latex_of(select(["C4.2g"])[0])
     ('f_1 = w\\,f_2', '\\deg g_2 = 9d - 6')
     """
-    left, right, one = symbol_or_words(claim.left), symbol_or_words(claim.right), symbol_or_words(claim.formula)
-    if claim.kind == "identity":
-        factor = factor_latex(claim.factor)
-        return f"{left} = {factor}{right}" if factor else f"{left} = {right}"
-    if claim.kind == "vanishing":
-        return rf"{left} \equiv 0"
-    if claim.kind == "degree":
-        degree = MEASURES[claim.measure]
-        relation = r"\ge" if claim.relation == "≥" else "="
-        return rf"{degree} {one} {relation} {claimed_latex(claim.claimed)}"
-    if claim.kind == "zero set":
-        return " = ".join(rf"\{{{symbol(name)} = 0\}}" for name in claim.formulas)
-    if claim.kind == "iso-curve":
-        return rf"{left} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {right}"
-    if claim.kind == "same surface":
-        return rf"{left} \;\text{{and}}\; {right} \;\text{{are one surface}}"
-    if claim.kind == "square class":
-        return rf"{one} \,/\, {right} \;\text{{is a square up to a constant}}"
-    words = {"coefficients": "has no vanishing coefficient", "existence": "is not rational", "count": claim.claimed}
-    return rf"{one}{':' if claim.kind == 'count' else ''} \;\text{{{words[claim.kind]}}}"
-
-
-def symbol_or_words(name: str) -> str:
-    """`symbol`, empty for no name."""
-    return symbol(name) if name else ""
-
-
-def claimed_latex(claimed: str) -> str:
-    """A degree as claims write it, as LaTeX."""
-    return re.sub(r"d(\d)", r"d_\1", claimed.replace("−", "-").replace("max", r"\max"))
-
-
-def factor_latex(factor: str) -> str:
-    r"""A factor as claims write it, as LaTeX; empty for 1.
-
-    >>> factor_latex("2 w^16 D1_squared^-4")
-    '2\\,w^{16}\\,(\\|D_1\\|^2)^{-4}\\,'
-    """
-    parts = []
-    for part in factor.split():
-        name, _, exponent = part.partition("^")
-        base = symbol(name) if name[0].isalpha() and name != "w" else name
-        base = f"({base})" if exponent and "^" in base else base
-        parts.append(f"{base}^{{{exponent}}}" if exponent else base)
-    return "" if factor == "1" else r"\,".join([*parts, ""])
+    return claim.latex

@@ -1,27 +1,59 @@
-"""What the audit says: one row a claim, a reading and a curve."""
+"""What the ledger says: one row a claim, a reading and a curve."""
 
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from exactspline.errors import ExactSplineError
 from exactspline.language.services import Displayed
-from exactspline.verification.claims import Claim
+from exactspline.verification.vocabulary import Relation, Status, Verdict
 
-PROVED, VERIFIED, REFUTED, UNDECIDED = "PROVED", "VERIFIED", "REFUTED", "UNDECIDED"
+if TYPE_CHECKING:
+    from exactspline.verification.claim import Claim
+
+PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED
 #: What `witness` says where both sides vanish: no success, and no failure either.
 VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
+#: How `witness` begins where a curve is none of those of which the claim speaks.
+OUTSIDE = "the claim says nothing of this curve: "
+#: What is said beside a statement about the generic curve where one curve is looked at.
+AT_MOST_HERE = " (on one curve: at most)"
 
 
-@dataclass
+class ContradictionError(ExactSplineError):
+    """Two readings contradict each other: proved for all curves, and refuted on one of them. One of them is wrong."""
+
+
+@dataclass(frozen=True)
 class Finding:
-    """What one check found: computed value, factor, witness and verdict, before it is held against the record."""
+    """What one check found: computed value, factor, witness and verdict, before it is held against the record.
 
-    verdict: str
+    ``relation`` is the one that was decided, ``assumptions`` the names of those that the decision rests on.
+    """
+
+    verdict: Verdict
     claimed: str = ""
     computed: str = ""
     factor: str = ""
     witness: str = ""
+    relation: Relation = Relation.EQUAL
+    assumptions: tuple[str, ...] = ()
+
+    @property
+    def is_vacuous(self) -> bool:
+        """Whether nothing was decided because there is nothing to decide."""
+        return self.verdict == UNDECIDED and self.witness == VACUOUS
+
+    @property
+    def is_outside(self) -> bool:
+        """Whether nothing was decided because the claim does not speak of the curve."""
+        return self.verdict == UNDECIDED and self.witness.startswith(OUTSIDE)
+
+
+def vacuous(claimed: str, computed: str = "0 = 0", factor: str = "") -> Finding:
+    """Nothing to decide."""
+    return Finding(UNDECIDED, claimed, computed, factor, VACUOUS)
 
 
 @dataclass
@@ -29,17 +61,22 @@ class Row(Displayed):
     """A line of the ledger."""
 
     id: str
+    key: str
+    paper: str
+    status: Status
     kind: str
     source: str
     statement: str
     assumes: str
+    assumptions: list[str]
     reading: str
     curve: str
+    relation: Relation
     claimed: str
     computed: str
     factor: str
     witness: str
-    verdict: str
+    verdict: Verdict
     expected: str
     seconds: float
 
@@ -53,33 +90,46 @@ class Row(Displayed):
         return asdict(self)
 
 
-def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float) -> Row:
+def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float, *, is_example: bool = False) -> Row:
     """A finding held against the record.
 
-    The record speaks of all curves. On one curve a claim that holds must be VERIFIED, unless it is vacuous there; one
-    that fails in general may well hold there.
+    The record speaks of all curves. On one curve a claim that holds must be VERIFIED, unless it is vacuous there, which
+    is on record for the example curves; one that fails in general may well hold there.
     """
-    expected = claim.expected
-    if curve:
-        holds = expected in (PROVED, VERIFIED)
-        expected = VERIFIED if holds else f"{REFUTED} or {VERIFIED}"
-        if finding.witness == VACUOUS:
-            expected = UNDECIDED
-    statement = claim.statement + (" (as it must read)" if claim.as_meant else "")
     f = finding
     return Row(
         claim.id,
+        claim.key,
+        claim.paper,
+        claim.status,
         claim.kind,
         claim.source,
-        statement,
-        claim.assumes,
+        _statement(claim, curve, f),
+        claim.assumed,
+        list(f.assumptions),
         reading,
         curve,
+        f.relation,
         f.claimed,
         f.computed,
         f.factor,
         f.witness,
         f.verdict,
-        expected,
+        _expected(claim, curve, f, is_example) if curve else claim.expected,
         seconds,
     )
+
+
+def _statement(claim: Claim, curve: str, finding: Finding) -> str:
+    weaker = curve and finding.relation == Relation.AT_MOST and claim.relation_claimed == Relation.EQUAL
+    return (
+        claim.statement
+        + (" (as it must read)" if claim.status == Status.MEANT else "")
+        + (AT_MOST_HERE if weaker else "")
+    )
+
+
+def _expected(claim: Claim, curve: str, finding: Finding, is_example: bool) -> str:
+    if finding.is_outside or (finding.is_vacuous and not is_example) or (is_example and curve in claim.vacuous):
+        return UNDECIDED
+    return VERIFIED if claim.expected in (PROVED, VERIFIED) else f"{REFUTED} or {VERIFIED}"

@@ -6,15 +6,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
-from exactspline.language.arguments import with_point
+from exactspline.exact import mpq
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.splines.examples import example
@@ -40,7 +38,7 @@ def figure_5() -> Drawn:
 
 
 def _surfaces(name: str, point: Point, rulings: Any) -> list[tuple[RuledSurface, SurfaceMesh]]:
-    argument = with_point(example(name), point)
+    argument = example(name).with_point(point)
     found = [find(formula)(argument) for formula in (EXPLICIT, DIRECT)]
     return [(surface, ruled_mesh(surface, bounds)) for surface, bounds in zip(found, rulings, strict=True)]
 
@@ -79,7 +77,7 @@ def _compared(number: int, what: str, name: str, point: Point, rulings: Any) -> 
 def figure_6() -> Drawn:
     """The planar bisector inside both surfaces of Figure 5."""
     name, point, rulings = ELLIPSE
-    plane = find("plane_bisector_polynomial")(with_point(example("ellipse"), point[:2]))
+    plane = find("plane_bisector_polynomial")(example("ellipse").with_point(point[:2]))
     figure, scenes = new_figure(13, 7), []
     for i, (surface, mesh) in enumerate(_surfaces(name, point, rulings)):
         iso_curve = surface.directrix

@@ -5,14 +5,13 @@ from __future__ import annotations
 from textwrap import wrap
 from typing import Any, NamedTuple
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import GREEN, ORANGE, PURPLE, SILVER, VERMILLION, legend_below, new_figure
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
+from exactspline.exact import mpq
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.plane_features import curvature_extrema
+from exactspline.geometry.features import curvature_extrema
 from exactspline.geometry.zero_forms import zero_form
 from exactspline.papers import find
 from exactspline.readings.printing.latex import print_latex

@@ -13,11 +13,9 @@ from itertools import groupby, pairwise
 from pathlib import Path
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import ExactSplineError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.splines.nurbs import Nurbs
 
 BLACK, GREY, SILVER = "#000000", "#7A7A7A", "#C4C4C4"

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from gmpy2 import iroot, mpq
-
 from exactspline.display.plot.canvas import (
     BLACK,
     BLUE,
@@ -23,8 +21,9 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
+from exactspline.exact import iroot, mpq
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
-from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
@@ -89,13 +88,13 @@ def plot_approaches(
     ax = axes_for(ax)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
     for i, variant in enumerate(forms or made.all_variants):
-        f = made.on(curve, variant)
+        solved = analyse(curve).zero_form(name, variant)
+        f = solved.form
         color, dashes = LINES[i % len(LINES)]
         label = f"{variant}: degree {f.degree}, {control_point_count(f)} control points"
         for j, run in enumerate(_normalized(f)):
             draw(ax, run, color=color, linestyle=dashes, linewidth=1.6, label="_form" if j else label, zorder=3 + i)
-    roots = zeros(f, periodic=curve.closed)
-    draw_roots(ax, roots, f.domain, *MARKS[0])
+    draw_roots(ax, solved.zeros, f.domain, *MARKS[0])
     ax.set_xlabel("parameter")
     ax.set_ylabel("∛(value / largest)")
     legend_below(ax, columns=1)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import (
     BLACK,
     GREEN,
@@ -27,6 +25,7 @@ from exactspline.display.plot.canvas import (
     shown_name,
 )
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
+from exactspline.exact import mpq
 from exactspline.geometry.derived import derive
 from exactspline.language.rational import Rational
 from exactspline.roots.zero_set import zeros

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import PlotError, Point
+from exactspline.exact import mpq
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector
+from exactspline.splines.common import with_common_knots
 
 #: What is shown: where all but a tenth of the points lie on either side, and as much again (in lengths of its longest
 #: side) around it.
@@ -68,9 +67,5 @@ def homogeneous(value: Any) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
     knots, and the degree.
     """
     numerator, w = value.elevated() if isinstance(value, Rational) else (value, value[0].constant(1))
-    scalars = [*numerator, w]
-    common = scalars[0] * 0
-    for c in scalars[1:]:
-        common = common + c * 0
-    raised = Vector(*[c + common for c in scalars])
+    raised = with_common_knots([*numerator, w])
     return list(zip(*[c.control_points for c in raised], strict=True)), raised[0].knots.knots, raised[0].degree

@@ -7,8 +7,6 @@ from itertools import pairwise
 from math import floor, log10
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import (
     BLACK,
     GREEN,
@@ -28,6 +26,7 @@ from exactspline.display.plot.canvas import (
     sampled,
 )
 from exactspline.errors import ShapeError, shown
+from exactspline.exact import mpq
 from exactspline.splines.bspline import BSpline
 
 #: A control polygon so many times higher than its graph, or a graph so many times higher than its median, gets no

@@ -7,18 +7,17 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.errors import ShapeError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 
 #: Samples along the curve, in all and at least so many a segment; samples along a ruling.
@@ -187,10 +186,7 @@ def _over(values: list[mpq], quotient: bool) -> Point | None:
 def _control_net(numerator: Vector, w: Any, box: Box) -> list[list[Point | None]]:
     """The control points of the common degrees and knots, row by row."""
     scalars = [*numerator, *([] if w is None else [w])]
-    common = scalars[0] * 0
-    for c in scalars[1:]:
-        common = common + c * 0
-    nets = [(c + common).control_points for c in scalars]
+    nets = [c.control_points for c in with_common_knots(scalars)]
     return [
         [kept(_over(list(values), w is not None), box) for values in zip(*lines, strict=True)]
         for lines in zip(*nets, strict=True)

@@ -24,7 +24,7 @@ from exactspline.display.plot.frames import Box
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import rational
-from exactspline.language.arguments import Curve, with_point
+from exactspline.language.arguments import Curve
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.splines.tensor import surface_pair
@@ -208,7 +208,7 @@ def _argument(curve: Curve, other: Any) -> tuple[str, str, Any]:
     kind, default = (
         ("plane point", "plane_bisector_polynomial") if len(point) == 2 else ("point", "point_bisector_direct_z")
     )
-    return kind, default, with_point(curve, point)
+    return kind, default, curve.with_point(point)
 
 
 def mark_points(ax: Any, points: Iterable[Point], label: str, color: str = GREY) -> Any:

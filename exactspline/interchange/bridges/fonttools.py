@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.numbers import nearest_double
 from exactspline.interchange.segments import joined, polynomial

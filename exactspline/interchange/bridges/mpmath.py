@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from gmpy2 import mpq
-
+from exactspline.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:

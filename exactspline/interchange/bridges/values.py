@@ -6,9 +6,8 @@ from collections.abc import Iterable
 from numbers import Integral
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import NumberError, shown
+from exactspline.exact import mpq
 from exactspline.interchange.numbers import nearest_double
 
 

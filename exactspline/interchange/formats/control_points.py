@@ -10,9 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import PurePath
 
-from gmpy2 import mpq
-
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import Format, Reading, Source

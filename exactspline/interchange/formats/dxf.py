@@ -11,9 +11,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
 from exactspline.interchange.collector import Collector

@@ -12,9 +12,8 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector

@@ -11,9 +11,8 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.formats.control_points import complete
 from exactspline.interchange.json_text import parsed

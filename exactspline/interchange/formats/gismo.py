@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.sax.saxutils import quoteattr
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source

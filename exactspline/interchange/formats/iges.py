@@ -11,9 +11,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.iges_records import Entry, entries, formatted

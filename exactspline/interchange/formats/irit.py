@@ -10,9 +10,8 @@ import re
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source

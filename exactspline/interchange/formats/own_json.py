@@ -12,10 +12,8 @@ from collections.abc import Sequence
 from importlib import resources
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, whole

@@ -17,10 +17,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText

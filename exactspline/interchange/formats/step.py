@@ -10,9 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from gmpy2 import mpq
-
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source

@@ -14,9 +14,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from xml.sax.saxutils import quoteattr
 
-from gmpy2 import mpq
-
 from exactspline.errors import ExactSplineError, ShapeError
+from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal

@@ -64,6 +64,18 @@ def velocity_shared(c):
     return D1(c) / c.w**2
 
 
+@formula("Remark 3.2")
+def acceleration_first_term(c):
+    """``D2/w²``, the first term of γ″."""
+    return D2(c) / c.w**2
+
+
+@formula("Remark 3.2")
+def jerk_first_term(c):
+    """``D3/w²``, the first term of γ‴."""
+    return D3(c) / c.w**2
+
+
 @formula("eq. (2)")
 def acceleration_shared(c):
     """Second derivative, its terms over w³."""
@@ -77,13 +89,13 @@ def jerk_shared(c):
     return ((D3(c) + D21(c)) * w**2 - D2(c) * (4 * w.d(1) * w) + D1(c) * (6 * w.d(1) ** 2 - 2 * w * w.d(2))) / w**4
 
 
-@formula("Remark 3.1", curve="space")
+@formula("Remark 3.1", on="space")
 def D1_D2_D3(c):
     """``[D1 D2 D3]`` in space."""
     return det(D1(c), D2(c), D3(c))
 
 
-@formula("§3", curve="space")
+@formula("§3", on="space")
 def D1_D2_D21(c):
     """``[D1 D2 D21]``: zero when D21 lies in the span of D1 and D2."""
     return det(D1(c), D2(c), D21(c))
@@ -134,46 +146,46 @@ def jerk_term_1(c):
 @formula("eq. (5)")
 def acceleration_terms(c):
     """Second derivative as the paper prints it: a sum of terms over powers of w."""
-    return D2(c) / c.w**2 - acceleration_term_1(c)
+    return acceleration_first_term(c) - acceleration_term_1(c)
 
 
 @formula("eq. (5)")
 def jerk_terms(c):
     """Third derivative as the paper prints it: a sum of terms over powers of w."""
-    return D3(c) / c.w**2 + jerk_term_21(c) - jerk_term_2(c) + jerk_term_1(c)
+    return jerk_first_term(c) + jerk_term_21(c) - jerk_term_2(c) + jerk_term_1(c)
 
 
-@formula("Remark 3.2", curve="plane")
+@formula("Remark 3.2", on="plane")
 def acceleration_rest_plane(c):
     """``[γ′ γ″ − D2/w²]``: zero when the rest of γ″ is along γ′, in the plane."""
-    return det(c.gamma.d(1), c.gamma.d(2) - D2(c) / c.w**2)
+    return det(c.gamma.d(1), c.gamma.d(2) - acceleration_first_term(c))
 
 
-@formula("Remark 3.2", curve="space")
+@formula("Remark 3.2", on="space")
 def acceleration_rest_space(c):
     """``γ′ × (γ″ − D2/w²)``: zero when the rest of γ″ is along γ′, in space."""
-    return cross(c.gamma.d(1), c.gamma.d(2) - D2(c) / c.w**2)
+    return cross(c.gamma.d(1), c.gamma.d(2) - acceleration_first_term(c))
 
 
-@formula("Remark 3.2", curve="space")
+@formula("Remark 3.2", on="space")
 def jerk_rest(c):
     """``[γ′ γ″ γ‴ − D3/w²]``: zero when the rest of γ‴ is in the span of γ′ and γ″."""
-    return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3) - D3(c) / c.w**2)
+    return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3) - jerk_first_term(c))
 
 
-@formula("§3", curve="plane")
+@formula("§3", on="plane")
 def velocity_jerk(c):
     """``[γ′ γ‴]``, naive."""
     return det(c.gamma.d(1), c.gamma.d(3))
 
 
-@formula("§3", curve="plane")
+@formula("§3", on="plane")
 def D1_D3(c):
     """``[D1 D3]`` in the plane."""
     return det(D1(c), D3(c))
 
 
-@formula("Remark 3.2", curve="space")
+@formula("Remark 3.2", on="space")
 def velocity_acceleration_jerk(c):
     """``[γ′ γ″ γ‴]``, naive."""
     return det(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))

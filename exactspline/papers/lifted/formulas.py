@@ -8,7 +8,7 @@ generalized cross product. On a polynomial curve w is 1.
 
 from exactspline.language.formula import formula
 from exactspline.language.ruled import ruled
-from exactspline.language.vector import cross, det, generalized_cross, join, norm2, wronskian
+from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, wronskian
 from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1, D1_squared
 
 
@@ -24,45 +24,45 @@ def conformal_lift(c):
     return join(norm2(c.p), c.p * c.w, c.w**2)
 
 
-@formula("lifted", curve="plane")
+@formula("lifted", on="plane")
 def inflections_lifted(c):
     """The Wronskian of P: zero where the tangent meets the curve to third order."""
     return wronskian(projective_lift(c), 3)
 
 
-@formula("lifted", curve="plane")
+@formula("lifted", on="plane")
 def curvature_squared_lifted(c):
     """Squared curvature, with the Wronskian of P."""
     return (inflections_lifted(c) * c.w**3) ** 2 / D1_squared(c) ** 3
 
 
-@formula("lifted", curve="plane")
+@formula("lifted", on="plane")
 def vertices_lifted(c):
     """The Wronskian of X: zero where a circle meets the curve to fourth order, where κ′ is zero."""
     return wronskian(conformal_lift(c), 4)
 
 
-@formula("lifted", curve="plane", symbol="S")
+@formula("lifted", on="plane", symbol="S")
 def osculating_circle(c):
     """The circle through three consecutive points of the curve, ``(a, b, c)`` as above."""
     x = conformal_lift(c)
     return generalized_cross(x, x.d(1), x.d(2))
 
 
-@formula("lifted", curve="plane", symbol="E")
+@formula("lifted", on="plane", symbol="E")
 def evolute_lifted(c):
     """The centre of the osculating circle."""
     circle = osculating_circle(c)
     return -circle[1:3] / (2 * circle[0])
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def torsion_zeros_lifted(c):
     """The Wronskian of P: zero where the osculating plane meets the curve to fourth order."""
     return wronskian(projective_lift(c), 4)
 
 
-@formula("lifted", curve="space", symbol=r"\Pi")
+@formula("lifted", on="space", symbol=r"\Pi")
 def osculating_plane(c):
     """The plane through three consecutive points of the curve: its normal, after its first coordinate, is ``D1 × D2 /
     w``.
@@ -71,136 +71,136 @@ def osculating_plane(c):
     return generalized_cross(x, x.d(1), x.d(2))
 
 
-@formula("lifted", curve="space", symbol="b")
+@formula("lifted", on="space", symbol="b")
 def binormal_lifted(c):
     """The normal of the osculating plane."""
     return osculating_plane(c)[1:4]
 
 
-@formula("lifted", curve="space", symbol=r"\tau")
+@formula("lifted", on="space", symbol=r"\tau")
 def torsion_lifted(c):
     """Torsion: the Wronskian of P over the squared length of the binormal."""
     return (torsion_zeros_lifted(c) * c.w**2) / norm2(binormal_lifted(c))
 
 
-@formula("lifted", curve="space", symbol=r"\kappa^2")
+@formula("lifted", on="space", symbol=r"\kappa^2")
 def space_curvature_squared_lifted(c):
     """Squared curvature from the binormal of the osculating plane."""
     return (norm2(binormal_lifted(c)) * c.w**6) / D1_squared(c) ** 3
 
 
-@formula("lifted", curve="space", symbol=r"J_\kappa")
+@formula("lifted", on="space", symbol=r"J_\kappa")
 def space_critical_curvature_lifted(c):
     """The Jacobian of the two covariants whose quotient is κ², without the factors they share."""
     w, bend, speed = c.w, norm2(binormal_lifted(c)), D1_squared(c)
     return bend.d(1) * (w * speed) + bend * (6 * w.d(1) * speed) - bend * (3 * w * speed.d(1))
 
 
-@formula("lifted", curve="space", symbol="S")
+@formula("lifted", on="space", symbol="S")
 def osculating_sphere(c):
     """The sphere through four consecutive points of the curve."""
     x = conformal_lift(c)
     return generalized_cross(x, x.d(1), x.d(2), x.d(3))
 
 
-@formula("lifted", curve="space", symbol="F")
+@formula("lifted", on="space", symbol="F")
 def focal_curve_lifted(c):
     """The centre of the osculating sphere."""
     sphere = osculating_sphere(c)
     return -sphere[1:4] / (2 * sphere[0])
 
 
-@formula("lifted", curve="space", symbol="S")
+@formula("lifted", on="space", symbol="S")
 def circle_sphere(c):
     """The sphere through three consecutive points with its centre in their plane, orthogonal to ``(2 Π_0, −Π, 0)``."""
     x, plane = conformal_lift(c), osculating_plane(c)
     return generalized_cross(x, x.d(1), x.d(2), join(2 * plane[0], -plane[1:4], 0))
 
 
-@formula("lifted", curve="space", symbol="E")
+@formula("lifted", on="space", symbol="E")
 def circle_centre_lifted(c):
     """The centre of the osculating circle of a space curve."""
     sphere = circle_sphere(c)
     return -sphere[1:4] / (2 * sphere[0])
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def normal_lifted(c):
     """The principal normal direction: across the tangent, in the osculating plane."""
     return cross(binormal_lifted(c), D1(c))
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def rectifying_generator_lifted(c):
     """The direction of ``τT + κB`` without denominators."""
     b = binormal_lifted(c)
     return D1(c) * (torsion_zeros_lifted(c) * D1_squared(c)) + b * (c.w * norm2(b))
 
 
-@formula("definition of a developable", curve="space")
+@formula("definition of a developable", on="space")
 def rectifying_development(c):
     """``[D1 G G′] / ‖G‖²`` for the generator without denominators: zero when the rectifying developable is one."""
     generator = rectifying_generator_lifted(c)
     return det(D1(c), generator, generator.d(1)) / norm2(generator)
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def tangent_developable_lifted(c):
     """``p/w + λ D1``."""
     return ruled(c.gamma, D1(c))
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def binormal_scroll_lifted(c):
     """``p/w + λ Π``: along the normal of the osculating plane."""
     return ruled(c.gamma, binormal_lifted(c))
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def normal_scroll_lifted(c):
     """``p/w`` along the principal normal."""
     return ruled(c.gamma, normal_lifted(c))
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def rectifying_developable_lifted(c):
     """``p/w`` along the direction of ``τT + κB``."""
     return ruled(c.gamma, rectifying_generator_lifted(c))
 
 
-@formula("lifted", curve="space")
+@formula("lifted", on="space")
 def focal_surface_lifted(c):
     """The centre of the osculating circle, along the normal of the osculating plane."""
     return ruled(circle_centre_lifted(c), binormal_lifted(c))
 
 
-@formula("projective lift of the point", curve="point")
+@formula("projective lift of the point", on="point")
 def projective_point(c):
     """``(1, Q)``."""
     return join(1, c.point)
 
 
-@formula("conformal lift of the point", curve="point")
+@formula("conformal lift of the point", on="point")
 def conformal_point(c):
     """``(‖Q‖², Q, 1)``."""
     return join(norm2(c.point), c.point, 1)
 
 
-@formula("lifted", curve="pair", symbol="S")
+@formula("lifted", on="pair", symbol="S")
 def bisector_sphere(c):
     """The sphere through one point of each curve that touches both there."""
     x, y = conformal_lift(c.first), conformal_lift(c.second)
     return generalized_cross(x, x.d(1), y, y.d(1))
 
 
-@formula("lifted", curve="pair", symbol="B")
+@formula("lifted", on="pair", symbol="B")
 def bisector_lifted(c):
     """The centre of the sphere that touches both curves."""
     sphere = bisector_sphere(c)
     return -sphere[1:4] / (2 * sphere[0])
 
 
-@formula("lifted", curve="plane point", symbol="B")
+@formula("lifted", on="plane point", symbol="B")
 def plane_bisector_lifted(c):
     """The centre of the circle through Q that touches the curve."""
     x = conformal_lift(c)
@@ -208,7 +208,7 @@ def plane_bisector_lifted(c):
     return -circle[1:3] / (2 * circle[0])
 
 
-@formula("lifted", curve="point", symbol=r"\Pi")
+@formula("lifted", on="point", symbol=r"\Pi")
 def tangent_plane_through_point(c):
     """The plane through the tangent and Q; its normal is the direction of the centres of the spheres through Q that
     touch the curve.
@@ -217,7 +217,7 @@ def tangent_plane_through_point(c):
     return generalized_cross(x, x.d(1), projective_point(c))
 
 
-@formula("lifted", curve="point")
+@formula("lifted", on="point")
 def point_bisector_lifted(c):
     """The point/curve bisector, its directrix in the plane of the tangent and Q."""
     x, plane = conformal_lift(c), tangent_plane_through_point(c)
@@ -225,9 +225,22 @@ def point_bisector_lifted(c):
     return ruled(-sphere[1:4] / (2 * sphere[0]), plane[1:4])
 
 
-@formula("lifted", curve="point")
+@formula("lifted", on="point")
 def point_bisector_direct_lifted(c):
     """The point/curve bisector, its directrix in the plane z = 0."""
     x = conformal_lift(c)
     sphere = generalized_cross(x, x.d(1), conformal_point(c), join(0, c.axis_z, 0))
     return ruled(-sphere[1:4] / (2 * sphere[0]), tangent_plane_through_point(c)[1:4])
+
+
+@formula("lifted", on="point")
+def lifted_directrix_in_tangent_plane(c):
+    """``Π·(1, δ)``: zero where the directrix lies in the plane of the tangent and Q."""
+    plane = tangent_plane_through_point(c)
+    return plane[0] + dot(plane[1:4], point_bisector_lifted(c).directrix)
+
+
+@formula("lifted", on="point")
+def lifted_directrix_height(c):
+    """The third component of the directrix of the direct form."""
+    return dot(c.axis_z, point_bisector_direct_lifted(c).directrix)

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from gmpy2 import mpq
-
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import text
+from exactspline.exact import mpq, text
 from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, zeros

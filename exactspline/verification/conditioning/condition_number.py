@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import factorial
 
 from flint import fmpz, fmpz_poly
-from gmpy2 import iroot, mpq, mpz
 
+from exactspline.exact import iroot, mpq, mpz
 from exactspline.roots.root import Root
 from exactspline.splines.bernstein import ONE, Form, derivative, value
 

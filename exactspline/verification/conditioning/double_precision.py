@@ -9,9 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from sys import float_info
 
-from gmpy2 import mpq
-
-from exactspline.exact import from_float
+from exactspline.exact import from_float, mpq
 from exactspline.splines.bernstein import Form, bezier
 from exactspline.verification.conditioning.condition_number import Interval
 

@@ -6,9 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from random import Random
 
-from gmpy2 import mpq
-
 from exactspline.errors import ShapeError
+from exactspline.exact import mpq
 from exactspline.geometry.constructions import MINIMAL
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs

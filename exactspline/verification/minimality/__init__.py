@@ -23,6 +23,7 @@ from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import divide_u_plus_v
+from exactspline.splines.common import with_common_knots
 from exactspline.splines.lowest_terms import lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.generic_degree import minimum_at
@@ -84,10 +85,8 @@ def _segments(made: Construction, piece: Piece, curve: Any) -> list[dict[str, An
 
 def _over_one(components: list[Any]) -> Rational:
     """A polynomial vector as a quotient, its components over one mesh."""
-    nothing = components[0] * 0
-    for c in components[1:]:
-        nothing = nothing + c * 0
-    return Rational(Vector(*[c + nothing for c in components]), nothing.constant(1))
+    components = with_common_knots(components)
+    return Rational(Vector(*components), components[0].constant(1))
 
 
 def _coefficients(c: fmpz_poly, n: int) -> list[str]:

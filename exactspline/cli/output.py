@@ -1,0 +1,160 @@
+"""What a command prints: tables for people, JSON, CSV or Markdown for programs; and where standard output goes when
+nobody reads it any more.
+"""
+
+from __future__ import annotations
+
+import inspect
+import io
+import json
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import wraps
+from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+
+import typer
+
+from exactspline.errors import ExactSplineError
+
+if TYPE_CHECKING:
+    from typing_extensions import Buffer
+
+    from exactspline.display.sheet import Sheet
+
+#: The version of every JSON document; it grows when a field changes its meaning or goes.
+VERSION = 1
+
+
+class OptionsError(ExactSplineError):
+    """Options that contradict each other."""
+
+
+class _State:
+    """Set once, when a command begins."""
+
+    quiet = False
+
+
+def is_quiet() -> bool:
+    """Whether nothing but the result is wanted."""
+    return _State.quiet
+
+
+@dataclass(frozen=True)
+class Output:
+    """How the result of a command is printed."""
+
+    format: str
+    quiet: bool
+
+    @property
+    def for_people(self) -> bool:
+        """Whether a person reads it."""
+        return self.format == "text"
+
+    def give(
+        self,
+        schema: str,
+        rows: Callable[[], Iterable[dict[str, Any]]],
+        sheets: Callable[[], Sequence[Sheet]],
+        people: Callable[[], None] | None = None,
+        by: str = "",
+    ) -> None:
+        """Print the result: `rows` as JSON, `sheets` as CSV or Markdown (`by` heads the column of their names), or what
+        `people` read, which is the sheets with their legend where nothing else is said.
+        """
+        if self.format == "json":
+            print_json(document(schema, rows()))
+        elif self.format == "csv":
+            from exactspline.display.sheet import csv_of
+
+            sys.stdout.write(csv_of(sheets(), by))
+        elif self.format == "markdown":
+            sys.stdout.write("\n\n".join(sheet.markdown() for sheet in sheets()) + "\n")
+        elif people:
+            people()
+        else:
+            self.show(sheets())
+
+    def show(self, sheets: Sequence[Sheet], *more: str) -> None:
+        """Tables one below the other and then the meaning of their columns, and of `more` words."""
+        from exactspline.display import console
+
+        out = console.console()
+        for i, sheet in enumerate(sheets):
+            if i:
+                out.print()
+            out.print(sheet)
+        if not self.quiet:
+            tags = [tag for sheet in sheets for tag in sheet.tags]
+            console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags, *more])
+
+
+def document(schema: str, rows: Iterable[dict[str, Any]]) -> dict[str, Any]:
+    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version."""
+    return {"schema": f"exactspline/{schema}", "version": VERSION, "rows": list(rows)}
+
+
+def print_json(data: Any) -> None:
+    """JSON on standard output."""
+    sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")
+
+
+_FLAGS = {
+    "as_json": Annotated[bool, typer.Option("--json", help="Print JSON (see `exactspline schema`).")],
+    "as_csv": Annotated[bool, typer.Option("--csv", help="Print comma-separated values.")],
+    "as_markdown": Annotated[bool, typer.Option("--markdown", help="Print Markdown tables.")],
+    "quiet": Annotated[bool, typer.Option("--quiet", "-q", help="No legend, no progress bar.")],
+}
+
+
+def printing(command: Callable[..., None]) -> Callable[..., None]:
+    """A command whose parameter ``out`` is an `Output`, filled by the options that all commands have."""
+
+    @wraps(command)
+    def run(**values: Any) -> None:
+        chosen = [name for name in ("json", "csv", "markdown") if values.pop(f"as_{name}")]
+        if len(chosen) > 1:
+            raise OptionsError(f"--{chosen[0]} and --{chosen[1]}", remedy="choose one of them")
+        _State.quiet = values.pop("quiet")
+        command(out=Output(chosen[0] if chosen else "text", _State.quiet), **values)
+
+    hints = get_type_hints(command, include_extras=True)
+    own = [
+        p.replace(annotation=hints[p.name], kind=inspect.Parameter.KEYWORD_ONLY)
+        for p in inspect.signature(command).parameters.values()
+        if p.name != "out"
+    ]
+    shared = [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=hint)
+        for name, hint in _FLAGS.items()
+    ]
+    run.__signature__ = inspect.Signature([*own, *shared])  # type: ignore[attr-defined]
+    run.__annotations__ = {p.name: p.annotation for p in [*own, *shared]}
+    return run
+
+
+class Guarded(io.FileIO):
+    """Standard output that may be closed by its reader (``| head``): what nobody reads is dropped, and the command ends
+    with the status that it has earned.
+    """
+
+    def write(self, data: Buffer, /) -> int:
+        """Write, unless nobody reads."""
+        try:
+            return super().write(data) or 0
+        except BrokenPipeError:
+            return memoryview(data).nbytes
+
+
+def guard_output() -> None:
+    """Let standard output survive a reader that leaves, and a terminal that lacks a letter."""
+    old = sys.stdout
+    if isinstance(old, io.TextIOWrapper):
+        old.flush()
+        raw = Guarded(old.fileno(), "wb", closefd=False)
+        encoding, by_line = old.encoding, old.line_buffering
+        sys.stdout = io.TextIOWrapper(
+            io.BufferedWriter(raw), encoding=encoding, errors="backslashreplace", line_buffering=by_line
+        )

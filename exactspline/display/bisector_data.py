@@ -1,0 +1,263 @@
+"""Bisectors as data for programs: control nets as exact text, ends of pieces as certified roots."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb
+
+from exactspline.display.serialize import decimal_of, piece_data
+from exactspline.exact import mpq, text
+from exactspline.geometry.bisector.components import (
+    Branch,
+    LineComponent,
+    LinePiece,
+    PairEquation,
+    PlaneComponent,
+    PoleCurve,
+    RealZeros,
+    SinglePair,
+    Solutions,
+)
+from exactspline.geometry.bisector.flats import Flat
+from exactspline.geometry.bisector.polynomials import Parameter, Sides
+from exactspline.geometry.bisectors import BisectorPatch, CurveBisector, PointBisector
+from exactspline.geometry.trimmed_bisector import TrimmedBisector, TrimmedPiece
+from exactspline.language.rational import Rational
+from exactspline.roots.root import Root, knot_root
+from exactspline.splines.common import with_common_knots
+from exactspline.splines.tensor import TensorSpline
+
+Data = dict[str, Any]
+NAMES = "st"
+
+
+# ---- two curves
+
+
+def curve_bisector_data(found: CurveBisector, digits: int) -> Data:
+    """All of the bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
+    s, and beside it lines, planes, single pairs and poles.
+    """
+    missing = [{"sides": _sides(sides), "reason": reason} for sides, reason in found.missing]
+    return {
+        "kind": "bisector of two curves",
+        "variant": str(found.variant),
+        "patches": [_patch_data(patch) for patch in found.patches],
+        "missing": missing,
+        "lines": [_line_data(line, digits) for line in found.lines],
+        "planes": [_plane_data(plane, digits) for plane in found.planes],
+        "pairs": [_pair_data(pair, digits) for pair in found.pairs],
+        "poles": [_pole_data(pole) for pole in found.poles],
+        "left_out": list(found.left_out),
+        "complete": not found.left_out,
+    }
+
+
+def _sides(sides: Sides) -> list[list[str]]:
+    return [[text(x) for x in side] for side in sides]
+
+
+def _patch_data(patch: BisectorPatch) -> Data:
+    numerator, w = patch.value.elevated()
+    return {"sides": _sides(patch.sides)} | _control_net([*numerator, w])
+
+
+def _control_net(splines: list[TensorSpline]) -> Data:
+    """The control nets of several splines over the knots that carry them all."""
+    splines = with_common_knots(splines)
+    first = splines[0]
+    rows = zip(*[x.control_points for x in splines], strict=True)
+    return {
+        "degree": list(first.degree),
+        "knots": [[text(t) for t in knots] for knots in first.knots],
+        "homogeneous_control_net": [[[text(x) for x in point] for point in zip(*row, strict=True)] for row in rows],
+    }
+
+
+def equation_data(equation: PairEquation) -> Data:
+    """An equation between s and t: as text, and its integers ``[power of s, power of t, integer]``."""
+    return {"text": f"{equation.text} = 0", "terms": [[i, j, str(x)] for (i, j), x in equation.terms]}
+
+
+def _line_data(line: LineComponent, digits: int) -> Data:
+    return {
+        "pairs": str(line.correspondence),
+        "cause": str(line.cause),
+        "sides": _sides(line.sides),
+        "equation": line.equation and equation_data(line.equation),
+        "fixed": line.fixed and parameter_data(line.fixed, digits),
+        "pieces": [_line_piece_data(one, digits) for one in line.pieces],
+        "branches": [
+            _branch_data(branch, digits) | _flat_data(line.line(*branch.sample, digits), digits)
+            for branch in line.real.branches
+        ],
+    } | _limits_data(line.real, digits)
+
+
+def _line_piece_data(one: LinePiece, digits: int) -> Data:
+    """A piece with low, high, and the control points of directrix and generator over the whole segment."""
+    interval = one.surface.directrix.denominator.domain
+    if isinstance(one.other, Rational):
+        other: Any = piece_data(interval, one.other)
+    else:
+        other = None if one.other is None else parameter_data(one.other, digits)
+    return {
+        "parameter": NAMES[one.of],
+        "low": parameter_data(one.low, digits),
+        "high": parameter_data(one.high, digits),
+        "other": other,
+        "directrix": piece_data(interval, one.surface.directrix),
+        "generator": piece_data(interval, one.surface.generator.numerator),
+        "poles": [parameter_data(root, digits) for root in one.poles],
+    }
+
+
+def _branch_data(branch: Branch, digits: int) -> Data:
+    return {
+        "low": parameter_data(branch.low, digits),
+        "high": parameter_data(branch.high, digits),
+        "index": branch.index,
+        "sample": [parameter_data(x, digits) for x in branch.sample],
+    }
+
+
+def _limits_data(real: RealZeros, digits: int) -> Data:
+    return {
+        "ends": [[parameter_data(x, digits) for x in place] for place in real.ends],
+        "nodes": [[parameter_data(x, digits) for x in place] for place in real.nodes],
+    }
+
+
+def _plane_data(plane: PlaneComponent, digits: int) -> Data:
+    return {
+        "solutions": str(plane.solutions),
+        "cause": str(plane.cause),
+        "sides": _sides(plane.sides),
+        "equation": plane.equation and equation_data(plane.equation),
+        "parameter": NAMES[plane.of],
+        "intervals": [[parameter_data(x, digits) for x in interval] for interval in plane.intervals],
+        "fixed": None if plane.fixed is None else parameter_data(plane.fixed, digits),
+        "branches": [_branch_data(branch, digits) for branch in plane.real.branches],
+    } | _limits_data(plane.real, digits)
+
+
+def _pair_data(pair: SinglePair, digits: int) -> Data:
+    head = {
+        "s": parameter_data(pair.s, digits),
+        "t": parameter_data(pair.t, digits),
+        "solutions": str(pair.solutions),
+        "cause": str(pair.cause),
+        "sides": _sides(pair.sides),
+    }
+    if pair.solutions is Solutions.SPACE:
+        return head
+    return head | _flat_data(pair.exact or pair.enclosed(digits), digits, plane=pair.solutions is Solutions.PLANE)
+
+
+def _flat_data(flat: Flat[Any], digits: int, *, plane: bool = False) -> Data:
+    """A point, and the direction of a line or the normal of a plane: exact text, or decimals with all digits right."""
+    return {
+        "point": [_number(x, digits) for x in flat.point],
+        "normal" if plane else "direction": [_number(x, digits) for x in flat.direction],
+    }
+
+
+def _number(x: mpq | arb, digits: int) -> str:
+    return str(x.str(digits, radius=False)) if isinstance(x, arb) else text(x)
+
+
+def _pole_data(pole: PoleCurve) -> Data:
+    return {"sides": _sides(pole.sides), "equation": equation_data(pole.equation), "certain": pole.certain}
+
+
+# ---- a point and a curve
+
+
+def point_bisector_data(found: PointBisector, digits: int) -> Data:
+    """The pieces of the ruled bisector of a point and a curve: directrix and generator by homogeneous control
+    points.
+    """
+    pieces = [
+        {
+            "interval": [text(x) for x in piece.interval],
+            "moved": piece.moved,
+            "directrix": piece_data(piece.interval, piece.surface.directrix),
+            "generator": piece_data(piece.interval, piece.surface.generator),
+        }
+        for piece in found.pieces
+    ]
+    return {
+        "kind": "ruled bisector",
+        "variant": found.variant,
+        "pieces": pieces,
+        "singular": [parameter_data(root, digits) for root in found.singular],
+        "missing": [{"interval": [text(a), text(b)], "reason": reason} for (a, b), reason in found.missing],
+    }
+
+
+def trimmed_data(found: TrimmedBisector, digits: int) -> Data:
+    """The pieces of the true bisector of a point and a plane curve."""
+    pieces = [_trimmed_piece_data(piece, digits) for piece in found.pieces]
+    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(found.missing)}
+
+
+def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
+    """A piece by its control points: over [low, high] where both are rational. Otherwise over the whole segment, and
+    ``cut`` says that the piece is only the part from low to high.
+    """
+    ends = {"low": parameter_data(piece.low, digits), "high": parameter_data(piece.high, digits)}
+    head = {"piece": str(piece.kind)} | ({} if piece.foot is None else {"foot": text(piece.foot)}) | ends
+    exact = piece.restricted()
+    if exact is None:
+        return head | {"cut": True} | piece_data(piece.value.denominator.domain, piece.value)
+    return head | piece_data(exact.denominator.domain, exact)
+
+
+def parameter_data(t: Parameter, digits: int) -> Data:
+    """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first); an interval
+    that holds it and no other root of that, and so many digits.
+    """
+    root = t if isinstance(t, Root) else knot_root(t)
+    minimal = root.minimal_polynomial()
+    low, high = root.refine(digits)
+    head: Data = {
+        "parameter": None if root.exact is None else text(root.exact),
+        "interval": [text(low), text(high)],
+        "decimal": decimal_of(root, digits),
+    }
+    return head if root.exact is not None else head | {"polynomial": [str(x) for x in minimal]}
+
+
+# ---- for people
+
+
+def degree_of(value: Any) -> str:
+    """The degree of a piece, for people."""
+    d = value.degree
+    return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
+
+
+def counted(value: Rational) -> int:
+    """The number of control points of a patch."""
+    top = value.numerator[0].elevated_to(value.denominator)
+    m, n = top.control_point_counts
+    return int(m * n)
+
+
+def shown(t: Parameter, digits: int) -> str:
+    """A parameter for people: exact where it is short, otherwise so many digits."""
+    exact = t if not isinstance(t, Root) else t.exact
+    if exact is not None and len(text(exact)) <= digits + 2:
+        return text(exact)
+    return decimal_of(t if isinstance(t, Root) else knot_root(t), digits)
+
+
+def sides_text(sides: Sequence[Sequence[Any]]) -> str:
+    """An interval or a rectangle for people.
+
+    >>> sides_text([(0, 1), (2, 3)])
+    '[0, 1] × [2, 3]'
+    """
+    return " × ".join(f"[{a}, {b}]" for a, b in sides)

@@ -1,0 +1,81 @@
+"""Degree tables for people: what vanishes or does not exist says so, and no number stands for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from exactspline.display.sheet import Sheet
+from exactspline.verification.degree_tables import DegreeRow, GenericRow
+
+NOTHING, ZERO = "–", "zero"
+
+
+def degree_sheet(curve: Any, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
+    """What the constructions or formulas cost on a curve.
+
+    >>> from exactspline.splines.examples import example
+    >>> from exactspline.verification.degree_tables import construction_table
+    >>> line = example("straight_line")
+    >>> rows = degree_sheet(line, [call() for call in construction_table(line)]).rows
+    >>> [row[5] for row in rows if row[0] == "zero_curvature"]
+    ['zero', 'zero', 'zero', 'zero']
+    """
+    numbers = ("nominal", "k, m, j", "degree", "true", "points", "generic")
+    made = Sheet(
+        "formula",
+        "variant",
+        *numbers,
+        "what it is",
+        title=title,
+        name=curve.name,
+        numbers=numbers,
+        prose=["what it is"],
+        heads=2,
+    )
+    for row in rows:
+        text = row.text
+        if row.true is None and row.represented is not None and row.represented >= 0:
+            text += "; does not exist on a whole segment, which the minimal form names"
+        counts = [row.nominal, row.grading, _degree(row), _true(row), _points(row), row.generic]
+        made.add_row(row.formula, row.variant, *counts, text)
+    return made
+
+
+def _degree(row: DegreeRow) -> str:
+    if row.represented is None or (row.represented < 0 and row.true is None):
+        return NOTHING
+    return ZERO if row.represented < 0 else str(row.represented)
+
+
+def _true(row: DegreeRow) -> str:
+    return NOTHING if row.true is None else ZERO if row.true < 0 else str(row.true)
+
+
+def _points(row: DegreeRow) -> str:
+    return str(row.control_points) if row.control_points else NOTHING
+
+
+def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
+    """What is proved of the generic curve of degree d."""
+    numbers = ("naive", "paper", "k", "m", "kd − m", "j", "true")
+    made = Sheet(
+        "construction",
+        *numbers,
+        "attained at d",
+        title=f"The generic {kind} curve of degree d",
+        name=kind,
+        numbers=numbers,
+    )
+    for row in rows:
+        made.add_row(row.object, row.naive, row.paper, row.k, row.m, row.nominal, row.j, row.true, attained_at(row))
+    return made
+
+
+def attained_at(row: GenericRow) -> str:
+    """The degrees d at which a witness attains the true degree; at which the object does not exist or vanishes; at
+    which proof and witness disagree.
+    """
+    absent = f"; absent at {', '.join(map(str, row.absent))}" if row.absent else ""
+    differ = f"; DIFFERS at {', '.join(map(str, row.differ))}" if row.differ else ""
+    return ", ".join(map(str, row.attained)) + absent + differ

@@ -1,0 +1,56 @@
+"""The words and signs of the tables, and what each means."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable
+from functools import cache
+from importlib import resources
+
+from exactspline.errors import ExactSplineError, nearest
+
+
+class GlossaryError(ExactSplineError):
+    """A term that the glossary does not have."""
+
+
+@cache
+def glossary() -> dict[str, dict[str, str]]:
+    """Terms and their meaning, by topic.
+
+    >>> glossary()["verdicts"]["REFUTED"]
+    'it fails, and a witness shows where'
+    """
+    return tomllib.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
+
+
+@cache
+def terms() -> dict[str, str]:
+    """Every term with its meaning."""
+    return {term: meaning for topic in glossary().values() for term, meaning in topic.items()}
+
+
+def meaning(term: str) -> str:
+    """What a term means; upper and lower case are told apart only where both are terms.
+
+    >>> meaning("proved") == meaning("PROVED")
+    True
+
+    Raises `GlossaryError` with the nearest terms.
+    """
+    known = terms()
+    for each in (term, *[name for name in known if name.lower() == term.lower()]):
+        if each in known:
+            return known[each]
+    raise GlossaryError(
+        f"the glossary has no term {term!r}", remedy=nearest(term, known, listed_by="exactspline glossary")
+    )
+
+
+def explained(words: Iterable[str]) -> list[tuple[str, str]]:
+    """Those of the words that are terms, each once, with their meaning.
+
+    >>> [term for term, _ in explained(["curve", "nominal", "true", "nominal"])]
+    ['nominal', 'true']
+    """
+    return [(word, terms()[word]) for word in dict.fromkeys(words) if word in terms()]

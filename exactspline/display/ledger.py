@@ -1,0 +1,208 @@
+"""The ledger for people: what a row says, the refuted statements with what is true, counts by section and by curve."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from exactspline.display.numbers import decimals
+from exactspline.display.sheet import Sheet
+from exactspline.papers import paper
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import claims_of
+from exactspline.verification.errata import name_of, numbered
+from exactspline.verification.kinds import Identity
+from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+from exactspline.verification.verdict import VACUOUS as VACUOUS_WITNESS
+from exactspline.verification.vocabulary import Status
+
+VACUOUS, INAPPLICABLE = "VACUOUS", "INAPPLICABLE"
+#: The words of the verdict column, in the order of the tables.
+WORDS = (PROVED, VERIFIED, REFUTED, UNDECIDED, VACUOUS, INAPPLICABLE)
+HOLDS = (PROVED, VERIFIED)
+#: The last two groups of the summary.
+MEANT, OURS = "as it must read", "beyond the paper"
+
+
+def word(row: Row) -> str:
+    """The verdict in one word: where there is nothing to decide it is not that something was left undecided."""
+    if row.verdict == UNDECIDED and row.witness == VACUOUS_WITNESS:
+        return VACUOUS
+    return INAPPLICABLE if row.verdict == UNDECIDED and row.witness.startswith(OUTSIDE) else str(row.verdict)
+
+
+@cache
+def _claims(name: str) -> dict[str, Claim]:
+    return {claim.key: claim for claim in claims_of(name)}
+
+
+def claim_of(row: Row) -> Claim:
+    """The claim of which a row is a line."""
+    return _claims(row.paper)[row.key]
+
+
+def section(claim: Claim) -> str:
+    """The section of the paper to which a claim belongs.
+
+    >>> from exactspline.verification.claims import select
+    >>> [section(select([i])[0]) for i in ("C4.2b", "T3", "E12", "Fig. 2", "L1")]
+    ['§4.2', 'Table 1', 'equations', 'figures', 'beyond the paper']
+    """
+    if claim.status == Status.OURS:
+        return OURS
+    if number := re.match(r"C(\d+(?:\.\d+)?)", claim.id):
+        return f"§{number[1]}"
+    return {"T": "Table 1", "E": "equations", "F": "figures"}.get(claim.id[0], claim.id)
+
+
+def found(row: Row) -> str:
+    """What was found, in one phrase: an identity as ``left = factor · right``."""
+    claim = claim_of(row)
+    if word(row) in (VACUOUS, INAPPLICABLE):
+        return "nothing to decide here"
+    if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
+        left, right = name_of(claim, claim.left), name_of(claim, claim.right)
+        return f"{left} = {right}" if row.factor == "1" else f"{left} = {row.factor} · {right}"
+    if claim.kind == "degree":
+        computed = "identically zero" if row.computed == "-1" else row.computed
+        return computed if row.verdict in HOLDS else f"{computed}, not {row.claimed}"
+    if claim.kind == "vanishing" and row.verdict in HOLDS:
+        return "identically zero"
+    return f"{row.computed}: {row.factor}" if row.factor and row.verdict in HOLDS else row.computed
+
+
+def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
+    """Where a row fails, where `found` does not say so already."""
+    if word(row) in (VACUOUS, INAPPLICABLE) or row.witness.startswith("the exact quotient is"):
+        return ""
+    said = re.fullmatch(r"-?\d+, not -?\d+", row.witness)
+    return "" if said else decimals(row.witness, digits, exact=exact)
+
+
+def ledger(rows: Iterable[Row], title: str = "", digits: int = 0, *, exact: bool = False, name: str = "") -> Sheet:
+    """The rows of one curve (or of all curves), one a line."""
+    columns = ("verdict", "claim", "statement", "found", "witness")
+    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness"), heads=2)
+    for row in rows:
+        mark = "" if row.as_recorded else f" (recorded: {row.expected})"
+        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact))
+    return made
+
+
+def by_section(rows: Iterable[Row]) -> Sheet:
+    """Counts of the verdicts: of what the paper prints section by section, of what it must mean where that fails, and
+    of what goes beyond it.
+    """
+    counts: dict[str, Counter[str]] = defaultdict(Counter)
+    for row in rows:
+        claim = claim_of(row)
+        counts[MEANT if claim.status == Status.MEANT else section(claim)][word(row)] += 1
+    words = [w for w in WORDS if any(c[w] for c in counts.values())]
+    made = Sheet("section", "statements", *words, numbers=("statements", *words))
+    last = [name for name in (MEANT, OURS) if name in counts]
+    for name in [*[name for name in counts if name not in last], *last]:
+        made.add_row(name, counts[name].total(), *[counts[name][w] or "" for w in words])
+    total = sum(counts.values(), Counter())
+    made.add_row("all", total.total(), *[total[w] or "" for w in words])
+    return made
+
+
+def by_curve(rows: Sequence[Row]) -> Sheet:
+    """Counts of verdicts, curve by curve."""
+    counts: dict[str, Counter[str]] = defaultdict(Counter)
+    for row in rows:
+        counts[row.curve][word(row)] += 1
+        counts[row.curve]["as recorded"] += row.as_recorded
+    words = [w for w in WORDS if any(c[w] for c in counts.values())]
+    made = Sheet("curve", *words, "as recorded", numbers=words)
+    for name, each in counts.items():
+        of = sum(each[w] for w in words)
+        made.add_row(name, *[each[w] or "" for w in words], f"{each['as recorded']} of {of}")
+    return made
+
+
+@dataclass(frozen=True)
+class Failure:
+    """An error of the paper as the ledger shows it: its statements that are refuted, and those that hold instead."""
+
+    title: str
+    rows: list[Row]
+    truth: list[Row]
+
+
+def refuted(rows: Iterable[Row]) -> list[Failure]:
+    """The errors of the papers among the rows for all curves, in the order of the rows."""
+    groups: dict[tuple[str, str], list[Row]] = defaultdict(list)
+    for row in rows:
+        if not row.curve and (error := claim_of(row).error):
+            groups[row.paper, error].append(row)
+    found = []
+    for (source, error), own in groups.items():
+        fails = [row for row in own if row.status == Status.PRINTED and row.verdict == REFUTED]
+        truth = [row for row in own if row.status == Status.MEANT and row.verdict in HOLDS]
+        if fails:
+            found.append(Failure(paper(source).errors[error], fails, truth))
+    return found
+
+
+def reasons(claims: Iterable[Claim], curve: Any) -> str:
+    """Why claims say nothing of a curve, counted.
+
+    >>> from exactspline.verification.claims import select
+    >>> from exactspline.splines.examples import example
+    >>> reasons(select(["C4.1c", "T1"]), example("twisted_cubic"))
+    '1 of Table 1, 3 of plane curves'
+    """
+    counts: Counter[str] = Counter()
+    for claim in claims:
+        if claim.curve == "table":
+            counts["of Table 1"] += 1
+        elif claim.curve not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension, "")):
+            counts[f"of {claim.curve} curves"] += 1
+        else:
+            counts[f"of {claim.of} curves"] += 1
+    return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
+
+
+def closing(rows: Sequence[Row]) -> str:
+    """The last line: how many verdicts there are of each kind and whether any differs from the record."""
+    counts = Counter(map(word, rows))
+    differ = sum(not row.as_recorded for row in rows)
+    parts = ", ".join(f"{counts[w]} {w}" for w in WORDS if counts[w])
+    plural = "" if len(rows) == 1 else "s"
+    end = f"{differ} DIFFER from the record" if differ else "all as recorded"
+    return f"{len(rows)} verdict{plural}: {parts}; {end}"
+
+
+def said(row: Row) -> str:
+    """A statement with the number that it speaks of."""
+    return numbered(claim_of(row))
+
+
+def headline(rows: Sequence[Row]) -> str:
+    """The answer in a sentence: how many statements of the paper are refuted, on how many rows, and how many hold."""
+    printed = [row for row in rows if row.status == Status.PRINTED]
+    general = Counter(row.verdict for row in printed if not row.curve)
+    lines = sum(row.verdict == REFUTED for row in printed)
+    holds = sum(general[verdict] for verdict in HOLDS)
+    told = f"{_count(general[REFUTED], 'statement')} of the paper refuted on {_count(lines, 'row')}; {holds} hold"
+    return told + (f"; {general[UNDECIDED]} undecided" if general[UNDECIDED] else "; none is undecided")
+
+
+def _count(n: int, what: str) -> str:
+    return f"{n} {what}{'' if n == 1 else 's'}"
+
+
+def keyed(rows: Iterable[Row]) -> list[tuple[str, str, Row]]:
+    """Every row with a key of its own and its verdict in one word."""
+    seen: Counter[str] = Counter()
+    told = []
+    for row in rows:
+        base = f"{row.paper}/{row.key} on {row.curve or 'all curves'}"
+        seen[base] += 1
+        told.append((base if seen[base] == 1 else f"{base} ({seen[base]})", word(row), row))
+    return told

@@ -1,0 +1,83 @@
+"""The ledger as one page with filters that asks nothing of the network."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from exactspline.atomic_write import write_atomically
+from exactspline.display.glossary import explained
+from exactspline.display.ledger import WORDS, claim_of, closing, found, headline, section, witness, word
+from exactspline.verification.verdict import Row
+
+_STYLE = """
+body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:80rem;padding:0 1rem;color:#1a1a1a;background:#fff}
+table{border-collapse:collapse;width:100%}th,td{text-align:left;vertical-align:top;padding:.3rem .8rem .3rem 0}
+th{border-bottom:1px solid #999;position:sticky;top:0;background:#fff}
+td{border-bottom:1px solid #eee;overflow-wrap:anywhere}
+.PROVED{color:#00694d}.VERIFIED{color:#0060a0}.REFUTED{color:#b34700}.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:#666}
+td:first-child{font-weight:600}form{display:flex;flex-wrap:wrap;gap:1rem;margin:1rem 0}label{display:flex;gap:.4rem}
+input,select{font:inherit}dt{font-weight:600}
+"""
+_SCRIPT = """
+const form=document.querySelector("form"),rows=[...document.querySelectorAll("tbody tr")];
+function filter(){const d=new FormData(form),text=d.get("text").toLowerCase();let n=0;
+for(const r of rows){const ok=["verdict","section","curve"].every(k=>!d.get(k)||r.dataset[k]===d.get(k))
+&&(!text||r.textContent.toLowerCase().includes(text));r.hidden=!ok;n+=ok}
+document.querySelector("output").textContent=n+" of "+rows.length+" rows"}
+form.addEventListener("input",filter);form.addEventListener("submit",e=>e.preventDefault());filter();
+"""
+
+
+def page(rows: Sequence[Row]) -> str:
+    """The rows as an HTML page, with a filter by verdict, by section, by curve and by text.
+
+    >>> from exactspline.verification.claims import select
+    >>> from exactspline.verification.ledger import audit
+    >>> text = page(list(audit(select(["C4.1a"]), [])))
+    >>> "<title>" in text, "http" in text
+    (True, False)
+    """
+    words = [w for w in WORDS if any(word(row) == w for row in rows)]
+    sections = list(dict.fromkeys(section(claim_of(row)) for row in rows))
+    curves = list(dict.fromkeys(_curve(row) for row in rows))
+    choices = (("verdict", words), ("section", sections), ("curve", curves))
+    filters = "".join(_select(name, values) for name, values in choices)
+    head = "".join(f"<th>{name}</th>" for name in ("verdict", "claim", "place", "on", "statement", "found", "witness"))
+    told = "".join(f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(words))
+    return (
+        '<!doctype html><html lang="en"><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>Ledger</title><style>{_STYLE}</style>"
+        f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>"
+        f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
+        f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
+        f"<dl>{told}</dl><script>{_SCRIPT}</script></html>\n"
+    )
+
+
+def write_page(path: str, rows: Sequence[Row]) -> None:
+    """Write the page: the file is there whole or not at all."""
+    text = page(rows).encode()
+    write_atomically(path, lambda stream: stream.write(text))
+
+
+def _curve(row: Row) -> str:
+    return row.curve or "all curves"
+
+
+def _select(name: str, values: Sequence[str]) -> str:
+    options = "".join(f"<option>{escape(value)}</option>" for value in values)
+    return f'<label>{name} <select name="{name}"><option value="">all</option>{options}</select></label>'
+
+
+def _row(row: Row) -> str:
+    told = word(row)
+    data = {"verdict": told, "section": section(claim_of(row)), "curve": _curve(row)}
+    attributes = "".join(f' data-{name}="{escape(value)}"' for name, value in data.items())
+    cells = (row.id, row.source, _curve(row), row.statement, found(row), witness(row))
+    return (
+        f'<tr{attributes}><td class="{told}">{told}</td>'
+        + "".join(f"<td>{escape(cell)}</td>" for cell in cells)
+        + "</tr>"
+    )

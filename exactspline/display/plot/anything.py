@@ -1,0 +1,46 @@
+"""A picture of whatever can be drawn."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactspline.display.plot.curves import plot_curve, plot_quotient
+from exactspline.display.plot.functions import plot_function
+from exactspline.display.plot.surfaces import plot_ruled_surface, plot_surface
+from exactspline.errors import ShapeError
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.roots.zero_set import ZeroSet
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.tensor import TensorSpline
+
+
+def plot(thing: Any, ax: Any = None, **how: Any) -> Any:
+    """Draw a curve, a function, a zero set, a derived curve or a surface into matplotlib's axes (None: those of a new
+    figure), which are returned. `how` as for the function of `exactspline.display.plot` that draws such things.
+
+    >>> from exactspline import BSpline, example, zeros
+    >>> f = BSpline.bezier([1, -1, 1])
+    >>> [plot(x).get_legend().get_texts()[-1].get_text() for x in (example("circle"), f, zeros(f))]
+    ['knots', 'graph', '1 root']
+
+    Raises `PlotError` without matplotlib, `ShapeError` for what has no picture.
+    """
+    if isinstance(thing, Nurbs):
+        return plot_curve(thing, ax, **how)
+    if isinstance(thing, BSpline):
+        return plot_function(thing, ax, **how)
+    if isinstance(thing, ZeroSet):
+        return plot_function(thing.spline, ax, roots=thing, **how)
+    if isinstance(thing, RuledSurface):
+        return plot_ruled_surface(thing, ax=ax, **how)
+    parts = thing.numerator if isinstance(thing, Rational) else thing
+    if isinstance(parts, Vector):
+        draw = plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient
+        return draw(thing, ax, **how)
+    raise ShapeError(
+        f"a {type(thing).__name__} has no picture of its own",
+        remedy="draw a curve, a spline, a zero set, a vector or quotient of splines, or a ruled surface",
+    )

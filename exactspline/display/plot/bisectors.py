@@ -1,0 +1,268 @@
+"""Pictures of whole bisectors: of two curves with the lines and planes beside the surface, of a point and a curve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from exactspline.display.plot.canvas import (
+    BLACK,
+    GREEN,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILLION,
+    Point,
+    axes_for,
+    draw,
+    joined,
+    legend_below,
+    parameter,
+    sampled,
+)
+from exactspline.display.plot.curves import plot_curve
+from exactspline.display.plot.frames import Box, box_around, grown, kept
+from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
+from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.exact import mpq, rational
+from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
+from exactspline.geometry.bisectors import CurveBisector, PointBisector
+from exactspline.geometry.trimmed_bisector import TrimmedBisector
+from exactspline.language.vector import Vector, cross, dot
+from exactspline.roots.root import Root
+from exactspline.splines.nurbs import Nurbs
+
+#: A point of a line, and its direction.
+Ruling = tuple[Point, Point]
+
+#: Rulings of a piece, points along a ruling, samples of a piece of a plane curve.
+RULINGS, ALONG, SAMPLES = 64, 12, 200
+#: Digits of what is drawn of irrational lines.
+DIGITS = 20
+
+
+def plot_curve_bisector(found: CurveBisector, ax: Any = None, *, box: Box | None = None) -> Any:
+    """The bisector of two curves: its surface, the lines along curves of pairs, and the lines and planes of single
+    pairs, in a box around both curves.
+
+    >>> from exactspline import Nurbs
+    >>> from exactspline.geometry.bisectors import curve_bisector
+    >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
+    >>> [text.get_text() for text in plot_curve_bisector(curve_bisector(low, high)).get_legend().get_texts()]
+    ['curve of s', 'curve of t', 'lines of s - t = 0']
+
+    Raises `PlotError` as `plot_mesh` does, but for a bisector of which there is nothing in the box.
+    """
+    ax = axes_for(ax, 3)
+    box = _box_of(found.curves) if box is None else box
+    for curve, label in zip(found.curves, ("curve of s", "curve of t"), strict=True):
+        plot_curve(curve, ax, control_polygon=False, knots=False, label=label)
+    for patch in found.patches:
+        if max(patch.value.degree) == 0:
+            mark_points(ax, [patch.value(*[a for a, _ in patch.sides])], "surface (one point)", SKY)
+        else:
+            _plot(ax, tensor_mesh(patch.value, box), "surface", SKY)
+    for line in found.lines:
+        label = f"lines of {_short(line)}"
+        for rulings in _rulings(line):
+            _plot(ax, lines_mesh(rulings, box), label, ORANGE)
+    for pair in found.pairs:
+        _plot_pair(ax, pair, box)
+    _legend_once(ax)
+    return ax
+
+
+def _short(line: LineComponent) -> str:
+    text = "all pairs" if line.equation is None else f"{line.equation.text} = 0"
+    return text if len(text) <= 30 else "a curve of pairs"
+
+
+def _box_of(curves: Iterable[Nurbs], more: Iterable[Point] = ()) -> Box:
+    points = [p for c in curves for run in sampled(c, c.breakpoints) for _, p in run]
+    box = box_around([*points, *more])
+    return grown(box if box[0] != box[1] else _unit_around(box[0]), mpq(1, 2))
+
+
+def _unit_around(point: Point) -> Box:
+    return tuple(mpq(x - 1) for x in point), tuple(mpq(x + 1) for x in point)
+
+
+def _plot(ax: Any, mesh: SurfaceMesh, label: str, color: str) -> None:
+    """A surface, unless nothing of it is in the box."""
+    if mesh.faces:
+        plot_mesh(mesh, ax, label=label, color=color, control_net=False)
+
+
+def _legend_once(ax: Any) -> None:
+    """The legend, with what has one label in it once."""
+    seen: set[str] = set()
+    for artist in [*ax.lines, *ax.collections]:
+        if artist.get_label() in seen:
+            artist.set_label(f"_{artist.get_label()}")
+        seen.add(artist.get_label())
+    legend_below(ax)
+
+
+def lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
+    """Lines, one after the other, as a surface cut at a box; None where the surface is interrupted.
+
+    >>> mesh = lines_mesh([((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (0, 0, 2))], ((-2, -2, -2), (2, 2, 2)))
+    >>> len(mesh.faces), max(p[2] for face in mesh.faces for p in face)
+    (12, mpq(2,1))
+    """
+    patches: list[list[list[Point | None]]] = [[]]
+    before: Point | None = None
+    for ruling in rulings:
+        run = None if ruling is None else _clipped(*_turned(ruling, before), box)
+        if ruling is None or run is None:
+            before = None
+            patches.append([])
+            continue
+        before = _turned(ruling, before)[1]
+        low, high = run
+        row = [tuple(x + mpq(k, ALONG) * (y - x) for x, y in zip(low, high, strict=True)) for k in range(ALONG + 1)]
+        patches[-1].append(list(row))
+    return SurfaceMesh([rows for rows in patches if len(rows) > 1], [], 0, 0)
+
+
+def _turned(ruling: Ruling, before: Point | None) -> Ruling:
+    """The line with its direction not against that of the line before."""
+    point, direction = ruling
+    against = before is not None and sum(x * y for x, y in zip(before, direction, strict=True)) < 0
+    return point, tuple(-x for x in direction) if against else direction
+
+
+def _clipped(point: Point, direction: Point, box: Box) -> tuple[Point, Point] | None:
+    """The two ends of the part of a line inside a box; None where it misses the box."""
+    low, high = None, None
+    for x, d, a, b in zip(point, direction, *box, strict=True):
+        if d == 0:
+            if not a <= x <= b:
+                return None
+            continue
+        first, last = sorted(((a - x) / mpq(d), (b - x) / mpq(d)))
+        low = first if low is None else max(low, first)
+        high = last if high is None else min(high, last)
+    if low is None or high is None or low >= high:
+        return None
+    ends = [tuple(x + z * d for x, d in zip(point, direction, strict=True)) for z in (low, high)]
+    return ends[0], ends[1]
+
+
+def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
+    """The lines of a component, run by run."""
+    found = [_piece_rulings(one) for one in line.pieces]
+    for branch in line.real.branches:
+        run: list[Ruling | None] = []
+        for s in _between(branch.low, branch.high):
+            inside = [t for t in line.partners(s) if t not in line.sides[1]]
+            run.append(_middle(line.line(s, inside[branch.index], DIGITS)) if branch.index < len(inside) else None)
+        found.append(run)
+    if line.fixed is not None:
+        own = 0 if line.correspondence is Correspondence.FIRST_FIXED else 1
+        others = _between(*line.sides[1 - own])
+        places = [(line.fixed, x) if own == 0 else (x, line.fixed) for x in others]
+        found.append([_middle(line.line(s, t, DIGITS)) for s, t in places])
+    return found
+
+
+def _piece_rulings(one: LinePiece) -> list[Ruling | None]:
+    directrix, generator = one.surface.directrix, one.surface.generator.numerator
+    return [
+        (directrix(u), tuple(g(u) for g in generator)) if directrix.denominator(u) else None
+        for u in _between(one.low, one.high)
+    ]
+
+
+def _between(low: Any, high: Any) -> list[mpq]:
+    """Parameters strictly inside an interval, and its ends where they are rational."""
+    a, b = (t.refine(DIGITS) if isinstance(t, Root) else (t, t) for t in (low, high))
+    return [a[1] + (b[0] - a[1]) * mpq(k, RULINGS) for k in range(RULINGS + 1)]
+
+
+def _middle(flat: Any) -> Ruling | None:
+    """A line in balls as the line through their middles; None where a ball says nothing."""
+    rows = [flat.point, flat.direction]
+    if not all(x.is_finite() for row in rows for x in row):
+        return None
+    point, direction = (tuple(_rational(x) for x in row) for row in rows)
+    return point, direction
+
+
+def _rational(x: Any) -> mpq:
+    mantissa, exponent = x.mid().man_exp()
+    return mpq(int(mantissa) * mpq(2) ** int(exponent))
+
+
+def _plot_pair(ax: Any, pair: SinglePair, box: Box) -> None:
+    if pair.solutions is Solutions.SPACE:
+        return
+    flat = pair.exact
+    ruling = (flat.point, flat.direction) if flat is not None else _middle(pair.enclosed(DIGITS))
+    if ruling is None:
+        return
+    if pair.solutions is Solutions.LINE:
+        ends = _clipped(*ruling, box)
+        if ends is not None:
+            draw(ax, ends, color=VERMILLION, linewidth=1.2, label="line of a single pair", zorder=4)
+        return
+    point, normal = ruling[0], Vector(*ruling[1])
+    one = next(v for e in (Vector(0, 0, 1), Vector(0, 1, 0)) if any(v := cross(normal, e.mapped(mpq))))
+    other = cross(normal, one)
+    size = max(b - a for a, b in zip(*box, strict=True))
+    steps = [size * mpq(k, ALONG) for k in range(-ALONG, ALONG + 1)]
+    square = dot(other, other)
+    starts = [tuple(x + k * y / _root(square) for x, y in zip(point, other, strict=True)) for k in steps]
+    _plot(ax, lines_mesh([(start, tuple(one)) for start in starts], box), "plane of a single pair", PURPLE)
+
+
+def _root(x: mpq) -> mpq:
+    """Roughly the square root: how far apart the rulings of a plane are drawn."""
+    return mpq(1 << (max(int(x).bit_length(), 1) // 2))
+
+
+def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Any], ax: Any = None) -> Any:
+    """The ruled bisector of a point and a space curve, in a box around both."""
+    ax, place = axes_for(ax, 3), tuple(map(rational, point))
+    box = _box_of([curve], [place])
+    plot_curve(curve, ax, control_polygon=False, knots=False)
+    for piece in found.pieces:
+        directrix, generator = piece.surface.directrix, piece.surface.generator
+        rulings: list[Ruling | None] = []
+        for u in _between(*piece.interval):
+            w = directrix.denominator(u)
+            line = (
+                (directrix(u), generator(u) if callable(generator) else tuple(g(u) for g in generator)) if w else None
+            )
+            rulings.append(line)
+        _plot(ax, lines_mesh(rulings, box), "bisector", SKY)
+    mark_points(ax, [place], "point")
+    _legend_once(ax)
+    return ax
+
+
+def plot_trimmed_bisector(found: TrimmedBisector, curve: Nurbs, point: Sequence[Any], ax: Any = None) -> Any:
+    """The true bisector of a point and a plane curve: arcs, and the straight pieces of ends and corners.
+
+    >>> from exactspline import Nurbs
+    >>> from exactspline.geometry.trimmed_bisector import trimmed_bisector
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
+    >>> ax = plot_trimmed_bisector(trimmed_bisector(line, (0, 2)), line, (0, 2))
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['curve', 'arc', 'end point', 'point']
+    """
+    ax, place = axes_for(ax), tuple(map(rational, point))
+    box = _box_of([curve], [place])
+    plot_curve(curve, ax, control_polygon=False, knots=False)
+    for piece in found.pieces:
+        domain = piece.value.denominator.domain
+        low, high = (parameter(t, domain) for t in (piece.low, piece.high))
+        places = [low + (high - low) * mpq(k, SAMPLES) for k in range(SAMPLES + 1)]
+        points = [kept(piece.value(t), box) if piece.value.denominator(t) else None for t in places]
+        color = GREEN if piece.foot is None else VERMILLION
+        for run in joined(points):
+            draw(ax, run, color=color, linewidth=1.5, label=str(piece.kind), zorder=3)
+    draw(ax, [place], "o", color=BLACK, markersize=5, label="point", zorder=5)
+    ax.set_aspect("equal")
+    _legend_once(ax)
+    return ax

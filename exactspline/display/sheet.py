@@ -1,0 +1,215 @@
+"""A table that is never cropped: columns where there is room, a block a row where there is not, one row a line in a
+pipe; as CSV and as Markdown too.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Iterator, Sequence
+from io import StringIO
+
+from rich.cells import cell_len
+from rich.console import Console, ConsoleOptions
+from rich.text import Text
+
+from exactspline.display.wrapping import hanging, words_in
+
+#: Wider than any terminal: what goes into a file or a pipe is neither broken nor padded at the end.
+PIPE = 1 << 20
+#: Blanks between two columns.
+GAP = 2
+#: Prose in a column is broken into lines that are not shorter than this; below it rows become blocks.
+NARROWEST = 24
+#: In a pipe a longer cell pushes its own row only.
+LONGEST_ALIGNED = 72
+#: Verdicts by colour; they are said in words anyway.
+COLOURS = {"PROVED": "bold green", "VERIFIED": "green", "REFUTED": "bold magenta", "UNDECIDED": "yellow"}
+
+
+class Sheet:
+    """A table of texts under headings.
+
+    ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines.
+    ``name`` is what the table is about: CSV and Markdown put it into a column of its own where several tables follow
+    one another. Where rows become blocks, the first ``heads`` cells head the block.
+
+    >>> sheet = Sheet("curve", "degree", numbers=["degree"])
+    >>> sheet.add_row("circle", "2")
+    >>> print(sheet.text(40))
+    curve   degree
+    circle       2
+    >>> print(sheet.text(10))
+    circle
+      degree:
+        2
+    """
+
+    def __init__(
+        self,
+        *columns: str,
+        title: str = "",
+        name: str = "",
+        numbers: Iterable[str] = (),
+        prose: Iterable[str] = (),
+        heads: int = 1,
+    ) -> None:
+        self.columns, self.title, self.name, self.heads = columns, title, name, heads
+        self.numbers, self.prose = frozenset(numbers), frozenset(prose)
+        self.rows: list[tuple[str, ...]] = []
+
+    def add_row(self, *cells: object) -> None:
+        """A row, a cell a column; blanks and line breaks in a cell become single blanks."""
+        row = tuple(" ".join(str(cell).split()) for cell in cells)
+        self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
+
+    @property
+    def row_count(self) -> int:
+        """The number of rows."""
+        return len(self.rows)
+
+    @property
+    def tags(self) -> list[str]:
+        """The words in the columns of variants, forms and verdicts, each once."""
+        columns = [i for i, name in enumerate(self.columns) if name in ("variant", "form", "verdict")]
+        return list(dict.fromkeys(row[i] for i in columns for row in self.rows))
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text]:
+        for line in self.lines(options.max_width):
+            line.no_wrap, line.overflow = True, "ignore"
+            yield line
+
+    def text(self, width: int = PIPE) -> str:
+        """The table in lines of at most that width."""
+        return "\n".join(line.plain for line in self.lines(width))
+
+    def lines(self, width: int = PIPE) -> list[Text]:
+        """The lines of the table, styled: none is longer than the width, and no cell is cropped."""
+        head = [Text(line, style="bold") for line in hanging(self.title, width)] if self.title else []
+        if width >= PIPE:
+            return head + self._aligned()
+        widths = self._fitted(width)
+        return head + (self._in_columns(widths) if widths else self._in_blocks(width))
+
+    def _natural(self) -> list[int]:
+        return [
+            max(cell_len(cell) for cell in (name, *[row[i] for row in self.rows]))
+            for i, name in enumerate(self.columns)
+        ]
+
+    def _fitted(self, width: int) -> list[int] | None:
+        """The widths of the columns with nothing broken but headings and prose; none where they do not fit."""
+        free = width - GAP * (len(self.columns) - 1)
+        natural = self._natural()
+        if sum(natural) <= free:
+            return natural
+        cells = [max((cell_len(row[i]) for row in self.rows), default=0) for i in range(len(self.columns))]
+        headings = [max(map(cell_len, name.split()), default=0) for name in self.columns]
+        least = [max(pair) for pair in zip(cells, headings, strict=True)]
+        for i, name in enumerate(self.columns):
+            if name in self.prose:
+                least[i] = min(least[i], max(NARROWEST, longest_word(row[i] for row in self.rows), headings[i]))
+        spare = free - sum(least)
+        if spare < 0:
+            return None
+        for i in sorted(range(len(least)), key=lambda i: natural[i] - least[i]):
+            more = min(spare, natural[i] - least[i])
+            least[i], spare = least[i] + more, spare - more
+        return least
+
+    def _in_columns(self, widths: Sequence[int]) -> list[Text]:
+        lines = self._row(self.columns, widths, heading=True)
+        for row in self.rows:
+            lines += self._row(row, widths)
+        return lines
+
+    def _row(self, cells: Sequence[str], widths: Sequence[int], *, heading: bool = False) -> list[Text]:
+        broken = [hanging(cell, width, indent=0) or [""] for cell, width in zip(cells, widths, strict=True)]
+        height = max(map(len, broken))
+        padded = [[""] * (height - len(c)) + c if heading else c + [""] * (height - len(c)) for c in broken]
+        return [self._line(parts, widths, heading) for parts in zip(*padded, strict=True)]
+
+    def _line(self, parts: Sequence[str], widths: Sequence[int], heading: bool) -> Text:
+        line = Text()
+        for name, part, width in zip(self.columns, parts, widths, strict=True):
+            blank = " " * max(0, width - cell_len(part))
+            style = "bold" if heading else COLOURS.get(part.split(" ")[0], "") if name == "verdict" else ""
+            line.append(blank if name in self.numbers else "")
+            line.append(part, style=style)
+            line.append(("" if name in self.numbers else blank) + " " * GAP)
+        line.rstrip()
+        return line
+
+    def _aligned(self) -> list[Text]:
+        """One row a line, whatever its length."""
+        widths = [
+            max(cell_len(c) for c in (name, *[r[i] for r in self.rows if cell_len(r[i]) <= LONGEST_ALIGNED]))
+            for i, name in enumerate(self.columns)
+        ]
+        return [self._line(self.columns, widths, True), *[self._line(row, widths, False) for row in self.rows]]
+
+    def _in_blocks(self, width: int) -> list[Text]:
+        """A row as a heading and, indented below it, the other cells with theirs: short ones side by side."""
+        lines: list[Text] = []
+        for row in self.rows:
+            heading = ", ".join(cell for cell in row[: self.heads] if cell)
+            style = COLOURS.get(row[0].split(" ")[0], "bold")
+            lines += [Text(line, style=style) for line in hanging(heading, width)]
+            lines += map(Text, self._fields(row, width))
+        return lines
+
+    def _fields(self, row: Sequence[str], width: int) -> list[str]:
+        lines, current = [], ""
+        for name, cell in list(zip(self.columns, row, strict=True))[self.heads :]:
+            field = f"{name}: {cell}"
+            if not cell:
+                continue
+            if current and cell_len(current) + 3 + cell_len(field) <= width and name not in self.prose:
+                current += f"   {field}"
+                continue
+            lines += [current] if current else []
+            current = f"  {field}"
+            if cell_len(current) > width:
+                lines += [f"  {line}" for line in hanging(field, width - 2)]
+                current = ""
+        return [*lines, current] if current else lines
+
+    def csv(self) -> str:
+        """Comma-separated values, the headings in the first line."""
+        return csv_of([self])
+
+    def markdown(self) -> str:
+        r"""A Markdown table.
+
+        >>> sheet = Sheet("form", "degree", numbers=["degree"])
+        >>> sheet.add_row("|κ|", "2")
+        >>> print(sheet.markdown())
+        | form | degree |
+        | --- | ---: |
+        | \|κ\| | 2 |
+        """
+        rules = ["---:" if name in self.numbers else "---" for name in self.columns]
+        rows = [self.columns, rules, *[[cell.replace("|", "\\|") for cell in row] for row in self.rows]]
+        head = f"**{self.title}**\n\n" if self.title else ""
+        return head + "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def longest_word(cells: Iterable[str]) -> int:
+    """The width of the longest word in the cells."""
+    return max((cell_len(word) for cell in cells for word in words_in(cell)), default=0)
+
+
+def csv_of(sheets: Sequence[Sheet], by: str = "") -> str:
+    """Several tables with the same columns as one text of comma-separated values; `by` heads the column of their names.
+
+    >>> sheet = Sheet("form", "degree", name="circle")
+    >>> sheet.add_row("f2", "3")
+    >>> csv_of([sheet], "curve").splitlines()
+    ['curve,form,degree', 'circle,f2,3']
+    """
+    out = StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    if sheets:
+        writer.writerow([*([by] if by else []), *sheets[0].columns])
+    for sheet in sheets:
+        writer.writerows([*([sheet.name] if by else []), *row] for row in sheet.rows)
+    return out.getvalue()

@@ -1,0 +1,62 @@
+"""Texts broken into lines at blanks; a word that is longer than a line is broken where the line ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.cells import cell_len
+
+
+def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]:
+    """The lines of a text, at most so wide; all but the first are indented, the first by `first`.
+
+    >>> hanging("the zero set of f0 is that of f2", 16)
+    ['the zero set of', '  f0 is that of', '  f2']
+    >>> hanging("123456789", 5)
+    ['12345', '  678', '  9']
+    """
+    lines, current = [], " " * first
+    empty = True
+    for word in words_in(text):
+        rest = word
+        if not empty and cell_len(current) + 1 + cell_len(rest) > width:
+            lines.append(current)
+            current, empty = " " * indent, True
+        while empty and cell_len(current) + cell_len(rest) > width:
+            part = _beginning(rest, max(1, width - cell_len(current)))
+            lines.append(current + part)
+            current, rest = " " * indent, rest[len(part) :]
+        if rest:
+            current += rest if empty else f" {rest}"
+            empty = False
+    return lines if empty else [*lines, current]
+
+
+def words_in(text: str) -> Iterator[str]:
+    """The words of a text: what stands between blanks.
+
+    >>> list(words_in("2d − 3 points"))
+    ['2d − 3', 'points']
+    """
+    held = ""
+    words = text.split()
+    for i, word in enumerate(words):
+        held = f"{held} {word}" if held else word
+        joined = word in "+−=≤≥" or (i + 1 < len(words) and words[i + 1] in "+−=≤≥")
+        if not joined or cell_len(held) > LONGEST_JOINED:
+            yield held
+            held = ""
+    if held:
+        yield held
+
+
+#: A sum or an equation is not broken at its signs up to this length.
+LONGEST_JOINED = 16
+
+
+def _beginning(word: str, width: int) -> str:
+    """As many characters as fit, at least one."""
+    end = 1
+    while end < len(word) and cell_len(word[: end + 1]) <= width:
+        end += 1
+    return word[:end]

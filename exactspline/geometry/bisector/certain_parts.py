@@ -1,0 +1,93 @@
+"""Certain answers in front of exact ones: where a family of forms is certainly negative somewhere, or nowhere.
+
+A family has one form in u for every local parameter z; it is given by rows, forms of degree n in z, one for each power
+of u, and judged by its sign against that of a form e.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import fmpz_poly
+
+from exactspline.exact import mpq
+from exactspline.geometry.bisector.polynomials import Rows, halved
+from exactspline.splines.bernstein import ONE, halves, restrict
+
+#: An interval of the local parameter.
+Part = tuple[mpq, mpq]
+#: Halvings of the parameter, and of both.
+DEPTH, DEPTH_OF_BOTH = 6, 10
+
+
+def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Part]:
+    """The parts of [0, 1] on which no family is certainly of the other sign than e at the beginning or in the middle
+    of its range, neighbours joined.
+
+    >>> possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
+    [(mpq(15,64), mpq(1,1))]
+    """
+    samples = [form for rows in families for form in (rows[0], _total(rows))]
+    todo = [(mpq(0), mpq(1), 0, e, samples)]
+    found: list[Part] = []
+    while todo:
+        low, high, depth, below, forms = todo.pop()
+        sign = _sign(below, n)
+        if sign and any(_sign(form, n) == -sign for form in forms):
+            continue
+        if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
+            if found and found[-1][1] == low:
+                found[-1] = (found[-1][0], high)
+            else:
+                found.append((low, high))
+            continue
+        middle = mpq((low + high) / 2)
+        parts = [halves(form, n) for form in forms if not sign or _has_sign(form, -sign)]
+        left, right = halves(below, n)
+        todo.append((middle, high, depth + 1, right, [part for _, part in parts]))
+        todo.append((low, middle, depth + 1, left, [part for part, _ in parts]))
+    return found
+
+
+def _total(rows: Rows) -> fmpz_poly:
+    """The family in the middle of its range, up to a positive constant."""
+    total = fmpz_poly([])
+    for row in rows:
+        total += row
+    return total
+
+
+def _sign(form: fmpz_poly, n: int) -> int:
+    """The strict sign of all coefficients of a form of degree n, 0 where they have none."""
+    first = form[0]
+    if first == 0 or form.degree() < n:
+        return 0
+    sign = 1 if first > 0 else -1
+    return sign if all(x * sign > 0 for x in form.coeffs()) else 0
+
+
+def _has_sign(form: fmpz_poly, sign: int) -> bool:
+    return any(x * sign > 0 for x in form.coeffs())
+
+
+def holds_certainly(rows: Rows, e: fmpz_poly, n: int, part: Part) -> bool:
+    """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes."""
+    below = restrict((e, ONE), n, *part)[0]
+    sign = _sign(below, n)
+    if not sign:
+        return False
+    own = [restrict((row, ONE), n, *part) for row in rows]
+    common = ONE
+    for _, m in own:
+        common = common.lcm(m)
+    todo = [(0, [form * (common // m) for form, m in own])]
+    while todo:
+        depth, boxes = todo.pop()
+        if not any(_has_sign(row, -sign) for row in boxes):
+            continue
+        corners = (row[k] for row in (boxes[0], boxes[-1]) for k in (0, n))
+        if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in corners):
+            return False
+        (left, _), (right, _) = halved(boxes, n, 1 - depth % 2)
+        todo += [(depth + 1, left), (depth + 1, right)]
+    return True

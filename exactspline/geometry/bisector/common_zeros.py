@@ -1,0 +1,219 @@
+"""The common zeros of two polynomials in two parameters on a rectangle, each certified.
+
+Resultants give all parameters that a common zero can have; balls exclude the pairs that are none. A pair that is left
+is proved by interval Newton in Krawczyk's form: a box around it holds a common zero, and no other root of the
+resultants. A pair of rational parameters is decided by its values.
+
+Source: Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 1969.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
+
+from exactspline.exact import mpq, to_fmpq
+from exactspline.geometry.bisector.polynomials import (
+    Interval,
+    Parameter,
+    Sides,
+    certainly_not_zero,
+    enclosed,
+    exactly,
+    in_one,
+    possible_boxes,
+    roots_in,
+    rows_of,
+    vanish_together,
+)
+from exactspline.roots.root import Root
+
+#: A pair of parameters.
+Place = tuple[Parameter, Parameter]
+#: The most common zeros, real and complex, that an elimination is tried with.
+REACH = 700
+#: Primes modulo which a factor of a resultant is tried.
+PRIMES = ((1 << 61) - 1, (1 << 61) - 31, (1 << 62) - 57, (1 << 62) - 87)
+#: Parts of a side by which roots just outside it are known too, and the radii of boxes that are tried.
+MARGIN, RADII = 16, (12, 24, 40, 80, 160)
+
+
+class CommonZeros(NamedTuple):
+    """Certified pairs, and pairs of which it could not be decided (the precision did not suffice, or the zero is a
+    multiple one); ``out_of_reach`` tells that nothing was tried.
+    """
+
+    places: list[Place]
+    undecided: list[Place]
+    out_of_reach: bool = False
+
+
+def common_zeros(
+    f: fmpz_mpoly, g: fmpz_mpoly, sides: Sides, also: Sequence[fmpz_mpoly] = (), known: Sequence[Place] = ()
+) -> CommonZeros:
+    """The common zeros of two coprime polynomials on a closed rectangle, but for those at which one of the others is
+    certainly not zero.
+
+    `known` are zeros that are proved already.
+
+    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> unit = (mpq(0), mpq(1))
+    >>> common_zeros(S * S + T * T - 1, S - T, (unit, unit)).places[0][0].minimal_polynomial()
+    [-1, 0, 2]
+    """
+    boxes = possible_boxes([f, g, *also], sides)
+    if not boxes:
+        return CommonZeros([], [])
+    (m, n), (k, h) = f.degrees(), g.degrees()
+    if m * h + n * k > REACH:
+        return CommonZeros([], [], out_of_reach=True)
+    ranges = [_widened(min(box[i][0] for box in boxes), max(box[i][1] for box in boxes)) for i in (0, 1)]
+    found = [_parameters(f, g, also, variable, ranges[variable]) for variable in (0, 1)]
+    candidates = [kept for kept, _ in found]
+    known_roots = [_Known(roots, side) for (_, roots), side in zip(found, ranges, strict=True)]
+    places, undecided = [], []
+    for s in (x for x in candidates[0] if _inside(x, sides[0])):
+        for t in (x for x in candidates[1] if _inside(x, sides[1])):
+            if not any(_touches(s, box[0]) and _touches(t, box[1]) for box in boxes):
+                continue
+            if any(s == x and t == y for x, y in known):
+                places.append((exactly(s), exactly(t)))
+            elif (verdict := _is_zero(f, g, also, (s, t), known_roots)) is None:
+                undecided.append((exactly(s), exactly(t)))
+            elif verdict:
+                places.append((exactly(s), exactly(t)))
+    return CommonZeros(places, undecided)
+
+
+class _Known(NamedTuple):
+    """All real roots of a resultant on an interval."""
+
+    roots: list[Root]
+    side: Interval
+
+    def around(self, t: Root, bits: int) -> Interval | None:
+        """An interval around a root that holds no other one, nor an end of what is known."""
+        low, high = t.refine(bits // 3 + 8)
+        radius = mpq(self.side[1] - self.side[0]) / (1 << bits)
+        first, last = low - 2 * radius, high + 2 * radius
+        if not self.side[0] < first < last < self.side[1] or any(x is not t and first <= x <= last for x in self.roots):
+            return None
+        return mpq(low - radius), mpq(high + radius)
+
+
+def _widened(low: mpq, high: mpq) -> Interval:
+    margin = mpq(high - low) / MARGIN
+    return mpq(low - margin), mpq(high + margin)
+
+
+def _inside(t: Root, side: Interval) -> bool:
+    return bool(side[0] <= t <= side[1])
+
+
+def _touches(t: Root, side: Interval) -> bool:
+    low, high = t.refine(6)
+    return bool(low <= side[1] and high >= side[0])
+
+
+def _parameters(
+    f: fmpz_mpoly, g: fmpz_mpoly, also: Sequence[fmpz_mpoly], variable: int, side: Interval
+) -> tuple[list[Root], list[Root]]:
+    """The real roots of the resultant on an interval: those at which all may vanish, and all."""
+    resultant = in_one(f.resultant(g, 1 - variable), variable)
+    kept: list[Root] = []
+    every: list[Root] = []
+    for factor in [p for p, _ in resultant.factor()[1] if p.degree() > 0]:
+        roots = roots_in(factor, *side)
+        every += roots
+        if roots and not _certainly_apart([f, g, *also], factor, variable):
+            kept += roots
+    return sorted(kept), sorted(every)
+
+
+def _certainly_apart(polynomials: Sequence[fmpz_mpoly], factor: fmpz_poly, variable: int) -> bool:
+    """Whether the polynomials have no common zero at any root of an irreducible factor: their images modulo a prime at
+    a root have none, and the first of them keeps its degree.
+    """
+    for prime in PRIMES:
+        image = nmod_poly([int(x) % prime for x in factor.coeffs()], prime)
+        if image.degree() != factor.degree():
+            continue
+        roots = image.roots()
+        if not roots:
+            continue
+        parts = [_image(p, int(roots[0][0]), prime, variable) for p in polynomials]
+        if parts[0].degree() != int(polynomials[0].degrees()[1 - variable]):
+            continue
+        common = parts[0]
+        for part in parts[1:]:
+            common = common.gcd(part)
+        return bool(common.degree() == 0)
+    return False
+
+
+def _image(p: fmpz_mpoly, root: int, prime: int, variable: int) -> nmod_poly:
+    rows = rows_of(p) if variable == 0 else rows_of(p.compose(*reversed(p.context().gens())))
+    values = [int(nmod_poly([int(x) % prime for x in row.coeffs()], prime)(root)) for row in rows]
+    return nmod_poly(values, prime)
+
+
+def _is_zero(
+    f: fmpz_mpoly, g: fmpz_mpoly, also: Sequence[fmpz_mpoly], place: tuple[Root, Root], known: list[_Known]
+) -> bool | None:
+    """Whether f and g vanish at a pair and none of the others is certainly not zero there; None when undecided."""
+    if any(certainly_not_zero(p, *place) for p in (f, g, *also)):
+        return False
+    verdict = vanish_together((f, g, *also), exactly(place[0]), exactly(place[1]))
+    if verdict is not None:
+        return verdict
+    for bits in RADII:
+        box = [own.around(x, bits) for x, own in zip(place, known, strict=True)]
+        if all(side is not None for side in box) and _holds_a_zero(f, g, box, bits):
+            return True
+    return None
+
+
+def _holds_a_zero(f: fmpz_mpoly, g: fmpz_mpoly, box: Sequence[Interval | None], bits: int) -> bool:
+    """Krawczyk's test on a box: True proves that there is exactly one common zero in it."""
+    with ctx.workprec(8 * bits + 256):
+        sides = [arb(to_fmpq(low)).union(arb(to_fmpq(high))) for low, high in (side for side in box if side)]
+        middle = [arb(x.mid()) for x in sides]
+        (a, b), (c, d) = ([enclosed(p.derivative(i), *middle).mid() for i in (0, 1)] for p in (f, g))
+        determinant = a * d - b * c
+        if not determinant.is_finite() or determinant.contains(0):
+            return False
+        inverse = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]]
+        values = [enclosed(p, *middle) for p in (f, g)]
+        slopes = [[enclosed(p.derivative(i), *sides) for i in (0, 1)] for p in (f, g)]
+        for i in (0, 1):
+            image = middle[i] - sum((inverse[i][k] * values[k] for k in (0, 1)), arb(0))
+            for j in (0, 1):
+                product = sum((inverse[i][k] * slopes[k][j] for k in (0, 1)), arb(0))
+                image += (arb(int(i == j)) - product) * (sides[j] - middle[j])
+            if not sides[i].contains_interior(image):
+                return False
+    return True
+
+
+def vanishes_at(h: fmpz_mpoly, f: fmpz_mpoly, place: Place, sides: Sides) -> bool | None:
+    """Whether h vanishes at a certified zero of f; None when undecided."""
+    if not h:
+        return True
+    if certainly_not_zero(h, *place):
+        return False
+    s, t = place
+    if (verdict := vanish_together([h], s, t)) is not None:
+        return verdict
+    # one of the factors that balls do not exclude vanishes, and which one is not known
+    possible = [factor for factor, _ in f.factor()[1] if not certainly_not_zero(factor, *place)]
+    if all(not divmod(h, factor)[1] for factor in possible):
+        return True
+    for factor in possible:
+        if divmod(h, factor)[1] and any(x == s and y == t for x, y in common_zeros(factor, h, sides).places):
+            return True
+    return None
+
+
+__all__ = ["CommonZeros", "Place", "common_zeros", "vanishes_at"]

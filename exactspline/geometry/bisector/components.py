@@ -1,0 +1,349 @@
+"""What there is beside the surface, as values: lines along a curve of pairs, planes, single pairs, poles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any
+
+from flint import arb, fmpz_mpoly
+
+from exactspline.errors import ShapeError
+from exactspline.exact import mpq, rational, text
+from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
+from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
+from exactspline.geometry.bisector.system import System
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
+
+
+class Solutions(StrEnum):
+    """All points of one pair of parameters."""
+
+    LINE = "line"
+    PLANE = "plane"
+    SPACE = "all of space"
+
+
+class Cause(StrEnum):
+    """Why the system of a pair is singular and has solutions."""
+
+    DEPENDENT = "the three planes have a line in common"
+    OVERLAP = "the curves run through one point with one tangent"
+    CROSSING = "the curves meet"
+    FIRST_CUSP = "the first curve has no tangent"
+    SECOND_CUSP = "the second curve has no tangent"
+    BOTH_CUSPS = "neither curve has a tangent"
+    FIRST_STILL = "the first curve stands still"
+    SECOND_STILL = "the second curve stands still"
+    BOTH_STILL = "both curves stand still"
+
+
+_EXCHANGED = {
+    Cause.FIRST_CUSP: Cause.SECOND_CUSP,
+    Cause.SECOND_CUSP: Cause.FIRST_CUSP,
+    Cause.FIRST_STILL: Cause.SECOND_STILL,
+    Cause.SECOND_STILL: Cause.FIRST_STILL,
+}
+
+
+class Correspondence(StrEnum):
+    """How the pairs of a curve of pairs belong together."""
+
+    ALL = "all pairs"
+    FIRST_FIXED = "s fixed"
+    SECOND_FIXED = "t fixed"
+    RATIONAL = "one parameter is a rational function of the other"
+    ALGEBRAIC = "algebraic"
+
+
+@dataclass(frozen=True)
+class PairEquation:
+    """An irreducible integer polynomial in both parameters; its zeros are a curve of pairs.
+
+    >>> equation = PairEquation.of(S - T)
+    >>> equation.text, equation(2, 2)
+    ('s - t', mpq(0,1))
+    """
+
+    #: The powers of s and t, and the integers before them.
+    terms: tuple[tuple[tuple[int, int], int], ...]
+
+    @classmethod
+    def of(cls, p: fmpz_mpoly) -> PairEquation:
+        """The equation ``p = 0``, its first coefficient made positive."""
+        sign = 1 if p.leading_coefficient() > 0 else -1
+        return cls(tuple(((int(i), int(j)), sign * int(x)) for (i, j), x in p.terms()))
+
+    @property
+    def polynomial(self) -> fmpz_mpoly:
+        """As a polynomial of FLINT in s and t."""
+        return CONTEXT.from_dict(dict(self.terms))
+
+    @property
+    def text(self) -> str:
+        """The polynomial as text."""
+        return str(self.polynomial)
+
+    def __call__(self, s: Any, t: Any) -> mpq:
+        """The exact value."""
+        s, t = rational(s), rational(t)
+        return sum((x * s**i * t**j for (i, j), x in self.terms), mpq(0))
+
+    def transposed(self) -> PairEquation:
+        """With the parameters exchanged."""
+        return PairEquation.of(self.polynomial.compose(T, S))
+
+
+@dataclass(frozen=True)
+class LinePiece:
+    """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 when that is s, 1 when it is t.
+
+    The other parameter is a constant, a quotient of splines, or None where any will do. Directrix and generator are
+    splines over the whole segment.
+    """
+
+    of: int
+    low: Parameter
+    high: Parameter
+    other: Parameter | Rational | None
+    surface: RuledSurface
+
+    def pair(self, parameter: Any) -> tuple[Parameter | None, Parameter | None]:
+        """The two parameters that a parameter of the piece stands for."""
+        u = self._inside(parameter)
+        other = self.other(u) if isinstance(self.other, Rational) else self.other
+        return (u, other) if self.of == 0 else (other, u)
+
+    def __call__(self, parameter: Any, ruling: Any) -> tuple[mpq, ...]:
+        """A point; `ShapeError` outside the piece, `ZeroDivisionError` where the line is at infinity."""
+        point: tuple[mpq, ...] = self.surface.at(rational(ruling))(self._inside(parameter))
+        return point
+
+    def _inside(self, parameter: Any) -> mpq:
+        u = rational(parameter)
+        if not self.low <= u <= self.high:
+            raise ShapeError(f"{text(u)} is outside this piece", remedy="stay between low and high")
+        return u
+
+    @property
+    def poles(self) -> list[Root]:
+        """The parameters of the piece whose line is at infinity."""
+        return [t for t in zeros(self.surface.directrix.denominator) if self.low <= t <= self.high]
+
+    def transposed(self) -> LinePiece:
+        """The piece of the exchanged curves."""
+        return replace(self, of=1 - self.of)
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A real branch of a curve of pairs: over the open interval (low, high) of s, the root number `index` (from 0,
+    upwards) of the equation among those with t inside the side; ``sample`` is a pair on it.
+    """
+
+    low: Parameter
+    high: Parameter
+    index: int
+    sample: tuple[mpq, Parameter]
+
+
+@dataclass(frozen=True)
+class RealZeros:
+    """The real zeros of an equation on a closed rectangle: its branches and their limits, the pairs on the border, and
+    singular pairs at which no branches cross.
+    """
+
+    branches: tuple[Branch, ...] = ()
+    ends: tuple[tuple[Parameter, Parameter], ...] = ()
+    nodes: tuple[tuple[Parameter, Parameter], ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.branches or self.ends or self.nodes)
+
+
+@dataclass(frozen=True)
+class LineComponent:
+    """Lines of solutions along a curve of pairs.
+
+    ``pieces`` where the pairs are parametrized rationally, otherwise the ``real`` zeros of the equation. An irrational
+    fixed parameter is given as ``fixed``. ``equation`` is None where all pairs of the rectangle have lines.
+    """
+
+    correspondence: Correspondence
+    cause: Cause
+    system: System = field(repr=False, compare=False)
+    equation: PairEquation | None
+    pieces: tuple[LinePiece, ...] = ()
+    real: RealZeros = RealZeros()
+    fixed: Root | None = None
+
+    @property
+    def sides(self) -> Sides:
+        """The patch it lies on."""
+        return self.system.sides
+
+    def partners(self, s: Any) -> list[Parameter]:
+        """The parameters t of the pairs with a rational s, in order; `ShapeError` where all pairs have lines."""
+        if self.equation is None:
+            raise ShapeError("all pairs have lines", remedy="take any parameter")
+        return [exactly(t) for t in roots_in(at(self.equation.polynomial, 0, rational(s)), *self.sides[1])]
+
+    def line(self, s: Parameter, t: Parameter, digits: int = 20) -> Flat[arb]:
+        """The line of one of the pairs, in balls."""
+        return enclosed_flat(self.system, s, t, _conditions(self.cause), digits, plane=False)
+
+    def transposed(self) -> LineComponent:
+        """The component of the exchanged curves (without branches)."""
+        return replace(
+            self,
+            correspondence=_other(self.correspondence),
+            cause=_EXCHANGED.get(self.cause, self.cause),
+            system=self.system.transposed(),
+            equation=self.equation and self.equation.transposed(),
+            pieces=tuple(one.transposed() for one in self.pieces),
+        )
+
+
+@dataclass(frozen=True)
+class PlaneComponent:
+    """A plane (or all of space) for every pair of a curve of pairs, or of a rectangle (then the equation is None).
+
+    ``intervals`` are those of s (of t where ``of`` is 1) on which the equation gives the other parameter as a quotient;
+    ``fixed`` is t (s where ``of`` is 0) where that is a constant; otherwise there are branches as for lines.
+    """
+
+    solutions: Solutions
+    cause: Cause
+    sides: Sides
+    equation: PairEquation | None
+    intervals: tuple[tuple[Parameter, Parameter], ...] = ()
+    of: int = 0
+    fixed: Parameter | None = None
+    real: RealZeros = RealZeros()
+
+    def transposed(self) -> PlaneComponent:
+        """The component of the exchanged curves (without branches)."""
+        return replace(
+            self,
+            of=1 - self.of,
+            cause=_EXCHANGED.get(self.cause, self.cause),
+            sides=(self.sides[1], self.sides[0]),
+            equation=self.equation and self.equation.transposed(),
+        )
+
+
+@dataclass(frozen=True)
+class SinglePair:
+    """One pair of parameters whose system is singular and has solutions."""
+
+    s: Parameter
+    t: Parameter
+    solutions: Solutions
+    cause: Cause
+    system: System = field(repr=False, compare=False)
+
+    @property
+    def sides(self) -> Sides:
+        """The patch it lies on."""
+        return self.system.sides
+
+    @property
+    def place(self) -> tuple[Parameter, Parameter]:
+        """Both parameters."""
+        return self.s, self.t
+
+    @property
+    def exact(self) -> Flat[mpq] | None:
+        """The line or the plane with exact coordinates where both parameters are rational, otherwise None."""
+        if isinstance(self.s, Root) or isinstance(self.t, Root):
+            return None
+        return flat_at(self.system, self.s, self.t, _conditions(self.cause), plane=self.solutions == Solutions.PLANE)
+
+    def enclosed(self, digits: int = 20) -> Flat[arb]:
+        """The line or the plane in balls, the parameters taken to so many digits."""
+        return enclosed_flat(
+            self.system, self.s, self.t, _conditions(self.cause), digits, plane=self.solutions == Solutions.PLANE
+        )
+
+    def transposed(self) -> SinglePair:
+        """The pair of the exchanged curves."""
+        return replace(
+            self, s=self.t, t=self.s, cause=_EXCHANGED.get(self.cause, self.cause), system=self.system.transposed()
+        )
+
+
+@dataclass(frozen=True)
+class PoleCurve:
+    """An irreducible factor of the surface's determinant: along its zeros on the rectangle the surface is at infinity.
+
+    ``certain`` tells that it has zeros there: it takes both signs.
+    """
+
+    equation: PairEquation
+    sides: Sides
+    certain: bool
+
+
+@dataclass(frozen=True)
+class SpecialPairs:
+    """All pairs of parameters that have no single point: those with lines, planes or all of space, and the poles.
+
+    ``left_out`` names what could not be decided; where it is empty the answer is complete.
+    """
+
+    lines: tuple[LineComponent, ...] = ()
+    planes: tuple[PlaneComponent, ...] = ()
+    pairs: tuple[SinglePair, ...] = ()
+    poles: tuple[PoleCurve, ...] = ()
+    left_out: tuple[str, ...] = ()
+
+    def transposed(self) -> SpecialPairs:
+        """Those of the exchanged curves (without poles and branches)."""
+        return SpecialPairs(
+            tuple(x.transposed() for x in self.lines),
+            tuple(x.transposed() for x in self.planes),
+            tuple(x.transposed() for x in self.pairs),
+            (),
+            self.left_out,
+        )
+
+    def __add__(self, other: SpecialPairs) -> SpecialPairs:
+        return SpecialPairs(
+            self.lines + other.lines,
+            self.planes + other.planes,
+            self.pairs + other.pairs,
+            self.poles + other.poles,
+            self.left_out + other.left_out,
+        )
+
+
+def _conditions(cause: Cause) -> Conditions:
+    """The planes that are conditions: a curve without a tangent has no normal plane."""
+    void = {
+        Cause.FIRST_CUSP: Conditions.FIRST,
+        Cause.SECOND_CUSP: Conditions.SECOND,
+        Cause.FIRST_STILL: Conditions.FIRST,
+        Cause.SECOND_STILL: Conditions.SECOND,
+        Cause.BOTH_CUSPS: Conditions.FIRST | Conditions.SECOND,
+    }
+    return ALL & ~void[cause] if cause in void else ALL
+
+
+def _other(correspondence: Correspondence) -> Correspondence:
+    exchanged = {
+        Correspondence.FIRST_FIXED: Correspondence.SECOND_FIXED,
+        Correspondence.SECOND_FIXED: Correspondence.FIRST_FIXED,
+    }
+    return exchanged.get(correspondence, correspondence)
+
+
+def interval_text(side: Interval) -> str:
+    """An interval for people.
+
+    >>> interval_text((mpq(0), mpq(1, 2)))
+    '[0, 1/2]'
+    """
+    return f"[{text(side[0])}, {text(side[1])}]"

@@ -1,0 +1,155 @@
+"""The real zeros of an irreducible equation G(s, t) = 0 on a rectangle: as the graph of a quotient, or in certified
+branches between the parameters at which their number can change.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from flint import ctx, fmpz_mpoly, fmpz_poly
+
+from exactspline.exact import mpq
+from exactspline.geometry.bisector.common_zeros import Place, common_zeros
+from exactspline.geometry.bisector.components import Branch
+from exactspline.geometry.bisector.polynomials import (
+    Interval,
+    Parameter,
+    Sides,
+    at,
+    ball,
+    enclosed,
+    exactly,
+    in_one,
+    roots_in,
+    rows_of,
+    vanish_together,
+)
+from exactspline.roots.root import between
+from exactspline.splines.bernstein import substituted
+
+
+def graph_intervals(
+    top: fmpz_poly, bottom: fmpz_poly, own: Interval, range_: Interval
+) -> list[tuple[Parameter, Parameter]]:
+    """The maximal closed intervals on which the quotient lies in a closed range, single parameters included.
+
+    >>> graph_intervals(fmpz_poly([0, 1]), fmpz_poly([1]), (mpq(0), mpq(2)), (mpq(1), mpq(3)))
+    [(mpq(1,1), mpq(2,1))]
+    """
+    low, high = own
+    borders = [_less(top, bottom, y) for y in range_]
+    hits = sorted({exactly(root) for border in borders for root in roots_in(border, low, high)}, key=_Ordered)
+    cuts = _distinct([low, *roots_in(bottom, low, high), *hits, high])
+    found: list[tuple[Parameter, Parameter]] = []
+    for a, b in pairwise(cuts):
+        x = between(a, b)
+        y = _value(top, x) / _value(bottom, x)
+        if range_[0] <= y <= range_[1]:
+            if found and found[-1][1] == a:
+                found[-1] = (found[-1][0], b)
+            else:
+                found.append((a, b))
+    single = [t for t in hits if not any(a <= t <= b for a, b in found)]
+    return sorted([*found, *((t, t) for t in single)], key=lambda pair: _Ordered(pair[0]))
+
+
+class _Ordered:
+    """Rational numbers and roots in one order."""
+
+    def __init__(self, value: Parameter) -> None:
+        self.value = value
+
+    def __lt__(self, other: _Ordered) -> bool:
+        return bool(self.value < other.value)
+
+
+def _distinct(values: list[Parameter]) -> list[Parameter]:
+    found: list[Parameter] = []
+    for value in sorted(map(exactly, values), key=_Ordered):
+        if not found or found[-1] != value:
+            found.append(value)
+    return found
+
+
+def _less(top: fmpz_poly, bottom: fmpz_poly, y: mpq) -> fmpz_poly:
+    return top * int(y.denominator) - bottom * int(y.numerator)
+
+
+def _value(p: fmpz_poly, x: mpq) -> mpq:
+    n, m = max(p.degree(), 0), int(x.denominator)
+    found = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]
+    return mpq(int(found), m**n)
+
+
+def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
+    """The real branches of an equation of degree 2 at least in both parameters, strictly inside the rectangle.
+
+    Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
+    vanishes, the number of roots inside does not change.
+
+    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> square = (mpq(-2), mpq(2))
+    >>> [(b.index, b.sample[0]) for b in branches(S * S + T * T - 1, (square, square))]
+    [(0, mpq(0,1)), (1, mpq(0,1))]
+    """
+    own, other = sides
+    critical = [in_one(g.discriminant(1), 0), rows_of(g)[-1], *(at(g, 1, y) for y in other)]
+    cuts = _distinct([*own, *(root for p in critical for root in roots_in(p, *own))])
+    found = []
+    for low, high in pairwise(cuts):
+        s = between(low, high)
+        inside = [exactly(t) for t in roots_in(at(g, 0, s), *other)]
+        found += [Branch(low, high, k, (s, t)) for k, t in enumerate(inside)]
+    return found
+
+
+def border_pairs(g: fmpz_mpoly, sides: Sides) -> list[Place]:
+    """The pairs of an equation on the border of a rectangle, each once."""
+    found: list[Place] = []
+    for variable in (0, 1):
+        for value in sides[variable]:
+            for root in roots_in(at(g, variable, value), *sides[1 - variable]):
+                place = (value, exactly(root)) if variable == 0 else (exactly(root), value)
+                if not any(same_place(place, x) for x in found):
+                    found.append(place)
+    return found
+
+
+def same_place(one: Place, other: Place) -> bool:
+    """Whether two pairs of parameters are one."""
+    return bool(one[0] == other[0] and one[1] == other[1])
+
+
+def nodes(g: fmpz_mpoly, sides: Sides) -> tuple[list[Place], bool]:
+    """The singular pairs of an irreducible equation that need not be limits of branches, and whether these are all.
+
+    Where the Hessian is negative two branches cross. A common factor of both derivatives has no zero in common with the
+    equation, which is constant along it.
+
+    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> square = (mpq(-1, 2), mpq(1, 2))
+    >>> nodes(S**3 - S * S - T * T, (square, square))
+    ([(mpq(0,1), mpq(0,1))], True)
+    """
+    first, second = g.derivative(0), g.derivative(1)
+    shared = first.gcd(second)
+    reduced = first / shared, second / shared
+    if any(p.total_degree() == 0 for p in reduced):
+        return [], True
+    found = common_zeros(*reduced, sides, [g])
+    crossing = first.derivative(1) ** 2 - first.derivative(0) * second.derivative(1)
+    places: list[Place] = []
+    complete = not found.undecided and not found.out_of_reach
+    for place in found.places:
+        if _certainly_positive(crossing, place):
+            continue
+        verdict = vanish_together([g], *place)
+        if verdict:
+            places.append(place)
+        complete = complete and verdict is not None
+    return places, complete
+
+
+def _certainly_positive(p: fmpz_mpoly, place: Place) -> bool:
+    with ctx.workprec(400):
+        return bool(enclosed(p, ball(place[0], 40), ball(place[1], 40)) > 0)

@@ -1,0 +1,123 @@
+"""Where a curve has no tangent (a cusp, or a segment that is one point) its normal plane is no condition.
+
+There are lines over the other curve, and planes where that runs through the point or has no tangent either.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+from flint import fmpz_mpoly, fmpz_poly
+
+from exactspline.geometry.bisector.common_zeros import Place, vanishes_at
+from exactspline.geometry.bisector.components import (
+    Cause,
+    Correspondence,
+    LineComponent,
+    LinePiece,
+    PairEquation,
+    PlaneComponent,
+    SinglePair,
+    Solutions,
+    SpecialPairs,
+)
+from exactspline.geometry.bisector.flats import Conditions
+from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
+from exactspline.geometry.bisector.polynomials import Parameter, at, common_divisor, exactly, in_one, lifted, roots_in
+from exactspline.geometry.bisector.single_pairs import divisor, shown, zeros_of_vector
+from exactspline.geometry.bisector.system import Piece, System
+from exactspline.roots.root import Root
+
+#: What is left of the conditions where the first curve has no tangent.
+WITHOUT_FIRST = Conditions.SECOND | Conditions.MIDDLE
+
+
+def standing(system: System) -> SpecialPairs:
+    """The pairs of two segments of which one at least is a point."""
+    first, second = system.first, system.second
+    if not first.stands_still:
+        return standing(system.transposed()).transposed()
+    if second.stands_still:
+        solutions = Solutions.PLANE if any(system.chord) else Solutions.SPACE
+        return SpecialPairs(planes=(PlaneComponent(solutions, Cause.BOTH_STILL, system.sides, None),))
+    path = Path(constant(first.interval[0]), (PARAMETER, ONE))
+    surface = lines_along(system, path, second.interval, WITHOUT_FIRST)
+    lines: tuple[LineComponent, ...] = ()
+    if surface is not None:
+        own = LinePiece(1, *second.interval, None, surface)
+        lines = (LineComponent(Correspondence.ALL, Cause.FIRST_STILL, system, None, (own,)),)
+    return SpecialPairs(lines, _planes_over_a_point(system))
+
+
+def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
+    """Where the second curve runs through the point that the first one is, and at its cusps."""
+    side = system.second.interval
+    meetings, cusps = roots_in(in_one(divisor(system.chord), 1), *side), cusps_of(system.second)
+    planes = [
+        _plane_at(Solutions.SPACE if t in cusps else Solutions.PLANE, Cause.FIRST_STILL, system, t) for t in meetings
+    ]
+    planes += [_plane_at(Solutions.PLANE, Cause.BOTH_STILL, system, t) for t in cusps if t not in meetings]
+    return tuple(planes)
+
+
+def cusps_of(own: Piece) -> list[Root]:
+    """The parameters of a segment at which γ′ = 0."""
+    return [root for q in own.cusps for root in roots_in(q, *own.interval)]
+
+
+def _plane_at(solutions: Solutions, cause: Cause, system: System, t: Root) -> PlaneComponent:
+    equation = PairEquation.of(lifted(fmpz_poly(t.minimal_polynomial()), 1))
+    return PlaneComponent(solutions, cause, system.sides, equation, of=1, fixed=exactly(t))
+
+
+def over_cusps(system: System) -> SpecialPairs:
+    """Lines over the second curve at the cusps of the first, and the pairs at which it runs through one."""
+    found = SpecialPairs()
+    for q in system.first.cusps:
+        for s in roots_in(q, *system.first.interval):
+            found += _over_cusp(system, lifted(q, 0), exactly(s))
+    return found
+
+
+def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
+    second = system.second
+    pieces: tuple[LinePiece, ...] = ()
+    if not isinstance(s, Root):
+        surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, WITHOUT_FIRST)
+        pieces = () if surface is None else (LinePiece(1, *second.interval, s, surface),)
+    lines: tuple[LineComponent, ...] = ()
+    if pieces or isinstance(s, Root):
+        fixed, own = s if isinstance(s, Root) else None, PairEquation.of(equation)
+        lines = (LineComponent(Correspondence.FIRST_FIXED, Cause.FIRST_CUSP, system, own, pieces, fixed=fixed),)
+    meetings, left_out = _meetings(system, equation, s)
+    cusps = cusps_of(second)
+    pairs = [SinglePair(*x, Solutions.PLANE, Cause.FIRST_CUSP, system) for x in meetings if x[1] not in cusps]
+    return SpecialPairs(lines, (), tuple(pairs), (), left_out)
+
+
+def _meetings(system: System, equation: fmpz_mpoly, s: Parameter) -> tuple[list[Place], tuple[str, ...]]:
+    """The pairs with this s at which the curves meet."""
+    if not isinstance(s, Root):
+        shared = common_divisor(at(f, 0, s) for f in system.chord)
+        return [(s, exactly(t)) for t in roots_in(shared, *system.second.interval)], ()
+    places, left_out = zeros_of_vector(equation, list(system.chord), system.sides)
+    return [place for place in places if place[0] == s], left_out
+
+
+def over_both_cusps(system: System) -> SpecialPairs:
+    """The pairs at which neither curve has a tangent: the plane between the points, or all of space."""
+    pairs: list[SinglePair] = []
+    left_out: list[str] = []
+    for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
+        verdicts = [_vanishes(f, system, (s, t)) for f in system.chord]
+        if False not in verdicts and None in verdicts:
+            left_out.append(f"whether the cusps at {shown((s, t))} are one point")
+            continue
+        solutions = Solutions.PLANE if False in verdicts else Solutions.SPACE
+        pairs.append(SinglePair(s, t, solutions, Cause.BOTH_CUSPS, system))
+    return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
+
+
+def _vanishes(f: fmpz_mpoly, system: System, place: Place) -> bool | None:
+    cusp = next(q for q in system.first.cusps if any(place[0] == x for x in roots_in(q, *system.first.interval)))
+    return vanishes_at(f, lifted(cusp, 0), place, system.sides)

@@ -1,0 +1,278 @@
+"""Polynomials of one segment in the spline's own parameter, and of a patch in both parameters s and t: from splines and
+back, values in balls, and boxes in which several may vanish together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from math import lcm
+
+from flint import Ordering, acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+
+from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bernstein import ONE, halves, substituted
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+
+CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
+S, T = CONTEXT.gens()
+
+Interval = tuple[mpq, mpq]
+Sides = tuple[Interval, Interval]
+#: An exact parameter: rational, or a certified root.
+Parameter = mpq | Root
+#: Three polynomials: a vector along a curve, or over a patch.
+Three = list[fmpz_poly]
+ThreeOfTwo = list[fmpz_mpoly]
+#: A patch as its rows in z = (s − a)/(b − s), one for each power of (t − c)/(d − t).
+Rows = list[fmpz_poly]
+
+#: Halvings before a box is believed to hold a common zero, and boxes before the search stops.
+DEPTH, BOXES = 9, 3000
+#: The product of two degrees up to which it is decided exactly whether a polynomial vanishes at two irrational numbers.
+ALGEBRAIC = 64
+
+
+# ---- one parameter
+
+
+def of_segment(f: BSpline, i: int) -> tuple[fmpz_poly, int]:
+    """The polynomial of one segment in the spline's own parameter, and its positive denominator.
+
+    >>> of_segment(BSpline.bezier([0, 0, 1], 0, 2), 0)
+    (x^2, 4)
+    """
+    a, b = f.mesh.breaks[i : i + 2]
+    m = lcm(int(a.denominator), int(b.denominator))
+    low, high = int(mpq(a * m)), int(mpq(b * m))
+    n = max(f.degree, 0)
+    top = substituted(f.polynomials[i], n, fmpz_poly([high, -m]), fmpz_poly([-low, m]))
+    bottom = f.denominators[i] * (high - low) ** n
+    common = top.content().gcd(bottom)
+    return (top // common, int(bottom // common)) if top else (top, 1)
+
+
+def as_form(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
+    """The form of degree n over [a, b] of a polynomial, up to a positive constant that depends on n alone."""
+    m = lcm(int(a.denominator), int(b.denominator))
+    return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(mpq(a * m)), int(mpq(b * m))]))
+
+
+def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline]:
+    """Polynomials as splines of one degree over [a, b], up to one positive constant.
+
+    >>> [f("1/2") for f in as_splines([fmpz_poly([0, 2]), fmpz_poly([1])], mpq(0), mpq(1))]
+    [mpq(1,1), mpq(1,1)]
+    """
+    n, mesh = max(0, *[p.degree() for p in polynomials]), Mesh([a, b])
+    return [BSpline.from_forms(n, mesh, (), [(as_form(p, n, a, b), ONE)]) for p in polynomials]
+
+
+def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
+    """The real roots of a polynomial in [a, b], in order, each once.
+
+    >>> [root.exact for root in roots_in(fmpz_poly([0, -1, 0, 4]), mpq(0), mpq(1))]
+    [mpq(0,1), mpq(1,2)]
+    """
+    factors = [q for q, _ in p.factor()[1] if q.degree() > 0] if p else []
+    return sorted(root for q in factors for root in zeros(as_splines([q], a, b)[0]))
+
+
+def common_divisor(polynomials: Iterable[fmpz_poly]) -> fmpz_poly:
+    """The greatest common divisor."""
+    return reduce(lambda p, q: p.gcd(q), polynomials)
+
+
+def exactly(t: Parameter) -> Parameter:
+    """The rational number itself where a root is known to be one."""
+    if not isinstance(t, Root):
+        return t
+    t.minimal_polynomial()
+    return t if t.exact is None else t.exact
+
+
+# ---- two parameters
+
+
+def lifted(p: fmpz_poly, variable: int) -> fmpz_mpoly:
+    """A polynomial of one parameter as one of both: variable 0 is s, 1 is t."""
+    return CONTEXT.from_dict({(k, 0) if variable == 0 else (0, k): x for k, x in enumerate(p.coeffs()) if x})
+
+
+def in_one(p: fmpz_mpoly, variable: int) -> fmpz_poly:
+    """A polynomial in both parameters that has but one of them."""
+    found = {int(powers[variable]): x for powers, x in p.terms()}
+    return fmpz_poly([found.get(k, 0) for k in range(max(found, default=-1) + 1)])
+
+
+def rows_of(p: fmpz_mpoly) -> Rows:
+    """The coefficients, polynomials in s, of the powers of t.
+
+    >>> rows_of(S * T + 2)
+    [2, x]
+    """
+    found: list[dict[int, int]] = [{} for _ in range(int(p.degrees()[1]) + 1)] if p else []
+    for (i, j), x in p.terms():
+        found[int(j)][int(i)] = int(x)
+    return [fmpz_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in found]
+
+
+def at(p: fmpz_mpoly, variable: int, value: mpq) -> fmpz_poly:
+    """The polynomial in the other parameter when one is a rational number, up to a positive constant.
+
+    >>> at(S * T + 2, 0, mpq(1, 2))
+    x + 4
+    """
+    rows = rows_of(p if variable == 0 else p.compose(T, S))
+    n = max((row.degree() for row in rows), default=0)
+    bottom = int(value.denominator)
+    numerator = fmpz_poly([int(value.numerator)])
+    values = [substituted(row, max(n, 0), fmpz_poly([bottom]), numerator)[0] for row in rows]
+    return fmpz_poly(values)
+
+
+def value_at(p: fmpz_mpoly, s: mpq, t: mpq) -> mpq:
+    """The exact value at rational parameters, up to a positive constant that depends on s and the degree alone."""
+    found = at(p, 0, s)(to_fmpq(t))
+    return mpq(int(found.p), int(found.q)) if isinstance(found, fmpq) else mpq(int(found))
+
+
+def ball(t: Parameter, digits: int) -> arb:
+    """A ball around a parameter; the precision of FLINT is the caller's."""
+    low, high = t.refine(digits) if isinstance(t, Root) else (t, t)
+    return arb(to_fmpq(low)).union(arb(to_fmpq(high))) if low < high else arb(to_fmpq(low))
+
+
+def enclosed(p: fmpz_mpoly, s: arb, t: arb) -> arb:
+    """A ball with the values of a polynomial over two balls."""
+    return arb_poly([arb_poly(row)(s) for row in rows_of(p)])(t)
+
+
+def certainly_not_zero(p: fmpz_mpoly, s: Parameter, t: Parameter, most: int = 60) -> bool:
+    """Whether balls around the parameters show that a polynomial is not zero there; False proves nothing."""
+    digits = 15
+    while digits <= most:
+        with ctx.workprec(8 * digits + 64):
+            if not enclosed(p, ball(s, digits), ball(t, digits)).contains(0):
+                return True
+        digits *= 2
+    return False
+
+
+def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> bool | None:
+    """Whether polynomials vanish at a pair, decided exactly where a parameter is rational or both are of low degree;
+    otherwise None, if balls do not show that one of them is not zero.
+    """
+    if isinstance(s, Root) and isinstance(t, Root):
+        if any(certainly_not_zero(p, s, t) for p in polynomials):
+            return False
+        verdicts = [_vanishes(p, s, t) for p in polynomials if p]
+        return False if False in verdicts else None if None in verdicts else True
+    variable, value, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
+    parts = [q for p in polynomials if (q := at(p, variable, rational(value)))]
+    if not parts:
+        return True
+    if not isinstance(other, Root):
+        return all(q(to_fmpq(other)) == 0 for q in parts)
+    minimal = fmpz_poly(other.minimal_polynomial())
+    return all(not q % minimal for q in map(_primitive, parts))
+
+
+def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
+    """Whether a polynomial vanishes at two irrational parameters of low degree.
+
+    The product of its values at s and all conjugates of t vanishes exactly where the minimal polynomial of s divides
+    the resultant; balls exclude the others.
+    """
+    first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())
+    for variable, minimal in enumerate((first, second)):
+        if p.degrees()[1 - variable] == 0:
+            return not _primitive(in_one(p, variable)) % minimal
+    if first.degree() * second.degree() > ALGEBRAIC:
+        return None
+    norm = in_one(lifted(second, 1).resultant(p, 1), 0)
+    if norm and _primitive(norm) % first:
+        return False
+    with ctx.workprec(400):
+        at_s = arb_poly([arb_poly(row)(ball(s, 60)) for row in rows_of(p)])
+        own = ball(t, 60)
+        found: list[tuple[acb, int]] = second.complex_roots()  # type: ignore[assignment]  # the stubs forget the multiplicity
+        roots = [root for root, _ in found]
+        others = [root for root in roots if not (root.imag.contains(0) and root.real.overlaps(own))]
+        alone = len(others) == len(roots) - 1 and not any(acb_poly(at_s)(root).contains(0) for root in others)
+    return True if alone else None
+
+
+def _primitive(p: fmpz_poly) -> fmpz_poly:
+    return p // p.content()
+
+
+# ---- boxes
+
+
+def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Sides) -> list[Sides]:
+    """Boxes that hold all common zeros on a closed rectangle; none is a proof that there are none.
+
+    A box is left out where all Bernstein coefficients of one of the polynomials are of one strict sign.
+
+    >>> unit = (mpq(0), mpq(1))
+    >>> possible_boxes([S - T, S + T - 3], (unit, unit))
+    []
+    """
+    patches = [_patch(p, sides) for p in polynomials if p]
+    todo = [(0, sides, patches)]
+    found: list[Sides] = []
+    steps = 0
+    while todo:
+        depth, (first, second), forms = todo.pop()
+        if any(_keeps_sign(rows, m) for rows, m in forms):
+            continue
+        steps += 1
+        if depth == DEPTH or steps > BOXES:
+            found.append((first, second))
+            continue
+        direction = depth % 2
+        side = (first, second)[direction]
+        middle = mpq((side[0] + side[1]) / 2)
+        parts = [halved(rows, m, direction) for rows, m in forms]
+        parted: tuple[Interval, Interval] = (side[0], middle), (middle, side[1])
+        for k, half in enumerate(parted):
+            box: Sides = (half, second) if direction == 0 else (first, half)
+            todo.append((depth + 1, box, [pair[k] for pair in parts]))
+    return found
+
+
+def _patch(p: fmpz_mpoly, sides: Sides) -> tuple[Rows, int]:
+    """A polynomial as rows over a rectangle, and its degree in s."""
+    (a, b), (c, d) = sides
+    rows = rows_of(p)
+    m, n = (int(k) for k in p.degrees())
+    rows = crossed([as_form(row, m, a, b) for row in rows], m)
+    return crossed([as_form(row, n, c, d) for row in rows], n), m
+
+
+def crossed(rows: Rows, m: int) -> Rows:
+    """Rows of degree m exchanged with columns."""
+    return [fmpz_poly([row[i] for row in rows]) for i in range(m + 1)]
+
+
+def _keeps_sign(rows: Rows, m: int) -> bool:
+    sign = rows[0][0]
+    if sign == 0:
+        return False
+    if sign > 0:
+        return all(row[i] > 0 for row in rows for i in range(m + 1))
+    return all(row[i] < 0 for row in rows for i in range(m + 1))
+
+
+def halved(rows: Rows, m: int, direction: int) -> tuple[tuple[Rows, int], tuple[Rows, int]]:
+    """A patch of degree m in the first parameter on the two halves of its rectangle, up to one positive constant."""
+    if direction == 0:
+        pairs = [halves(row, m) for row in rows]
+        return ([left for left, _ in pairs], m), ([right for _, right in pairs], m)
+    n = len(rows) - 1
+    pairs = [halves(row, n) for row in crossed(rows, m)]
+    return (crossed([left for left, _ in pairs], n), m), (crossed([right for _, right in pairs], n), m)

@@ -1,0 +1,180 @@
+"""Single pairs of a patch: where the curves meet, touch, or their three planes happen to have a line in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import fmpz_mpoly
+
+from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros, vanishes_at
+from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs, interval_text
+from exactspline.geometry.bisector.correspondence import same_place
+from exactspline.geometry.bisector.polynomials import Sides, certainly_not_zero, possible_boxes, vanish_together
+from exactspline.geometry.bisector.system import System
+from exactspline.language.vector import Vector
+from exactspline.roots.root import Root
+
+#: Combinations of the components of a vector, to be tried one after the other.
+COMBINATIONS = ((3, 5, -7), (11, -2, 1), (1, 13, 4), (-5, 1, 17))
+#: Digits up to which balls are asked whether something is not zero.
+PATIENCE = 240
+
+Found = tuple[list[Place], tuple[str, ...]]
+
+
+def divisor(v: Vector) -> fmpz_mpoly:
+    """The greatest common divisor of the components."""
+    found: fmpz_mpoly = v[0]
+    for f in list(v)[1:]:
+        found = found.gcd(f)
+    return found
+
+
+def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Sides) -> Found:
+    """The pairs at which all components (and f) vanish, proved one component after the other; and what is left out."""
+    polynomials = [p for p in ([f] if f is not None else []) + components if p]
+    if any(p.total_degree() == 0 for p in polynomials) or not possible_boxes(polynomials, sides):
+        return [], ()
+    square = _coprime(f, components)
+    if square is None:
+        return [], (f"pairs on {_where(sides)}: no two coprime conditions",)
+    found = common_zeros(*square, sides, polynomials)
+    places, left_out = [], _undecided(found, sides)
+    for place in found.places:
+        verdicts = [vanishes_at(p, square[0], place, sides) for p in polynomials]
+        if all(verdicts):
+            places.append(place)
+        elif False not in verdicts:
+            left_out.append(f"whether the curves meet at {shown(place)}")
+    return places, tuple(left_out)
+
+
+def _coprime(f: fmpz_mpoly | None, components: list[fmpz_mpoly]) -> tuple[fmpz_mpoly, fmpz_mpoly] | None:
+    """Two coprime polynomials among f and the combinations of the components."""
+    combined = [_combined(components, u) for u in COMBINATIONS]
+    candidates = [f, *combined] if f is not None else combined
+    for i, p in enumerate(candidates):
+        for q in candidates[:i]:
+            if p and q and p.gcd(q).total_degree() == 0:
+                return q, p
+    return None
+
+
+def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpoly:
+    total = components[0] * u[0]
+    for p, k in zip(components[1:], u[1:], strict=True):
+        total += p * k
+    return total
+
+
+def _undecided(found: CommonZeros, sides: Sides) -> list[str]:
+    if found.out_of_reach:
+        return [f"single pairs on {_where(sides)}: the elimination is out of reach"]
+    return [f"whether the system is singular at {shown(place)}" for place in found.undecided]
+
+
+def _where(sides: Sides) -> str:
+    return " × ".join(map(interval_text, sides))
+
+
+def shown(place: Place) -> str:
+    """A pair of parameters for people."""
+    return "(" + ", ".join(f"{x.mpf(6)}…"[:9] + "…" if isinstance(x, Root) else str(x) for x in place) + ")"
+
+
+def crossings(system: System) -> Found:
+    """The pairs at which the curves meet, beside the curves of pairs along which they overlap; and what is left out."""
+    shared = divisor(system.chord)
+    return zeros_of_vector(None, [f / shared for f in system.chord], system.sides) if shared else ([], ())
+
+
+def touching(system: System, meetings: list[Place]) -> SpecialPairs:
+    """The common points with a common tangent: their normal plane."""
+    pairs, left_out = [], []
+    for place in meetings:
+        touches = _tangent(system, place)
+        if touches:
+            pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
+        elif touches is None:
+            left_out.append(f"whether the curves touch at {shown(place)}")
+    return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
+
+
+def _tangent(system: System, place: Place) -> bool | None:
+    """Whether the tangents at a common point are parallel."""
+    conditions = [f for f in system.crosses()[1] if f]
+    if (verdict := vanish_together(conditions, *place)) is not None:
+        return verdict
+    chord = _coprime(None, list(system.chord))
+    verdicts = [vanishes_at(f, chord[0], place, system.sides) if chord else None for f in conditions]
+    return False if False in verdicts else None if None in verdicts else True
+
+
+def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
+    """The single pairs of a patch, `factors` being the equations whose pairs have lines."""
+    found = touching(system, meetings)
+    planes = [pair.place for pair in found.pairs]
+    others, left_out = _dependent(system, factors, meetings)
+    lines = [(x, Cause.CROSSING) for x in meetings if not _among(x, planes)]
+    lines += [(x, Cause.DEPENDENT) for x in others]
+    pairs = [
+        SinglePair(*place, Solutions.LINE, cause, system)
+        for place, cause in lines
+        if not any(_lies_on(g, place) for g in factors)
+    ]
+    return found + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
+
+
+def _among(place: Place, places: list[Place]) -> bool:
+    return any(same_place(place, x) for x in places)
+
+
+def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
+    """Whether a pair is one of a curve of pairs, which has its line already; where that is not decided, it is listed
+    once more.
+    """
+    return bool(vanish_together([g], *place))
+
+
+def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
+    """The pairs with a line of solutions at which the curves do not meet; and what is left out.
+
+    Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
+    vanish when their product with one vector u does, and u·n does not.
+    """
+    factor = system.factor
+    determinant, numerators = system.determinant / factor, [f / factor for f in system.numerators]
+    conditions = [p for p in (determinant, *numerators) if p]
+    if any(p.total_degree() == 0 for p in conditions) or not possible_boxes(conditions, system.sides):
+        return [], ()
+    for u in COMBINATIONS if determinant else ():
+        combined = _combined(numerators, u)
+        if not combined or determinant.gcd(combined).total_degree() > 0:
+            continue
+        found = common_zeros(determinant, combined, system.sides, numerators, meetings)
+        # what lies on an equation has its line already, single or not
+        known = [place for place in found.undecided if any(_lies_on(g, place) for g in factors)]
+        found = found._replace(undecided=[place for place in found.undecided if not _among(place, known)])
+        places, left_out = [], _undecided(found, system.sides)
+        for place in found.places:
+            if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
+                continue
+            rank = _has_rank_2(system, place, u)
+            if rank:
+                places.append(place)
+            elif rank is None:
+                left_out.append(f"the rank of the system at {shown(place)}")
+        return places, tuple(left_out)
+    return [], (f"single pairs on {_where(system.sides)}: no two coprime conditions",)
+
+
+def _has_rank_2(system: System, place: Place, u: tuple[int, ...]) -> bool | None:
+    """Whether the normals of the three planes are not all parallel; if they are, and the curves do not meet, the planes
+    are three different ones.
+    """
+    everything = [f for v in system.crosses() for f in v if f]
+    if not all(isinstance(x, Root) for x in place):
+        return not vanish_together(everything, *place)
+    if any(certainly_not_zero(_combined(list(v), u), *place, most=PATIENCE) for v in system.crosses()):
+        return True
+    return None

@@ -1,0 +1,276 @@
+"""The pairs of parameters of two curves whose planes have more than a point in common, patch by patch and complete.
+
+The reasoning is in ``docs/bisectors.md``: on one patch the minors of the system vanish together along the zeros of
+their greatest common divisor and at finitely many pairs besides; a plane of solutions needs a common point with a
+common tangent, or a cusp.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+
+from flint import fmpz_mpoly, fmpz_poly
+
+from exactspline.exact import mpq, to_fmpq
+from exactspline.geometry.bisector.common_zeros import Place
+from exactspline.geometry.bisector.components import (
+    Cause,
+    Correspondence,
+    LineComponent,
+    LinePiece,
+    PairEquation,
+    PlaneComponent,
+    PoleCurve,
+    RealZeros,
+    SinglePair,
+    Solutions,
+    SpecialPairs,
+)
+from exactspline.geometry.bisector.correspondence import border_pairs, branches, graph_intervals, nodes
+from exactspline.geometry.bisector.cusps import cusps_of, over_both_cusps, over_cusps, standing
+from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
+from exactspline.geometry.bisector.polynomials import (
+    Interval,
+    Parameter,
+    Sides,
+    as_splines,
+    exactly,
+    in_one,
+    lifted,
+    possible_boxes,
+    roots_in,
+    rows_of,
+    value_at,
+    vanish_together,
+)
+from exactspline.geometry.bisector.single_pairs import crossings, divisor, singles, touching
+from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
+from exactspline.language.rational import Rational
+from exactspline.roots.root import Root
+from exactspline.splines.nurbs import Nurbs
+
+
+def special_pairs(first: Nurbs, second: Nurbs) -> SpecialPairs:
+    """All pairs of two space curves that have lines, planes or all of space for their solutions, and the poles.
+
+    >>> from exactspline import Nurbs
+    >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
+    >>> [line.equation.text for line in special_pairs(low, high).lines]
+    ['s - t']
+    """
+    pieces = [[piece(c, i) for i in range(c.segments)] for c in (first, second)]
+    found = SpecialPairs()
+    for one, other in product(*pieces):
+        found += of_patch(one, other)
+    return _without_repetition(found, first, second)
+
+
+def of_patch(first: Piece, second: Piece) -> SpecialPairs:
+    """Those of two segments."""
+    system = System(first, second)
+    if first.stands_still or second.stands_still:
+        return standing(system)
+    found = over_cusps(system) + over_cusps(system.transposed()).transposed() + over_both_cusps(system)
+    return found + _with_tangents(system)
+
+
+def _with_tangents(system: System) -> SpecialPairs:
+    """Those of the system in which the tangents have lost their zeros."""
+    factor = system.factor
+    found = SpecialPairs() if factor else _everywhere(system)
+    # where all minors vanish everywhere, only where the curves overlap is there more
+    factors = irreducible_factors(factor if factor else divisor(system.chord))
+    for g in factors:
+        if possible_boxes([g], system.sides):
+            found += _along(system, g)
+    meetings, left_out = crossings(system)
+    found += SpecialPairs(left_out=left_out)
+    if not factor:
+        return found + touching(system, meetings)
+    cusps = [lifted(q, k) for k, own in enumerate((system.first, system.second)) for q in own.cusps]
+    return found + singles(system, [*factors, *cusps], meetings) + _poles(system)
+
+
+def _everywhere(system: System) -> SpecialPairs:
+    """Every pair is singular: two arcs of one circle have its axis in common, parts of one line nothing."""
+    (a, b), side = system.sides
+    inner = mpq((2 * a + b) / 3)
+    surface = lines_along(system, Path(constant(inner), (PARAMETER, ONE)), side)
+    if surface is None:
+        return SpecialPairs()
+    own = LinePiece(1, *side, None, surface)
+    return SpecialPairs((LineComponent(Correspondence.ALL, Cause.DEPENDENT, system, None, (own,)),))
+
+
+# ---- along an irreducible equation
+
+
+def _along(system: System, g: fmpz_mpoly) -> SpecialPairs:
+    """The lines, or the planes, along an irreducible equation."""
+    m, n = (int(k) for k in g.degrees())
+    if n == 0 or (m == 1 and n > 1):
+        return _along_rational(system, g)
+    if m == 0:
+        return _along_rational(system.transposed(), PairEquation.of(g).transposed().polynomial).transposed()
+    if n == 1:
+        return _along_rational(system, g)
+    return _along_algebraic(system, g)
+
+
+def _kind(system: System, g: fmpz_mpoly) -> Solutions | None:
+    """What a general pair of an equation has for its solutions; None when its planes are parallel and apart."""
+    if not all(divides(g, v) for v in system.crosses()):
+        return Solutions.LINE
+    return Solutions.PLANE if divides(g, system.chord) else None
+
+
+def _along_rational(system: System, g: fmpz_mpoly) -> SpecialPairs:
+    """An equation in s alone, or of degree 1 in one parameter."""
+    n = int(g.degrees()[1])
+    if n == 0:
+        return _along_fixed(system, g)
+    if n > 1:
+        return _along_rational(system.transposed(), PairEquation.of(g).transposed().polynomial).transposed()
+    equation, kind = PairEquation.of(g), _kind(system, g)
+    top, bottom = rows_of(g)
+    intervals = graph_intervals(-top, bottom, *system.sides)
+    wide = tuple((low, high) for low, high in intervals if low < high)
+    narrow = [(low, _value(-top, bottom, low, system.second.interval)) for low, high in intervals if low == high]
+    singular = [SinglePair(*x, kind, _cause(kind), system) for x in narrow if kind and _has(system, x, kind)]
+    found = SpecialPairs(pairs=tuple(singular))
+    if kind == Solutions.PLANE and wide:
+        found += SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, system.sides, equation, wide),))
+    if kind == Solutions.LINE and wide:
+        found += SpecialPairs((_graph(system, equation, wide),))
+    return found
+
+
+def _cause(kind: Solutions) -> Cause:
+    return Cause.OVERLAP if kind == Solutions.PLANE else Cause.DEPENDENT
+
+
+def _has(system: System, place: Place, kind: Solutions) -> bool:
+    """Whether a single pair of an equation has the solutions that a general one has."""
+    conditions = [f for v in system.crosses() for f in v if f]
+    return kind == Solutions.PLANE or not vanish_together(conditions, *place)
+
+
+def _value(top: fmpz_poly, bottom: fmpz_poly, s: Parameter, side: Interval) -> mpq:
+    """The quotient at a parameter at which it is an end of the side."""
+    borders = [(y, lifted(top * int(y.denominator) - bottom * int(y.numerator), 0)) for y in side]
+    return next(y for y, border in borders if vanish_together([border], s, y))
+
+
+def _graph(system: System, equation: PairEquation, intervals: tuple[tuple[Parameter, Parameter], ...]) -> LineComponent:
+    top, bottom = rows_of(equation.polynomial)
+    own = system.first.interval
+    surface = lines_along(system, Path((PARAMETER, ONE), (-top, bottom)), own)
+    above, below = as_splines([-top, bottom], *own)
+    pieces = [
+        LinePiece(0, low, high, Rational(above, below), surface) for low, high in intervals if surface is not None
+    ]
+    return LineComponent(Correspondence.RATIONAL, Cause.DEPENDENT, system, equation, tuple(pieces))
+
+
+def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
+    """An equation in s alone."""
+    found, kind, side = SpecialPairs(), _kind(system, g), system.second.interval
+    for root in roots_in(in_one(g, 0), *system.first.interval) if kind == Solutions.LINE else ():
+        s = exactly(root)
+        pieces: tuple[LinePiece, ...] = ()
+        if not isinstance(s, Root):
+            surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), side)
+            pieces = (LinePiece(1, *side, s, surface),) if surface is not None else ()
+        fixed, equation = s if isinstance(s, Root) else None, PairEquation.of(g)
+        correspondence = Correspondence.FIRST_FIXED
+        own = LineComponent(correspondence, Cause.DEPENDENT, system, equation, pieces, fixed=fixed)
+        found += SpecialPairs((own,))
+    return found
+
+
+def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
+    """An equation of degree 2 at least in both parameters."""
+    kind, sides, equation = _kind(system, g), system.sides, PairEquation.of(g)
+    if kind is None:
+        return SpecialPairs()
+    singular, complete = nodes(g, sides)
+    real = RealZeros(tuple(branches(g, sides)), tuple(border_pairs(g, sides)), tuple(singular))
+    left_out = () if complete else (f"isolated real pairs of {equation.text} = 0, if there are any",)
+    found = SpecialPairs(left_out=left_out)
+    if not real:
+        return found
+    if kind == Solutions.PLANE:
+        return found + SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, sides, equation, real=real),))
+    own = LineComponent(Correspondence.ALGEBRAIC, Cause.DEPENDENT, system, equation, real=real)
+    return found + SpecialPairs((own,))
+
+
+# ---- poles
+
+
+def _poles(system: System) -> SpecialPairs:
+    """The factors of the determinant in lowest terms that have zeros on the rectangle."""
+    determinant = system.determinant / system.factor
+    found = []
+    for g in irreducible_factors(determinant) if determinant else []:
+        boxes = possible_boxes([g], system.sides)
+        if boxes:
+            found.append(PoleCurve(PairEquation.of(g), system.sides, _changes_sign(g, [system.sides, *boxes])))
+    return SpecialPairs(poles=tuple(found))
+
+
+def _changes_sign(g: fmpz_mpoly, boxes: list[Sides]) -> bool:
+    """Whether a polynomial takes both signs, or is zero, at corners of boxes."""
+    signs = set()
+    for box in boxes:
+        for s, t in product(*box):
+            value = value_at(g, s, t)
+            signs.add((value > 0) - (value < 0))
+            if 0 in signs or len(signs) == 2:
+                return True
+    return False
+
+
+# ---- neighbours
+
+
+def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
+    """Each single pair, and the lines at each cusp, once where the curves run on smoothly to the next patch."""
+
+    def shared(pair: SinglePair) -> bool:
+        return any(
+            own == side[0] and _runs_on(curve, side[0])
+            for own, side, curve in zip(pair.place, pair.sides, (first, second), strict=True)
+        )
+
+    def shared_line(line: LineComponent) -> bool:
+        fixed = {Correspondence.FIRST_FIXED: 0, Correspondence.SECOND_FIXED: 1}.get(line.correspondence)
+        if fixed is None or not line.pieces:
+            return False
+        start, curve = line.sides[fixed][0], (first, second)[fixed]
+        return bool(line.pieces[0].other == start and _runs_on(curve, start))
+
+    return replace(
+        found,
+        lines=tuple(line for line in found.lines if not shared_line(line)),
+        pairs=tuple(pair for pair in found.pairs if not shared(pair)),
+    )
+
+
+def _runs_on(curve: Nurbs, t: mpq) -> bool:
+    """Whether a segment ends where another one begins, at one point with one tangent (or both stop there)."""
+    if t == curve.domain[0] or curve(t, "left") != curve(t, "right"):
+        return False
+    i = curve.breakpoints.index(t)
+    before, behind = piece(curve, i - 1), piece(curve, i)
+    stops = [one.stands_still or t in cusps_of(one) for one in (before, behind)]
+    if any(stops):
+        return all(stops)
+    (a, b, c), (x, y, z) = ([_at(f, t) for f in one.tangent] for one in (before, behind))
+    return bool(a * y == b * x and b * z == c * y and a * z == c * x)
+
+
+def _at(p: fmpz_poly, t: mpq) -> mpq:
+    value = p(to_fmpq(t))
+    return mpq(int(value.p), int(value.q))

@@ -1,0 +1,174 @@
+"""How the segments of a curve meet: derivatives at both ends of every segment, kinds of joints, and the order of
+geometric continuity.
+
+The order is decided without arc length: two sides agree to order r where a change of parameter with rational
+derivatives β₁ > 0, β₂, β₃ takes the derivatives of the left side to those of the right one. So it is exact, and the
+same in every dimension.
+
+Source: Barsky and DeRose, Geometric continuity of parametric curves, IEEE CG&A 1989.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from exactspline.exact import mpq, ratio
+from exactspline.geometry.angles import Angle, angle_between, exact_dot
+from exactspline.geometry.kinds import JointKind
+from exactspline.language.arguments import Curve
+from exactspline.language.vector import Vector, cross, norm2
+from exactspline.readings.taylor import Series
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.surd import Surd, square_root
+
+Point = tuple[mpq, ...]
+#: A point of the curve and its first three derivatives by the parameter, from one side.
+Jet = tuple[Point, Point, Point, Point]
+
+#: Derivatives that a jet holds, and the highest order of continuity that is told.
+ORDER = 3
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A knot inside the domain, or the seam of a closed curve (at the start of the domain), and how the two sides meet.
+
+    `order` is that of geometric continuity: −1 for a gap, at most 3 (then "at least"); None where the curve stands
+    still or only the direction of its tangent is known (a singular joint without a corner). `angle` is the angle by
+    which the tangent turns, None where it does not. `gap` is the distance of the two sides, None where they meet.
+    `curvatures` are κ on both sides where the tangent is continuous and κN is not.
+    """
+
+    parameter: mpq
+    kind: JointKind
+    order: int | None
+    at_seam: bool = False
+    angle: Angle | None = None
+    gap: mpq | Surd | None = None
+    curvatures: tuple[mpq | Surd, mpq | Surd] | None = None
+
+    @property
+    def tangent_continuous(self) -> bool:
+        """Whether γ′ ≠ 0 on both sides, of one direction."""
+        return self.kind in (JointKind.TURN, JointKind.CURVATURE_JUMP, JointKind.CONTINUOUS)
+
+    @property
+    def same_curvature(self) -> bool:
+        """Whether tangent and curvature are continuous: κ with its sign in the plane, κ ≥ 0 in space."""
+        if self.curvatures is not None:
+            return self.curvatures[0] == self.curvatures[1]
+        return self.tangent_continuous
+
+
+class Ends:
+    """The jets of a curve at both ends of every segment."""
+
+    def __init__(self, curve: Curve) -> None:
+        self.curve = curve
+        self._p = [[x.d(k) for k in range(ORDER + 1)] for x in curve.p]
+        self._w = [] if curve.polynomial else [curve.w.d(k) for k in range(ORDER + 1)]
+
+    def jet(self, segment: int, side: str) -> Jet:
+        """The jet at the right end of a segment (``left``: what a knot has on its left) or at its left end."""
+        series = [_series(x, segment, side) for x in self._p]
+        if self._w:
+            reciprocal = _series(self._w, segment, side).reciprocal()
+            series = [x * reciprocal for x in series]
+        derivatives = [[x.d(k).value for x in series] for k in range(ORDER + 1)]
+        first, second, third, fourth = map(tuple, derivatives)
+        return first, second, third, fourth
+
+
+def _series(derivatives: Sequence[BSpline], segment: int, side: str) -> Series:
+    factorial, coefficients = 1, []
+    for k, f in enumerate(derivatives):
+        factorial *= max(k, 1)
+        if f.degree < 0:
+            coefficients.append(mpq(0))
+            continue
+        end = f.degree if side == "left" else 0
+        coefficients.append(ratio(f.polynomials[segment][end], f.denominators[segment] * factorial))
+    return Series(coefficients)
+
+
+def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
+    """Whether two vectors that are not zero point the same way (exactly: a·b > 0 and (a·b)² = ‖a‖²‖b‖²).
+
+    >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
+    (True, False)
+    """
+    product = exact_dot(a, b)
+    return bool(product > 0 and product**2 == exact_dot(a, a) * exact_dot(b, b))
+
+
+def limit_direction(v: Vector, t: mpq, side: str) -> Point:
+    """The direction in which a vector points just beside a parameter; zeros where it vanishes all along that side.
+
+    >>> s = BSpline.identity(-1, 1)
+    >>> limit_direction(Vector(s, s * s), mpq(0), "left")
+    (mpq(-1,1), mpq(0,1))
+    """
+    for order in range(v.degree + 1):
+        values = tuple(c.d(order)(t, side) for c in v)
+        if any(values):
+            return tuple(-x for x in values) if side == "left" and order % 2 else values
+    return (mpq(0),) * len(v)
+
+
+def geometric_order(left: Jet, right: Jet) -> int:
+    """The order of geometric continuity of two sides, from −1 to 3; γ′ ≠ 0 on both.
+
+    >>> line, arc = [((0, 0), (1, 0), (0, k), (0, 0)) for k in (0, 1)]
+    >>> geometric_order(line, line), geometric_order(line, arc)
+    (3, 1)
+    """
+    a, b = left, right
+    if a[0] != b[0]:
+        return -1
+    if not same_direction(a[1], b[1]):
+        return 0
+    length = exact_dot(a[1], a[1])
+    first = mpq(exact_dot(a[1], b[1])) / length
+    rest = [y - first * first * x for x, y in zip(a[2], b[2], strict=True)]
+    second = exact_dot(rest, a[1]) / length
+    if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
+        return 1
+    rest = [
+        z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
+    ]
+    third = exact_dot(rest, a[1]) / length
+    return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
+
+
+def distance(a: Point, b: Point) -> mpq | Surd:
+    """The distance of two points."""
+    difference = [x - y for x, y in zip(a, b, strict=True)]
+    return square_root(exact_dot(difference, difference))
+
+
+def curvature_of(jet: Jet) -> mpq | Surd:
+    """κ from a jet with γ′ ≠ 0: with its sign in the plane, not negative in space.
+
+    >>> print(curvature_of(((0, 0), (1, 1), (0, 1), (0, 0))))
+    (1/4)√2
+    """
+    v, a = jet[1], jet[2]
+    speed = mpq(exact_dot(v, v))
+    if len(v) == 2:
+        turning = v[0] * a[1] - v[1] * a[0]
+        signed: mpq | Surd = square_root(speed) * (turning / (speed * speed))
+        return signed
+    return square_root(norm2(cross(Vector(*v), Vector(*a))) / (speed * speed * speed))
+
+
+def bend_of(jet: Jet) -> Point:
+    """γ′ × γ″ of a jet in space."""
+    return tuple(cross(Vector(*jet[1]), Vector(*jet[2])))
+
+
+def turned(left: Point, right: Point) -> Angle | None:
+    """The angle between two directions, None where there is none or one of them is zero."""
+    if not any(left) or not any(right) or same_direction(left, right):
+        return None
+    return angle_between(left, right)

@@ -1,0 +1,116 @@
+"""What is told of a curve: the kinds of its features and of its joints, and the values that carry them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from exactspline.exact import mpq, text
+from exactspline.roots.root import Root
+
+Interval = tuple[mpq, mpq]
+
+
+class FeatureKind(StrEnum):
+    """What a point of interest is; every member is also its name as text."""
+
+    #: γ′ = 0 and the direction of the curve is turned round, kept, or turned by another angle.
+    CUSP = "cusp"
+    STOP = "stop"
+    CORNER = "corner"
+    #: γ′ = 0 where the domain of an open curve ends.
+    SINGULAR_END = "singular end"
+    #: An end of an interval on which the curve stands still.
+    REST = "rest"
+    #: κ = 0, and its sign (in space the direction of κN) changes, is kept, or the domain ends there.
+    INFLECTION = "inflection"
+    UNDULATION = "undulation"
+    FLAT_END = "flat end"
+    #: In space, at a knot: κ = 0 and the osculating planes of the two sides differ.
+    FLAT_POINT = "flat point"
+    #: Extrema of κ, and κ′ = 0 without an extremum.
+    MAXIMUM = "maximum"
+    MINIMUM = "minimum"
+    STATIONARY = "stationary"
+    #: τ = 0, and its sign changes, is kept, or the domain ends there.
+    TORSION_ZERO = "torsion zero"
+    TORSION_TOUCH = "torsion touch"
+    TORSION_END = "torsion end"
+
+    @property
+    def opposite(self) -> FeatureKind:
+        """Maximum for minimum and minimum for maximum."""
+        return {FeatureKind.MAXIMUM: FeatureKind.MINIMUM, FeatureKind.MINIMUM: FeatureKind.MAXIMUM}[self]
+
+
+class JointKind(StrEnum):
+    """What happens at a knot, from bad to good."""
+
+    #: The two sides end in different points.
+    GAP = "gap"
+    #: The tangent turns by an angle, γ′ ≠ 0 on both sides.
+    CORNER = "corner"
+    #: γ′ = 0 on one side at least.
+    SINGULAR = "singular"
+    #: The curve stands still on both sides.
+    STILL = "standing still"
+    #: In space: one tangent, two osculating planes.
+    TURN = "jump of the osculating plane"
+    #: One tangent (and osculating plane), but κN jumps.
+    CURVATURE_JUMP = "jump of the curvature"
+    #: Tangent and curvature are continuous.
+    CONTINUOUS = "continuous curvature"
+
+
+@dataclass(frozen=True)
+class Feature:
+    """A point of the curve: what it is, its parameter as a certified root, and how it was found.
+
+    `by_jump` tells that a sign changes at a knot without a zero on both sides; `of_absolute` is the kind of extremum of
+    the absolute curvature, None where it has none.
+    """
+
+    kind: FeatureKind
+    root: Root
+    form: str
+    by_jump: bool = False
+    of_absolute: FeatureKind | None = None
+
+    @property
+    def at_knot(self) -> bool:
+        """Whether the parameter is a knot."""
+        return self.root.at_knot
+
+
+@dataclass(frozen=True)
+class CurvePiece:
+    """A piece of a curve by its parameters: one interval, or two where it runs across the seam of a closed curve.
+
+    The parts are in the order in which the curve runs through them, all inside the domain.
+
+    >>> print(CurvePiece(((mpq(3), mpq(4)), (mpq(0), mpq(1, 2)))))
+    [3, 4] ∪ [0, 1/2]
+    """
+
+    parts: tuple[Interval, ...]
+
+    @property
+    def start(self) -> mpq:
+        """The parameter at which the piece begins."""
+        return self.parts[0][0]
+
+    @property
+    def end(self) -> mpq:
+        """The parameter at which the piece ends: below `start` where it runs across the seam."""
+        return self.parts[-1][1]
+
+    @property
+    def across_seam(self) -> bool:
+        """Whether the piece runs across the seam of a closed curve."""
+        return len(self.parts) > 1
+
+    def __contains__(self, t: object) -> bool:
+        return any(a <= t <= b for a, b in self.parts)  # type: ignore[operator]  # anything that compares with mpq
+
+    def __str__(self) -> str:
+        return " ∪ ".join(f"[{text(a)}, {text(b)}]" for a, b in self.parts)

@@ -1,0 +1,49 @@
+"""Runs of segments: on an open curve from knot to knot, on a closed one also across its seam."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from exactspline.exact import mpq
+from exactspline.geometry.kinds import CurvePiece
+
+
+def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]:
+    """The maximal runs of segments on which something holds, as ``(first, number)``.
+
+    ``joined[i]`` says that a run may go on from segment i − 1 to segment i; ``joined[0]`` is about the seam, from the
+    last segment to the first (False for an open curve). A run across the seam begins before it; one that comes round to
+    itself begins at 0.
+
+    >>> runs([True, True, False, True], [True, True, True, True])
+    [(3, 3)]
+    >>> runs([True, True, True], [True, False, True])
+    [(1, 3)]
+    """
+    count = len(holds)
+    found: list[tuple[int, int]] = []
+    for i, here in enumerate(holds):
+        if here and i and holds[i - 1] and joined[i]:
+            first, number = found[-1]
+            found[-1] = first, number + 1
+        elif here:
+            found.append((i, 1))
+    if len(found) > 1 and joined[0] and holds[0] and holds[-1]:
+        first, number = found.pop()
+        found[0] = first, number + found[0][1]
+        found.sort()
+    assert all(number <= count for _, number in found)
+    return found
+
+
+def pieces(breaks: Sequence[mpq], found: Sequence[tuple[int, int]]) -> list[CurvePiece]:
+    """Runs of segments as pieces of the curve with these breakpoints."""
+    count = len(breaks) - 1
+    result = []
+    for first, number in found:
+        last = first + number
+        if last <= count:
+            result.append(CurvePiece(((breaks[first], breaks[last]),)))
+        else:
+            result.append(CurvePiece(((breaks[first], breaks[-1]), (breaks[0], breaks[last - count]))))
+    return result

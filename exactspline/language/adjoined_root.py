@@ -1,0 +1,164 @@
+"""Square roots adjoined: ``a + b σ`` with ``σ² = S``, over any reading that can divide.
+
+Over the quotients of differential polynomials (`exactspline.readings.rational_jet`) this is an algebraic extension of
+that field: with σ = ‖γ′‖, the root of γ′·γ′, unit vectors and Frenet frames are elements of it, and an equality there
+is a proof for all curves. Extensions stand on each other: over σ the root ρ = ‖γ′ × γ″‖. The derivative follows from
+σ² = S: ``σ′ = S′ / (2 S) · σ``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from exactspline.errors import FormulaError
+from exactspline.language.arguments import Curve
+from exactspline.language.operand import FieldOperand
+from exactspline.language.vector import cross, norm2
+
+
+class Adjoined(FieldOperand):
+    """``plain + rooted · σ``; `square` is S, an operand of the reading below that is no square there.
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> c = RationalJetReading(2).argument(CURVE, 2)
+    >>> sigma = root_of(norm2(c.gamma.d(1)))
+    >>> sigma * sigma == sigma.lifted(norm2(c.gamma.d(1)))
+    True
+    >>> (1 / sigma) * sigma == sigma.constant(1), (sigma * sigma).d() == 2 * sigma * sigma.d()
+    (True, True)
+    """
+
+    __slots__ = ("plain", "rooted", "square")
+    degree = provenance = 0
+
+    def __init__(self, plain: Any, rooted: Any, square: Any) -> None:
+        self.plain, self.rooted, self.square = plain, rooted, square
+
+    def lifted(self, operand: Any) -> Adjoined:
+        """An operand of the reading below, in this extension."""
+        return Adjoined(operand, operand.constant(0), self.square)
+
+    def constant(self, value: Any) -> Adjoined:
+        """An exact constant."""
+        return self.lifted(self.square.constant(value))
+
+    def beside(self, other: Any) -> Any:
+        """Another element of this extension, a constant made one; None for anything else.
+
+        Raises `FormulaError` for an element of another extension.
+        """
+        found = super().beside(other)
+        if isinstance(found, Adjoined) and found.square is not self.square and not found.square == self.square:
+            raise FormulaError(
+                "elements of two extensions in one operation", remedy="adjoin the roots one on the other"
+            )
+        return found
+
+    def __add__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        return Adjoined(self.plain + right.plain, self.rooted + right.rooted, self.square)
+
+    def __mul__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        plain = self.plain * right.plain + self.rooted * right.rooted * self.square
+        return Adjoined(plain, self.plain * right.rooted + self.rooted * right.plain, self.square)
+
+    @property
+    def conjugate(self) -> Adjoined:
+        """``a − b σ``."""
+        return Adjoined(self.plain, -self.rooted, self.square)
+
+    @property
+    def norm(self) -> Any:
+        """``a² − b² S``, an operand of the reading below."""
+        return self.plain * self.plain - self.rooted * self.rooted * self.square
+
+    def reciprocal(self) -> Adjoined:
+        """``1 / (a + b σ)``; `FormulaError` for 0, and where S is a square and the norm vanishes."""
+        inverse = self.square.constant(1) / self.norm
+        return Adjoined(self.plain * inverse, -self.rooted * inverse, self.square)
+
+    def scaled(self, constant: Any) -> Adjoined:
+        """The element times an exact constant."""
+        return Adjoined(self.plain.scaled(constant), self.rooted.scaled(constant), self.square)
+
+    def elevated_to(self, other: Any) -> Adjoined:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1, *, by: str | None = None) -> Adjoined:
+        """The derivative: ``a′ + (b′ + b S′/(2 S)) σ``."""
+        result = self
+        for _ in range(order):
+            stretch = self.square.d(1, by=by) / (self.square * 2)
+            result = Adjoined(
+                result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * stretch, self.square
+            )
+        return result
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether both parts are zero: σ is no element of the reading below."""
+        return bool(self.plain.is_zero and self.rooted.is_zero)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Adjoined) and self.plain == other.plain and self.rooted == other.rooted
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"{self.plain!r} + {self.rooted!r} √({self.square!r})"
+
+
+def root_of(square: Any) -> Adjoined:
+    """The root σ of an operand that can be divided by, which must be no square.
+
+    Raises `FormulaError` for 0, whose root would be one.
+    """
+    if square.is_zero:
+        raise FormulaError("the root of what vanishes", remedy="adjoin roots of what is no square")
+    return Adjoined(square.constant(0), square.constant(1), square)
+
+
+class FramedCurve(Curve):
+    """A curve with the roots that its Frenet frame needs: ``sigma`` = ‖γ′‖, and in space ``rho`` = ‖γ′ × γ″‖.
+
+    In the plane the operands are ``a + b σ``, in space ``(a + b σ) + (c + e σ) ρ``.
+    """
+
+    def __init__(self, curve: Curve, roots: dict[str, Any], change: Callable[[Any], Any]) -> None:
+        lifted = curve.mapped(change)
+        super().__init__(lifted.p, lifted.w, polynomial=curve.polynomial, point=lifted.point)
+        self.sigma: Any = roots["sigma"]
+        self.rho: Any = roots.get("rho")
+
+    def copied(self) -> FramedCurve:
+        """The same operands, the roots among them, in a curve of its own."""
+        plain = object.__new__(FramedCurve)
+        vars(plain).update(vars(self))
+        return plain
+
+
+def framed(curve: Curve) -> FramedCurve:
+    """A curve of a reading that can divide (jets, Taylor series, sympy) with the roots of its frame adjoined.
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> c = framed(RationalJetReading(3).argument(CURVE, 2))
+    >>> tangent = c.gamma.d(1) / c.sigma
+    >>> norm2(tangent) == c.sigma.constant(1)
+    True
+    """
+    first = curve.gamma.d(1)
+    sigma = root_of(norm2(first))
+    if curve.dimension == 2:
+        return FramedCurve(curve, {"sigma": sigma}, sigma.lifted)
+    bend = norm2(cross(first, curve.gamma.d(2)))
+    rho = root_of(sigma.lifted(bend))
+    return FramedCurve(
+        curve, {"sigma": rho.lifted(sigma), "rho": rho}, lambda operand: rho.lifted(sigma.lifted(operand))
+    )

@@ -1,0 +1,61 @@
+"""What formulas are handed, whatever it is made of."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from exactspline.language.services import Displayed
+
+if TYPE_CHECKING:
+    from exactspline.language.formula import Formula
+
+
+class Argument(Displayed, ABC):
+    """What formulas are handed."""
+
+    @abstractmethod
+    def calls(self, formula: Formula) -> Any:
+        """The value of a formula."""
+
+
+class Evaluated(Argument):
+    """An argument whose operands are at hand: a formula is evaluated on them.
+
+    An evaluation owns its memo: what several parts of a formula call is computed once, in a copy of the argument that
+    nobody else sees, so that an argument can be shared between threads.
+    """
+
+    #: Values of the formulas that were called, in a copy that remembers.
+    _values: dict[Formula, Any] | None = None
+
+    def calls(self, formula: Formula) -> Any:
+        """The value of a formula."""
+        if self._values is None:
+            return self.remembering().calls(formula)
+        if formula not in self._values:
+            self._values[formula] = formula.function(self)
+        return self._values[formula]
+
+    def remembering(self) -> Evaluated:
+        """A copy that remembers every value as long as it lives: for many formulas of one argument."""
+        kept = self.copied()
+        kept._values = {}
+        return kept
+
+    @abstractmethod
+    def copied(self) -> Evaluated:
+        """The same operands in an argument of its own."""
+
+    @abstractmethod
+    def operands(self) -> dict[str, Any]:
+        """The operands by name."""
+
+    @abstractmethod
+    def mapped(self, change: Callable[[Any], Any]) -> Any:
+        """The argument with every operand changed: into another reading, or onto another domain."""
+
+    def together(self) -> tuple[Evaluated, ...]:
+        """The arguments that it is made of, itself among them."""
+        return (self,)

@@ -1,0 +1,34 @@
+"""A reading: what the operands of a formula are, and what follows from what the formula then returns."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any, ClassVar
+
+from exactspline.language.argument import Argument
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import Kind
+
+
+class Reading(ABC):
+    """One way to evaluate formulas. A new reading is one new file that provides one of these, and nothing else.
+
+    `name` is its name in the ledger, `proves` what an equality of two values in it says.
+    """
+
+    name: ClassVar[str]
+    proves: ClassVar[str]
+
+    @abstractmethod
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
+        """What formulas of a kind are handed, in a dimension; polynomial curves have no denominator."""
+
+    def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> Any:
+        """The value of a formula in this reading.
+
+        >>> from exactspline.papers import find
+        >>> from exactspline.readings.degree import DegreeReading
+        >>> DegreeReading().of(find("g2"), 2)
+        9d − 6
+        """
+        return formula(self.argument(formula.kind, dimension, polynomial=polynomial))

@@ -1,0 +1,290 @@
+"""The sympy reading: a formula becomes an expression of sympy in the functions x(s), y(s), z(s), w(s) of the parameter.
+
+Its calculus (the derivatives) and its algebra (sparse polynomials with sympy's own ground types) are sympy's and share
+nothing with the jets of `exactspline.readings.jet`: what both decide alike was decided twice. The second curve of a
+pair has the parameter s̄, the coordinates of a point are symbols.
+"""
+
+from __future__ import annotations
+
+from functools import cache, reduce
+from heapq import heapify, heappop, heappush
+from math import gcd
+from typing import Any
+
+import sympy
+from sympy.polys.rings import PolyElement, PolyRing
+
+from exactspline.errors import FormulaError
+from exactspline.exact import rational
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import PARAMETERS
+from exactspline.language.kinds import Kind, Symbol
+from exactspline.language.operand import FieldOperand
+from exactspline.language.reading import Reading
+
+PARAMETER = {name: sympy.Symbol(name) for name in PARAMETERS}
+FIRST, SECOND = PARAMETER.values()
+
+
+class SympyExpression(FieldOperand):
+    """An expression, with the parameters it depends on.
+
+    >>> from exactspline.papers import find
+    >>> SympyReading().of(find("f0"), 2, polynomial=True).expression
+    Derivative(x(s), s)*Derivative(y(s), (s, 2)) - Derivative(x(s), (s, 2))*Derivative(y(s), s)
+    """
+
+    __slots__ = ("expression", "parameters")
+    degree = provenance = 0
+
+    def __init__(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol] = frozenset()) -> None:
+        self.expression, self.parameters = expression, parameters
+
+    def constant(self, value: Any) -> SympyExpression:
+        """An exact constant."""
+        return SympyExpression(_number(value))
+
+    def __add__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        return SympyExpression(self.expression + right.expression, self.parameters | right.parameters)
+
+    def __mul__(self, other: Any) -> Any:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        return SympyExpression(self.expression * right.expression, self.parameters | right.parameters)
+
+    def reciprocal(self) -> SympyExpression:
+        """``1 / a``; `FormulaError` for what vanishes identically."""
+        if self.is_zero:
+            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+        return SympyExpression(1 / self.expression, self.parameters)
+
+    def scaled(self, constant: Any) -> SympyExpression:
+        """The expression times an exact constant."""
+        return SympyExpression(self.expression * _number(constant), self.parameters)
+
+    def elevated_to(self, other: Any) -> SympyExpression:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+        """The derivative by its parameter, or by the one that is named.
+
+        Raises `FormulaError` for what depends on two parameters, where none is named.
+        """
+        if by is not None:
+            return SympyExpression(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
+        if len(self.parameters) > 1:
+            raise FormulaError(
+                "the derivative of what depends on two parameters", remedy="differentiate operands of one curve"
+            )
+        if not self.parameters or not order:
+            return self if not order else self.constant(0)
+        return SympyExpression(sympy.diff(self.expression, next(iter(self.parameters)), order), self.parameters)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve."""
+        return vanishes(self.expression)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SympyExpression) and vanishes(self.expression - other.expression)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return str(self.expression)
+
+
+def _number(value: Any) -> sympy.Rational:
+    q = rational(value)
+    return sympy.Rational(int(q.numerator), int(q.denominator))
+
+
+class SympyReading(Reading):
+    """The indeterminate argument, its operands functions of sympy.
+
+    >>> from exactspline.language.kinds import PAIR
+    >>> c = SympyReading().argument(PAIR, 3)
+    >>> (c.first.w * c.second.p[0].d()).expression
+    w(s)*Derivative(x̄(s̄), s̄)
+    """
+
+    name = "sympy"
+    proves = "an identity for every curve of every degree, in an algebra that is not ours"
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """Functions of their parameter, and symbols for constants."""
+
+        def operand(symbol: Symbol) -> SympyExpression:
+            if not symbol.parameter:
+                return SympyExpression(sympy.Symbol(symbol.text))
+            parameter = PARAMETER[symbol.parameter]
+            return SympyExpression(sympy.Function(symbol.text)(parameter), frozenset({parameter}))
+
+        return kind.argument(dimension, operand, SympyExpression(sympy.Integer(1)), polynomial=polynomial)
+
+
+@cache
+def vanishes(expression: sympy.Expr) -> bool:
+    """Whether an expression is identically zero when the functions and all their derivatives are independent.
+
+    Everything is brought over one denominator and multiplied out.
+
+    >>> x = sympy.Function("x")(FIRST)
+    >>> vanishes((x.diff(FIRST) / x).diff(FIRST) - x.diff(FIRST, 2) / x + (x.diff(FIRST) / x) ** 2)
+    True
+
+    Raises `FormulaError` for a denominator that vanishes identically, or an expression that is not rational.
+    """
+    if expression.is_Rational:
+        return bool(expression == 0)
+    return not _Fractions(expression).value(expression).unit
+
+
+class _Product:
+    """``unit · Π baseᵉ`` with exponents of either sign; the bases are primitive polynomials, not necessarily
+    irreducible.
+    """
+
+    __slots__ = ("powers", "unit")
+
+    def __init__(self, unit: Any, powers: dict[PolyElement, int]) -> None:
+        self.unit, self.powers = unit, powers
+
+    def times(self, other: _Product) -> _Product:
+        """The product."""
+        powers = dict(self.powers)
+        for base, e in other.powers.items():
+            powers[base] = powers.get(base, 0) + e
+        return _Product(self.unit * other.unit, {base: e for base, e in powers.items() if e})
+
+    def to_the(self, exponent: int) -> _Product:
+        """A power, also a negative one; `FormulaError` for 1/0."""
+        if not self.unit and exponent < 0:
+            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+        return _Product(self.unit**exponent, {base: e * exponent for base, e in self.powers.items()})
+
+
+class _Fractions:
+    """The field of the functions and derivatives that occur in an expression, and the walk through its tree."""
+
+    def __init__(self, expression: sympy.Expr) -> None:
+        atoms = expression.atoms(sympy.Derivative, sympy.core.function.AppliedUndef, sympy.Symbol)
+        used = sorted((a for a in atoms if a not in (FIRST, SECOND)), key=sympy.default_sort_key)
+        self.ring = PolyRing([f"v{i}" for i in range(len(used))] or ["v0"], sympy.ZZ, sympy.lex)
+        self.generators = dict(zip(used, self.ring.gens, strict=False))
+        self.known: dict[sympy.Expr, _Product] = {}
+        self.points = [[3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(self.ring.ngens)] for k in (1, 2, 3)]
+
+    def value(self, e: sympy.Expr) -> _Product:
+        """An expression as a product; what occurs twice is computed once."""
+        if e not in self.known:
+            self.known[e] = self._value(e)
+        return self.known[e]
+
+    def _value(self, e: sympy.Expr) -> _Product:
+        if e in self.generators:
+            return _Product(sympy.QQ(1), {self.generators[e]: 1})
+        if e.is_Rational:
+            return _Product(sympy.QQ(int(e.p), int(e.q)), {})
+        if e.is_Mul:
+            return reduce(_Product.times, [self.value(a) for a in e.args])
+        if e.is_Pow and e.exp.is_Integer:
+            return self.value(e.base).to_the(int(e.exp))
+        if e.is_Add:
+            return self.sum([self.value(a) for a in e.args])
+        raise FormulaError(f"{e} is no rational expression", remedy="formulas are made of + − · / and derivatives")
+
+    def sum(self, terms: list[_Product]) -> _Product:
+        """The sum: what all share is taken out, the rest multiplied out."""
+        terms = [term for term in terms if term.unit]
+        bases = {base for term in terms for base in term.powers}
+        common = {base: min(term.powers.get(base, 0) for term in terms) for base in bases}
+        denominator = reduce(_lcm, [int(term.unit.denominator) for term in terms], 1)
+        total = self.ring.zero
+        for term in terms:
+            lifted = self.ring.ground_new(int(term.unit * denominator))
+            factors = [(base, e) for base in bases if (e := term.powers.get(base, 0) - common[base])]
+            for base, e in sorted(factors, key=lambda item: len(item[0])):
+                lifted = lifted * base**e
+            total = total + lifted
+        if not total:
+            return _Product(sympy.QQ(0), {})
+        shared = _Product(sympy.QQ(1, denominator), {base: e for base, e in common.items() if e})
+        return shared.times(self.product(total, [base for base, e in common.items() if e < 0]))
+
+    def product(self, total: PolyElement, denominators: list[PolyElement]) -> _Product:
+        """A polynomial as a product: its content, the variables that divide it, the given denominators that do, and
+        the rest.
+        """
+        content, rest = total.primitive()
+        if rest.LC < 0:
+            content, rest = -content, -rest
+        powers: dict[PolyElement, int] = {}
+        lowest = [min(column) for column in zip(*rest.monoms(), strict=True)]
+        if any(lowest):
+            rest = self.ring.from_dict(
+                {tuple(a - b for a, b in zip(m, lowest, strict=True)): c for m, c in rest.items()}
+            )
+            powers = {x: e for x, e in zip(self.ring.gens, lowest, strict=True) if e}
+        for base in denominators:
+            while len(base) > 1 and self._may_divide(base, rest):
+                quotient = _quotient(rest, base)
+                if quotient is None:
+                    break
+                powers[base] = powers.get(base, 0) + 1
+                rest = quotient
+        if rest != self.ring.one:
+            powers[rest] = powers.get(rest, 0) + 1
+        return _Product(sympy.QQ(int(content)), powers)
+
+    def _may_divide(self, base: PolyElement, p: PolyElement) -> bool:
+        """Whether the values at some integer points divide each other: cheap, and necessary (both are primitive)."""
+        for point in self.points:
+            below = _at(base, point)
+            if below and _at(p, point) % below:
+                return False
+        return True
+
+
+def _at(p: PolyElement, point: list[int]) -> int:
+    total = 0
+    for monomial, c in p.items():
+        term = int(c)
+        for x, e in zip(point, monomial, strict=True):
+            if e:
+                term *= x**e
+        total += term
+    return total
+
+
+def _quotient(p: PolyElement, q: PolyElement) -> PolyElement | None:
+    """The exact quotient, or None where there is none: the leading terms one after the other, from a heap."""
+    lead, *others = sorted(q.items(), reverse=True)
+    left, found = dict(p), {}
+    heap = [tuple(-e for e in monomial) for monomial in left]
+    heapify(heap)
+    while heap:
+        monomial = tuple(-e for e in heappop(heap))
+        c = left.pop(monomial, 0)
+        if not c:
+            continue
+        step = tuple(a - b for a, b in zip(monomial, lead[0], strict=True))
+        if min(step) < 0 or c % lead[1]:
+            return None
+        found[step] = factor = c // lead[1]
+        for other, coefficient in others:
+            place = tuple(a + b for a, b in zip(step, other, strict=True))
+            if place not in left:
+                heappush(heap, tuple(-e for e in place))
+            left[place] = left.get(place, 0) - factor * coefficient
+    return q.ring.from_dict(found)
+
+
+def _lcm(a: int, b: int) -> int:
+    return a * b // gcd(a, b)

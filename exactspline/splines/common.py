@@ -1,0 +1,46 @@
+"""Splines brought to one representation: over the same knots, of one degree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TypeVar
+
+from exactspline.splines.bernstein import rescaled
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.tensor import TensorSpline
+
+S = TypeVar("S", BSpline, TensorSpline)
+
+
+def with_common_knots(splines: Iterable[S]) -> list[S]:
+    """The same functions over one knot vector (in two parameters, one in each): all breakpoints, the highest degree,
+    the lowest continuity at each knot.
+
+    Their control points then belong together: coordinates, or coordinates and weights.
+
+    >>> t = BSpline.identity(0, 1)
+    >>> [f.control_points for f in with_common_knots([t, t * t])]
+    [(mpq(0,1), mpq(1,2), mpq(1,1)), (mpq(0,1), mpq(0,1), mpq(1,1))]
+
+    Raises `DomainError` when their domains differ.
+    """
+    splines = list(splines)
+    # a sum is over the knots of both operands and of the larger degree; the multiples by 0 are that without values
+    common = splines[0] * 0
+    for f in splines[1:]:
+        common = common + f * 0
+    return [f + common for f in splines]
+
+
+def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
+    """The components of one curve, segment by segment over one denominator, so that sums stay cheap; they have one mesh
+    to begin with, and keep their knots and control points.
+    """
+    mesh, columns = splines[0].mesh, []
+    for forms in zip(*[f.forms for f in splines], strict=True):
+        common = forms[0][1]
+        for _, m in forms[1:]:
+            common = common * (m // common.gcd(m))
+        columns.append([rescaled(form, common) for form in forms])
+    rows = zip(*columns, strict=True)
+    return [f.over_forms(mesh, row) for f, row in zip(splines, rows, strict=True)]

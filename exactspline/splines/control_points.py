@@ -1,0 +1,128 @@
+"""Control points as users write them: Cartesian points, each with a weight, and directions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from exactspline.errors import NumberError, ShapeError, shown
+from exactspline.exact import mpq, rational, text
+
+
+class Direction(tuple[mpq, ...]):
+    """A control vector: a control point at infinity, ``(x, y, 0)`` in homogeneous coordinates.
+
+    It adds ``N v`` to the numerator of the curve and nothing to its denominator (Piegl and Tiller call it an infinite
+    control point). A Cartesian point of weight 0 is something else: it adds nothing to either.
+
+    >>> from exactspline import Nurbs
+    >>> half_circle = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), Direction(0, 1), (-1, 0)])
+    >>> half_circle("1/2"), half_circle.weights
+    ((mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(0,1), mpq(1,1)))
+
+    Raises `NumberError` when a coordinate is no exact number.
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, *coordinates: Any) -> Direction:
+        """The direction with these coordinates."""
+        return super().__new__(cls, exact_row(coordinates, "Direction"))
+
+    def __getnewargs__(self) -> tuple[mpq, ...]:  # type: ignore[override]  # a constructor of several arguments
+        return tuple(self)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Direction) and tuple(self) == tuple(other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash((Direction, *self))
+
+    def __repr__(self) -> str:
+        return f"Direction({', '.join(map(text, self))})"
+
+
+Point = tuple[mpq, ...]
+
+
+def exact_row(values: Iterable[Any], place: str) -> tuple[mpq, ...]:
+    """Numbers in a row as exact ones, an error naming the one at fault."""
+    exact = []
+    for i, value in enumerate(values):
+        try:
+            exact.append(rational(value))
+        except NumberError as error:
+            raise error.at(f"{place}[{i}]") from None
+    return tuple(exact)
+
+
+def exact_points(rows: Iterable[Iterable[Any]], least: int = 2) -> tuple[Point, ...]:
+    """Points and directions of one dimension, at least so many coordinates each; `ShapeError` names the one at
+    fault.
+    """
+    points: list[Point] = []
+    for i, row in enumerate(rows):
+        if isinstance(row, str) or not isinstance(row, Iterable):
+            raise ShapeError(
+                f"{shown(row)} is no point", where=f"control_points[{i}]", remedy="write a list of coordinates"
+            )
+        points.append(row if isinstance(row, Direction) else exact_row(row, f"control_points[{i}]"))
+    if not points:
+        raise ShapeError("no control points", where="control_points", remedy="give at least degree + 1")
+    for i, point in enumerate(points):
+        if len(point) != len(points[0]):
+            raise ShapeError(
+                f"{len(point)} coordinates where control_points[0] has {len(points[0])}",
+                where=f"control_points[{i}]",
+                remedy="use one dimension",
+            )
+        if len(point) < least:
+            raise ShapeError(
+                f"{len(point)} coordinates", where=f"control_points[{i}]", remedy=f"at least {least} are needed"
+            )
+    return tuple(points)
+
+
+def exact_weights(weights: Iterable[Any] | None, points: Sequence[Point]) -> tuple[mpq, ...]:
+    """One weight a control point, 0 for a direction; without weights 1 for every point."""
+    if weights is None:
+        return tuple(mpq(not isinstance(point, Direction)) for point in points)
+    exact = exact_row(weights, "weights")
+    if len(exact) != len(points):
+        raise ShapeError(
+            f"{len(exact)} weights for {len(points)} control points",
+            where="weights",
+            remedy="give one weight a control point",
+        )
+    for i, (weight, point) in enumerate(zip(exact, points, strict=True)):
+        if weight and isinstance(point, Direction):
+            raise ShapeError(
+                f"the weight {text(weight)} of a direction",
+                where=f"weights[{i}]",
+                remedy="a direction has the weight 0; a point is written as a list of coordinates",
+            )
+    return exact
+
+
+def lifted(point: Point, weight: mpq) -> Point:
+    """The homogeneous coordinates of a control point, but for the last, which is its weight.
+
+    >>> lifted((mpq(1), mpq(2)), mpq(3)), lifted(Direction(1, 2), mpq(0))
+    ((mpq(3,1), mpq(6,1)), (mpq(1,1), mpq(2,1)))
+    """
+    return tuple(point) if isinstance(point, Direction) else tuple(x * weight for x in point)
+
+
+def projected(row: Sequence[mpq]) -> Point:
+    """The control point with these homogeneous coordinates, a direction where the last is 0 and another is not.
+
+    >>> projected([mpq(2), mpq(4), mpq(2)]), projected([mpq(1), mpq(2), mpq(0)])
+    ((mpq(1,1), mpq(2,1)), Direction(1, 2))
+    """
+    *coordinates, weight = row
+    if not weight and any(coordinates):
+        return Direction(*coordinates)
+    return tuple(x / weight if weight else x for x in coordinates)

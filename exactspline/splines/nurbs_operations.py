@@ -1,0 +1,48 @@
+"""What becomes of a curve when all its splines are changed alike, and its images under linear, affine and projective
+maps. Functions behind the methods of `Nurbs`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from exactspline.errors import ShapeError
+from exactspline.exact import mpq
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.control_points import exact_row
+
+if TYPE_CHECKING:
+    from exactspline.splines.nurbs import Nurbs
+
+
+def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
+    """The curve of the changed splines, with the name of the old one; the change keeps constants."""
+    w = None if curve.polynomial else change(curve.w)
+    return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
+
+
+def transformed(curve: Nurbs, matrix: Sequence[Sequence[Any]]) -> Nurbs:
+    """The image under the map with this matrix (see `Nurbs.transform`)."""
+    rows = [exact_row(row, f"matrix[{i}]") for i, row in enumerate(matrix)]
+    n = curve.dimension
+    shapes = {(len(rows), len(row)) for row in rows}
+    projective, affine = shapes == {(n + 1, n + 1)}, shapes == {(n, n + 1)}
+    linear = len(shapes) == 1 and len(rows) >= 2 and len(rows[0]) == n
+    if not (projective or affine or linear):
+        raise ShapeError(
+            f"a matrix of rows of {sorted({len(row) for row in rows})} entries, {len(rows)} of them",
+            where="matrix",
+            remedy=f"in R{n}: n columns (linear), {n} × {n + 1} (affine) or {n + 1} × {n + 1} (projective)",
+        )
+    coordinates: list[BSpline] = [*curve.p, *([] if linear else [curve.w])]
+    image = [_combination(row, coordinates) for row in rows]
+    w = image.pop() if projective else None if curve.polynomial else curve.w
+    return type(curve).from_splines(image, w, name=curve.name)
+
+
+def _combination(factors: Sequence[mpq], splines: Sequence[BSpline]) -> BSpline:
+    first, *rest = [f.scaled(factor) for factor, f in zip(factors, splines, strict=True)]
+    for f in rest:
+        first = first + f
+    return first

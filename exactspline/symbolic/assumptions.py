@@ -1,0 +1,168 @@
+"""What claims assume, as mathematics: each assumption is tied to the polynomial of which it speaks.
+
+There is one table. The prover asks it which factors have no zero, and compares polynomials, never the names by which
+they print. On a given curve `exactspline.verification.evaluation` checks the same objects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cache
+from typing import Any
+
+from flint import fmpq_mpoly
+
+from exactspline.errors import ClaimError
+from exactspline.language.arguments import Pair
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
+from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.vector import Vector, norm2
+from exactspline.papers import find
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.jet import Jet, JetReading
+
+#: The kinds of arguments in the plane, in space, and with a second curve.
+PLANE, SPACE, PAIR = ("plane", "plane point"), ("space", "point"), ("pair",)
+ALONE = ("curve", *PLANE, *SPACE)
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """That a polynomial in the curve has no zero (`everywhere`), or that it vanishes on no whole segment.
+
+    ``name`` is how claims write it, ``words`` how it is read, ``meaning`` what is said of a factor that has no zero
+    because of it. ``polynomial`` gives the polynomial in any reading of an argument of one of the ``kinds``; it depends
+    on the parameter of the second curve where ``second`` is set.
+    """
+
+    name: str
+    words: str
+    meaning: str
+    polynomial: Callable[[Any], Any]
+    kinds: tuple[str, ...]
+    everywhere: bool = True
+    second: bool = False
+
+    def __str__(self) -> str:
+        return self.name
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return assumption, (self.name,)
+
+
+def _first(c: Any) -> Any:
+    return c.first if isinstance(c, Pair) else c
+
+
+def _formula(name: str) -> Callable[[Any], Any]:
+    """The formula with this name, of the first curve; of a vector its squared length."""
+
+    def value(c: Any) -> Any:
+        formula = find(name)
+        found = formula(c if formula.kind is PAIR_OF_CURVES else _first(c))
+        return norm2(found) if isinstance(found, Vector) else found
+
+    return value
+
+
+def _of_second(name: str) -> Callable[[Any], Any]:
+    return lambda c: find(name)(c.second)
+
+
+_EVERYWHERE = (
+    Assumption("w", "w has no zero", "the weight function, without a zero", lambda c: _first(c).w, (*ALONE, *PAIR)),
+    Assumption(
+        "w̄",
+        "w̄ has no zero",
+        "the weight function of the second curve, without a zero",
+        lambda c: c.second.w,
+        PAIR,
+        second=True,
+    ),
+    Assumption("γ′", "γ′ has no zero", "positive where the curve is regular", _formula("D1_squared"), (*ALONE, *PAIR)),
+    Assumption(
+        "γ̄′",
+        "γ̄′ has no zero",
+        "positive where the second curve is regular",
+        _of_second("D1_squared"),
+        PAIR,
+        second=True,
+    ),
+    Assumption(
+        "γ′×γ″",
+        "γ′×γ″ has no zero",
+        "positive where the curve is regular and its curvature is not zero",
+        _formula("binormal_form_squared"),
+        SPACE,
+    ),
+)
+
+
+def _somewhere(name: str, formula: str, kinds: tuple[str, ...]) -> Assumption:
+    return Assumption(
+        f"{name} ≢ 0", f"{name} vanishes on no whole segment", "", _formula(formula), kinds, everywhere=False
+    )
+
+
+_SOMEWHERE = (
+    _somewhere("γ′", "D1_squared", (*ALONE, *PAIR)),
+    _somewhere("[γ′ γ″]", "f2", PLANE),
+    _somewhere("γ′×γ″", "binormal_form_squared", SPACE),
+    _somewhere("[γ′ γ″ γ‴]", "D1_D2_D3", SPACE),
+    _somewhere("[γ′ γ−Q]", "plane_bisector_determinant", ("plane point",)),
+    _somewhere("γ′×(γ−Q)", "point_bisector_generator_polynomial", ("point",)),
+    _somewhere("(γ′×(γ−Q))₁", "direct_determinant_x", ("point",)),
+    _somewhere("(γ′×(γ−Q))₂", "direct_determinant_y", ("point",)),
+    _somewhere("(γ′×(γ−Q))₃", "direct_determinant_z", ("point",)),
+    _somewhere("[γ′ γ̄′ γ−γ̄]", "bisector_determinant_symmetric", PAIR),
+)
+
+#: Every assumption by its name.
+ASSUMPTIONS = {each.name: each for each in (*_EVERYWHERE, *_SOMEWHERE)}
+
+
+def assumption(name: str) -> Assumption:
+    """The assumption with this name.
+
+    >>> assumption("γ′×γ″").words
+    'γ′×γ″ has no zero'
+
+    Raises `ClaimError` with the nearest names.
+    """
+    if name not in ASSUMPTIONS:
+        near = get_close_matches(name, ASSUMPTIONS, 3, 0) or list(ASSUMPTIONS)
+        raise ClaimError(f"the assumption {name!r} is unknown", remedy=f"nearest are {', '.join(map(repr, near))}")
+    return ASSUMPTIONS[name]
+
+
+def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumption | None:
+    """The assumption by which an irreducible jet polynomial has no zero: it divides the polynomial that has none.
+
+    Without a list all assumptions of that kind count: those of a regular curve without points of zero curvature.
+    >>> from exactspline.language.kinds import CURVE
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(2).argument(CURVE, 2)
+    >>> zero_free(c.w).name, zero_free(norm2(find("D1")(c))).name, zero_free(find("f2")(c))
+    ('w', 'γ′', None)
+    """
+    wanted = {each.name for each in assumed if each.everywhere}
+    for each, polynomial in _polynomials(jet.ring.kind, jet.ring.dimension, jet.ring.order, jet.ring.polynomial):
+        if each.name in wanted and not divmod(polynomial, jet.polynomial)[1]:
+            return each
+    return None
+
+
+@cache
+def _polynomials(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[Assumption, fmpq_mpoly]]:
+    """What the assumptions without exception speak of, in the ring of that kind, dimension and order."""
+    argument, found = JetReading(order).argument(kind, dimension, polynomial=polynomial), []
+    for each in _EVERYWHERE:
+        spoken_of = any(kind.takes(kind_of(name), dimension) for name in each.kinds)
+        if spoken_of and order_of(Formula(each.polynomial, each.name, kind, ""), dimension) <= order:
+            value = each.polynomial(argument)
+            if not value.is_zero and value.polynomial.total_degree() > 0:
+                found.append((each, value.polynomial))
+    return found

@@ -1,0 +1,319 @@
+"""What all claims have in common, and how their fields are read and checked."""
+
+from __future__ import annotations
+
+import re
+from abc import abstractmethod
+from collections.abc import Callable
+from dataclasses import Field, dataclass, field, fields
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import kind_of
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.services import Displayed
+from exactspline.papers import paper as paper_named
+from exactspline.readings.degree import parse
+from exactspline.splines.examples import example, example_names
+from exactspline.symbolic.assumptions import Assumption, assumption
+from exactspline.verification.evaluation import Evaluation, evaluation
+from exactspline.verification.verdict import (
+    OUTSIDE,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    VERIFIED,
+    ContradictionError,
+    Finding,
+    vacuous,
+)
+from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, nearest, word
+
+
+def read(check: Callable[[Claim, str, Any], Any]) -> dict[str, Any]:
+    """What makes a field of a claim more than free text: `check` reads its value, or raises `ClaimError`."""
+    return {"check": check}
+
+
+def one_of(kind: Any) -> Callable[[Claim, str, Any], Any]:
+    """A word of an enumeration."""
+    return lambda claim, name, value: word(kind, value, name)
+
+
+def formula_name(claim: Claim, name: str, value: Any) -> str:
+    """The name of a formula that can be handed what the claim speaks of."""
+    formula = claim.find(value)
+    if formula.curve not in claim.kinds_of(name):
+        raise ClaimError(
+            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {str(claim.curve)!r}",
+            where=name,
+            remedy=f"name a formula of {' or '.join(map(repr, claim.kinds_of(name)))}",
+        )
+    return str(value)
+
+
+def formula_names(claim: Claim, name: str, value: Any) -> tuple[str, ...]:
+    """Several of them."""
+    return tuple(formula_name(claim, name, each) for each in value)
+
+
+def example_name(claim: Claim, name: str, value: Any) -> str:
+    """The name of an example curve of which the claim speaks; empty for none."""
+    if value and value not in example_names():
+        raise ClaimError(f"no example curve is called {value!r}", where=name, remedy=nearest(value, [*example_names()]))
+    return str(value)
+
+
+def example_list(claim: Claim, name: str, value: Any) -> tuple[str, ...]:
+    """Several of them."""
+    return tuple(example_name(claim, name, each) for each in value)
+
+
+def assumption_list(claim: Claim, name: str, value: Any) -> tuple[Assumption, ...]:
+    """Assumptions by their names, each about what the claim speaks of."""
+    found = tuple(each if isinstance(each, Assumption) else assumption(each) for each in value)
+    for each in found:
+        if claim.curve != ArgumentKind.TABLE and not set(claim.curve.formulas) & set(each.kinds):
+            raise ClaimError(
+                f"the assumption {each.name!r} says nothing of {str(claim.curve)!r}",
+                where=name,
+                remedy=f"it speaks of {', '.join(map(repr, each.kinds))}",
+            )
+    return found
+
+
+def degree_text(claim: Claim, name: str, value: Any) -> str:
+    """A degree in d, or in d1 and d2 for Table 1."""
+    names = {"d1", "d2"} if claim.curve == ArgumentKind.TABLE else {"d"}
+    if unknown := parse(value).names - names:
+        raise ClaimError(
+            f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
+            where=name,
+            remedy=f"write it in {' and '.join(sorted(names))}",
+        )
+    return str(value)
+
+
+def count_from(least: int) -> Callable[[Claim, str, Any], int]:
+    """A whole number, at least so large."""
+
+    def check(claim: Claim, name: str, value: Any) -> int:
+        if not isinstance(value, int) or value < least:
+            raise ClaimError(f"{value!r} is no number ≥ {least}", where=name, remedy="write a whole number")
+        return value
+
+    return check
+
+
+def identifier(claim: Claim, name: str, value: Any) -> str:
+    """A key: the id of the claim without spaces, a hyphen, and a short name."""
+    begin = re.sub(r"[ .]+", "", claim.id)
+    if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
+        raise ClaimError(
+            f"the key {value!r} does not begin with the id", where=name, remedy=f"write for example {begin + '-a'!r}"
+        )
+    return str(value)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim(Displayed):
+    """One checkable statement.
+
+    ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
+    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (see `ArgumentKind`), ``of``
+    whether of polynomial curves, of rational ones or of both. ``assumes`` are assumptions of
+    `exactspline.symbolic.assumptions`; ``context`` says in words what the letters mean. ``error`` joins the statements
+    that fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
+    ``vacuous`` lists the example curves on which there is nothing to decide.
+
+    Raises `ClaimError` for a word, a name or a combination that says nothing.
+    """
+
+    kind: ClassVar[str] = ""
+    reading: ClassVar[str] = "jet"
+
+    paper: str
+    id: str
+    source: str
+    statement: str
+    status: Status = field(metadata=read(one_of(Status)))
+    curve: ArgumentKind = field(default=ArgumentKind.CURVE, metadata=read(one_of(ArgumentKind)))
+    of: Scope = field(default=Scope.BOTH, metadata=read(one_of(Scope)))
+    key: str = field(metadata=read(identifier))
+    words: str = ""
+    place: str = ""
+    error: str = ""
+    assumes: tuple[Assumption, ...] = field(default=(), metadata=read(assumption_list))
+    context: str = ""
+    expected: Verdict = field(default=Verdict.PROVED, metadata=read(one_of(Verdict)))
+    witness: str = field(default="", metadata=read(example_name))
+    vacuous: tuple[str, ...] = field(default=(), metadata=read(example_list))
+    note: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        for f in fields(self):
+            if check := f.metadata.get("check"):
+                object.__setattr__(self, f.name, check(self, f.name, getattr(self, f.name)))
+            elif not isinstance(getattr(self, f.name), str):
+                raise ClaimError(f"{getattr(self, f.name)!r} is no text", where=f.name, remedy="write a text")
+        self._validate_common()
+        self.validate()
+
+    def _validate_common(self) -> None:
+        if self.status == Status.PRINTED and not (self.words or "eq" in self.place or "Table" in self.place):
+            raise ClaimError(
+                "a printed claim has neither words nor an equation", where="words", remedy="quote what is printed"
+            )
+        if (self.expected == REFUTED and self.status == Status.PRINTED) != (
+            bool(self.error) and self.status == Status.PRINTED
+        ):
+            raise ClaimError(
+                "a printed claim belongs to an error exactly if it is refuted",
+                where="error",
+                remedy="name the error, or leave the field out",
+            )
+
+    def validate(self) -> None:
+        """Refuse combinations that say nothing, with `ClaimError`."""
+
+    @property
+    def named(self) -> tuple[str, ...]:
+        """The names of the formulas it speaks of."""
+        chosen: list[str] = []
+        for f in fields(self):
+            if f.metadata.get("check") in (formula_name, formula_names):
+                value = getattr(self, f.name)
+                chosen += [value] if isinstance(value, str) else value
+        return tuple(name for name in chosen if name)
+
+    def kinds_of(self, name: str) -> tuple[str, ...]:
+        """The kinds of formulas that may stand in that field."""
+        return self.curve.formulas
+
+    def find(self, name: str) -> Formula:
+        """A formula of its paper, or of one that this paper uses."""
+        return paper_named(self.paper).find(name)
+
+    @property
+    def assumed(self) -> str:
+        """Context and assumptions in words."""
+        return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
+
+    @property
+    def relation_claimed(self) -> Relation:
+        """The relation that is claimed, of all curves."""
+        return Relation.EQUAL
+
+    @property
+    def dimensions(self) -> tuple[int, ...]:
+        """The dimensions of which it speaks."""
+        return kind_of(self.curve).dimensions
+
+    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+        """Whether it says anything about single curves of that dimension and kind."""
+        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+
+    @property
+    @abstractmethod
+    def latex(self) -> str:
+        """What it says, as LaTeX."""
+
+    @property
+    def claims(self) -> str:
+        """What it claims, as a row of the ledger shows it."""
+        return ""
+
+    def prove(self) -> tuple[str, Finding]:
+        """The reading in which it is decided for all curves, and what was found: the worst of all the cases, the
+        rational and the polynomial curves of every dimension of which it speaks.
+        """
+        found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
+        return self.reading, worst(found)
+
+    @abstractmethod
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """What holds for all curves of a dimension, with w = 1 or with any w."""
+
+    def check(self, curve: Any) -> Finding:
+        """What one curve (or the `Evaluation` of one) says of it."""
+        own = evaluation(curve)
+        argument = own.handed(self.curve)
+        if gone := self.missing(argument):
+            return vacuous(self.claims, gone)
+        finding = self.examine(argument, own)
+        if finding.verdict == REFUTED and (failing := own.failing(self.curve, self.assumes)):
+            return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
+        return finding
+
+    @abstractmethod
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """What holds on one curve, as the argument of its formulas."""
+
+    def missing(self, argument: Any) -> str:
+        """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when
+        all exist.
+        """
+        if self.curve == ArgumentKind.TABLE:
+            return ""
+        for name in self.named:
+            value = self.find(name)(argument)
+            parts = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
+            if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
+                return f"{name} does not exist on all of this curve: 0/0"
+        return ""
+
+    def refuted_on_examples(self) -> Finding:
+        """The first example curve on which it fails, as a witness; UNDECIDED when there is none."""
+        for name in sorted(example_names(), key=lambda name: name != self.witness):
+            curve = example(name)
+            if self.speaks_of(curve.dimension, curve.polynomial):
+                finding = self.check(curve)
+                if finding.verdict == REFUTED:
+                    return Finding(
+                        REFUTED,
+                        finding.claimed,
+                        finding.computed,
+                        witness=f"on the example curve {name}: {finding.witness}",
+                    )
+        return Finding(UNDECIDED, self.claims)
+
+
+def worst(found: list[Finding]) -> Finding:
+    """The least favourable finding: a refutation, then what is undecided, then what holds on the curves tried."""
+    order = (REFUTED, UNDECIDED, VERIFIED, PROVED)
+    return min(found, key=lambda finding: order.index(finding.verdict))
+
+
+def combined(claim: Claim) -> tuple[str, Finding]:
+    """The one verdict on a claim: the proof for all curves, held against every example curve of which it speaks.
+
+    Raises `ContradictionError` when it is proved and fails on one of them.
+    """
+    try:
+        reading, finding = claim.prove()
+    except ExactSplineError as error:
+        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+    if finding.verdict in (PROVED, UNDECIDED):
+        example_finding = claim.refuted_on_examples()
+        if example_finding.verdict == REFUTED:
+            contradict(claim, finding, example_finding)
+            return reading, example_finding
+    return reading, finding
+
+
+def contradict(claim: Claim, proof: Finding, example_finding: Finding) -> None:
+    """Raise `ContradictionError` when a claim is proved for all curves and refuted on one."""
+    if proof.verdict == PROVED and example_finding.verdict == REFUTED:
+        raise ContradictionError(
+            f"proved for all curves, but refuted: {example_finding.witness}",
+            where=f"{claim.paper}, {claim.key}",
+            remedy="one of the readings is wrong: report this",
+            claim=claim.key,
+        )
+
+
+def entries(kind: type[Claim]) -> dict[str, Field[Any]]:
+    """The fields of a kind of claims that its entry may have."""
+    return {f.name: f for f in fields(kind) if f.name != "paper"}

@@ -1,0 +1,98 @@
+"""One curve, evaluated for many claims: what formulas are handed, and which assumptions hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from exactspline.exact import text
+from exactspline.splines.bernstein import zero_on_segment
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.assumptions import Assumption
+from exactspline.verification.check_arguments import argument
+from exactspline.verification.vocabulary import ArgumentKind
+
+
+class Evaluation:
+    """One curve with the values of formulas on it. It belongs to one run of the ledger: curves can be shared between
+    threads, evaluations need not be.
+
+    >>> from exactspline.splines.examples import example
+    >>> own = Evaluation(example("cusp"))
+    >>> own.handed("plane") is own.handed("plane"), own.handed("plane") is own.curve
+    (True, False)
+    """
+
+    def __init__(self, curve: Any) -> None:
+        self.curve = curve
+        self._handed: dict[str, tuple[Any, str]] = {}
+        self._failing: dict[tuple[str, str], str] = {}
+
+    def _argument(self, kind: str) -> tuple[Any, str]:
+        if kind not in self._handed:
+            made, beside = argument(kind, self.curve)
+            self._handed[kind] = made.remembering(), beside
+        return self._handed[kind]
+
+    def handed(self, kind: str) -> Any:
+        """What formulas of a kind are handed; it remembers their values."""
+        return self.curve if kind == ArgumentKind.TABLE else self._argument(kind)[0]
+
+    def beside(self, kind: str) -> str:
+        """What is said of it beside the curve."""
+        return "" if kind == ArgumentKind.TABLE else self._argument(kind)[1]
+
+    def failing(self, kind: str, assumed: Iterable[Assumption]) -> str:
+        """The first of the assumptions that fails on this curve, with the place; empty when all hold."""
+        for each in assumed:
+            if (kind, each.name) not in self._failing:
+                place = _fails(each, self.handed(kind))
+                self._failing[kind, each.name] = f"{each.name.removesuffix(' ≢ 0')} vanishes {place}" if place else ""
+            if told := self._failing[kind, each.name]:
+                return told
+        return ""
+
+
+def evaluation(curve: Any) -> Evaluation:
+    """The evaluation of a curve; one that is given is kept."""
+    return curve if isinstance(curve, Evaluation) else Evaluation(curve)
+
+
+def _fails(each: Assumption, handed: Any) -> str:
+    value = each.polynomial(handed)
+    if isinstance(value, TensorSpline):
+        if not each.everywhere:
+            return "on a whole patch" if not all(value.polynomials) else ""
+        (a, b), (c, d) = value.domain
+        value = value.at_s((a + b) / 2) if each.second else value.at_t((c + d) / 2)
+    if not each.everywhere:
+        return next((segment(value, i) for i, p in enumerate(value.polynomials) if not p), "")
+    return zero_of(value)
+
+
+def segment(f: BSpline, i: int) -> str:
+    """A whole segment as text."""
+    a, b = f.breakpoints[i : i + 2]
+    return f"on all of [{text(a)}, {text(b)}]"
+
+
+def zero_of(f: BSpline) -> str:
+    """Where a spline has a zero, one-sided limits among them, as text; empty when it has none.
+
+    >>> zero_of(BSpline.identity(0, 1)), zero_of(BSpline.identity(0, 1) + 1)
+    ('at the parameter 0', '')
+    """
+    for i, p in enumerate(f.polynomials):
+        if not p:
+            return segment(f, i)
+        a, b = f.breakpoints[i : i + 2]
+        if found := zero_on_segment(p, f.degree):
+            return between(a, b, found)
+    return ""
+
+
+def between(a: Any, b: Any, found: Any) -> str:
+    """The place of a zero of a segment [a, b], as text."""
+    s, t = (a + (b - a) * x for x in found)
+    return f"at the parameter {text(s)}" if s == t else f"between the parameters {text(s)} and {text(t)}"

@@ -1,0 +1,47 @@
+"""The kinds of claims, one class each."""
+
+from __future__ import annotations
+
+from exactspline.verification.claim import Claim
+from exactspline.verification.kinds.coefficients import Coefficients
+from exactspline.verification.kinds.condition import Condition
+from exactspline.verification.kinds.count import Count
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.kinds.existence import Existence
+from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.square_class import SquareClass
+from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.kinds.zero_set import ZeroSet
+
+#: The classes by the word that stands for them in a table of claims.
+KINDS: dict[str, type[Claim]] = {
+    kind.kind: kind
+    for kind in (
+        DegreeClaim,
+        Identity,
+        Vanishing,
+        ZeroSet,
+        Coefficients,
+        Condition,
+        Count,
+        SquareClass,
+        SameSurface,
+        Existence,
+        IsoCurve,
+    )
+}
+
+__all__ = [
+    "KINDS",
+    "Coefficients",
+    "Condition",
+    "Count",
+    "DegreeClaim",
+    "Existence",
+    "Identity",
+    "IsoCurve",
+    "SameSurface",
+    "SquareClass",
+    "Vanishing",
+    "ZeroSet",
+]

@@ -1,0 +1,103 @@
+"""Claims that no B-spline coefficient vanishes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.language.kinds import CURVE
+from exactspline.language.vector import Vector
+from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
+from exactspline.readings.differential_order import is_polynomial
+from exactspline.readings.generic_bezier import GenericReading
+from exactspline.verification.claim import Claim, formula_name, one_of, read
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind, Curves
+
+#: The degrees for which the generic Bézier segment is computed.
+GENERIC_DEGREES = range(2, 7)
+NONE = "none vanishes"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coefficients(Claim):
+    """No B-spline coefficient of ``formula`` vanishes (of a vector: none is the zero vector), on every curve or on the
+    generic Bézier curve.
+    """
+
+    kind: ClassVar[str] = "coefficients"
+
+    formula: str = field(metadata=read(formula_name))
+    curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
+
+    def validate(self) -> None:
+        """Refuse what has no coefficients of its own: quotients, two curves, a point."""
+        if self.curve not in (ArgumentKind.CURVE, ArgumentKind.PLANE, ArgumentKind.SPACE):
+            raise ClaimError(f"coefficients of {str(self.curve)!r} are not decided", where="curve", remedy="a curve")
+        if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
+            raise ClaimError(f"{self.formula!r} is a quotient", where="formula", remedy="name a polynomial")
+
+    @property
+    def claims(self) -> str:
+        """None vanishes."""
+        return NONE
+
+    @property
+    def latex(self) -> str:
+        """The formula has no vanishing coefficient."""
+        return rf"{symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
+
+    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+        """What is generic says nothing of single curves."""
+        return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial)
+
+    def prove(self) -> tuple[str, Finding]:
+        """On every curve it can only be refuted, by one; the generic curve is computed."""
+        if self.curves == Curves.EVERY:
+            return "spline", self.refuted_on_examples()
+        return "generic", super().prove()[1]
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """No Bézier coefficient is the zero polynomial in indeterminate control points and weights: for every degree at
+        once, or degree by degree.
+        """
+        formula = self.find(self.formula)
+        if not polynomial and _exists(
+            lambda: every_coefficient(formula(BernsteinTermReading().argument(CURVE, dimension)))
+        ):
+            told = (
+                "none vanishes for any d ≥ 1: coefficients 2k and 2k + 1 contain the product of control "
+                "point k + 1 and weight k"
+            )
+            return Finding(PROVED, NONE, told)
+        for d in GENERIC_DEGREES:
+            value = formula(GenericReading(d).argument(CURVE, dimension, polynomial=polynomial))
+            components = list(value) if isinstance(value, Vector) else [value]
+            for i, parts in enumerate(zip(*[c.coefficients for c in components], strict=True)):
+                if not any(parts):
+                    told = f"coefficient {i} is zero for every curve of degree {d}"
+                    return Finding(REFUTED, NONE, f"coefficient {i} of degree {d}", witness=told)
+        return Finding(VERIFIED, NONE, f"none vanishes for d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}")
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """No control point is zero."""
+        value = self.find(self.formula)(argument)
+        components = list(value) if isinstance(value, Vector) else [value]
+        if all(p.is_zero for p in components):
+            return vacuous(NONE, "all vanish")
+        for i, point in enumerate(zip(*[p.control_points for p in components], strict=True)):
+            if not any(point):
+                told = f"coefficient {i} of {self.formula} is 0"
+                return Finding(REFUTED, NONE, "one vanishes", witness=told)
+        return Finding(VERIFIED, NONE, NONE)
+
+
+def _exists(attempt: Any) -> bool:
+    """Whether the reading of single terms decides, which is for formulas linear in p and in w."""
+    try:
+        return attempt() is not None
+    except FormulaError:
+        return False

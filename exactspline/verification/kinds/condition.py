@@ -1,0 +1,108 @@
+"""Claims that one form of a zero-set problem is better conditioned than another, on one curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.exact import mpq, text
+from exactspline.language.parts import split
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.examples import example
+from exactspline.verification.claim import Claim, example_name, formula_name, read
+from exactspline.verification.conditioning.condition_number import Interval, condition_number
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+
+BETTER = "better at every common zero"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Condition(Claim):
+    """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
+    condition number: a relative change of its Bernstein coefficients moves the zero less.
+    """
+
+    kind: ClassVar[str] = "condition"
+    reading: ClassVar[str] = "spline"
+
+    left: str = field(metadata=read(formula_name))
+    right: str = field(metadata=read(formula_name))
+    example: str = field(metadata=read(example_name))
+
+    def validate(self) -> None:
+        """Refuse an example of which the claim does not speak, and a form compared with itself."""
+        curve = example(self.example)
+        if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
+            raise ClaimError(
+                f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
+            )
+        if self.left == self.right:
+            raise ClaimError("both sides are one formula", where="right", remedy="name another one")
+
+    @property
+    def claims(self) -> str:
+        """The left form is better."""
+        return BETTER
+
+    @property
+    def latex(self) -> str:
+        """Both names."""
+        return rf"{symbol(self.left)} \;\text{{is better conditioned than}}\; {symbol(self.right)}"
+
+    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+        """It speaks of its example alone."""
+        return False
+
+    def prove(self) -> tuple[str, Finding]:
+        """Enclosures of the condition numbers on the example, zero by zero."""
+        own = Evaluation(example(self.example))
+        return self.reading, self.examine(own.handed(self.curve), own)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The same for every case."""
+        return self.prove()[1]
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """Where enclosures do not tell two condition numbers apart nothing is decided."""
+        f, g = (split(self.find(name)(argument))[0][0] for name in (self.left, self.right))
+        theirs = list(zeros(g, periodic=own.curve.closed))
+        pairs = [
+            (root, _condition(f, root), _condition(g, other))
+            for root in zeros(f, periodic=own.curve.closed)
+            for other in theirs
+            if root == other
+        ]
+        if not pairs:
+            return vacuous(BETTER, "no zero in common")
+        told = ", ".join(f"{_middle(a)} against {_middle(b)}" for _, a, b in pairs)
+        if all(a[1] < b[0] for _, a, b in pairs):
+            return Finding(VERIFIED, BETTER, told)
+        for root, a, b in pairs:
+            if a[0] >= b[1]:
+                witness = f"on the example curve {self.example}: not better at the zero {_place(root)}"
+                return Finding(REFUTED, BETTER, told, witness=witness)
+        return Finding(UNDECIDED, BETTER, told)
+
+
+def _condition(f: BSpline, root: Root) -> Interval:
+    """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and stays so."""
+    if root.at_knot:
+        return mpq(0), mpq(0)
+    if root.segment is None:
+        raise ClaimError("a zero without a segment", remedy="report this")
+    i = f.breakpoints.index(root.segment[0])
+    return condition_number(f.forms[i], f.degree, root, root.multiplicity)
+
+
+def _middle(interval: Interval) -> str:
+    low, high = interval
+    return f"{float(mpq((low + high) / 2)):.4g}"
+
+
+def _place(root: Root) -> str:
+    return f"at the knot {text(root.low)}" if root.at_knot else f"between {text(root.low)} and {text(root.high)}"

@@ -1,0 +1,171 @@
+"""Claims of degrees: equalities and bounds, nominal and true, for all degrees d."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.exact import mpq
+from exactspline.language.arguments import Pair
+from exactspline.language.parts import joined, split
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.readings.degree import parse
+from exactspline.splines.lowest_terms import true_degree
+from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_lines import Degrees
+from exactspline.verification.claim import Claim, count_from, degree_text, formula_name, one_of, read
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.generic_proof import reduction_of, transposed
+from exactspline.verification.kinds.degree_proof import decide
+from exactspline.verification.notation import degree_latex, symbol
+from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind, Counting, Measure, Parameter, Relation
+
+#: What a claim measures, as LaTeX.
+MEASURES = {
+    Measure.NOMINAL: r"\deg",
+    Measure.TRUE: r"\deg_{\mathrm{true}}",
+    Measure.LOWEST_TERMS: r"\deg_{\mathrm{lowest\ terms}}",
+    Measure.REDUCED: r"\deg_{\mathrm{reduced}}",
+    Measure.HEIGHT: r"\mathrm{height}",
+}
+#: What a relation is in LaTeX, and what a claimed degree begins with.
+RELATIONS = {Relation.EQUAL: ("=", ""), Relation.AT_MOST: (r"\le", "≤ "), Relation.AT_LEAST: (r"\ge", "≥ ")}
+
+
+@dataclass(frozen=True, kw_only=True)
+class DegreeClaim(Claim):
+    """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d from ``least_d`` on.
+
+    The ``measure`` is ``nominal`` (Table 1), ``true`` (of a polynomial on the generic curve), ``lowest terms`` (of the
+    value; of a ruled surface of directrix and generator over one denominator), ``reduced`` (of what
+    `exactspline.symbolic.reduction` keeps; of a ruled surface of its generator, whose length is free) or ``height`` (0
+    for a covariant). Of two curves it is the degree in the ``parameter`` s or s̄. All but the nominal degree are degrees
+    of the generic curve: on one curve they are bounds.
+    """
+
+    kind: ClassVar[str] = "degree"
+
+    formula: str = field(metadata=read(formula_name))
+    claimed: str = field(metadata=read(degree_text))
+    measure: Measure = field(default=Measure.NOMINAL, metadata=read(one_of(Measure)))
+    relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
+    parameter: Parameter = field(default=Parameter.S, metadata=read(one_of(Parameter)))
+    counting: Counting = field(default=Counting.TABLE_1, metadata=read(one_of(Counting)))
+    least_d: int = field(default=1, metadata=read(count_from(1)))
+
+    def validate(self) -> None:
+        """Refuse combinations that say nothing."""
+        table = self.curve == ArgumentKind.TABLE
+        if self.parameter == Parameter.S_BAR and self.curve != ArgumentKind.PAIR:
+            raise ClaimError("there is no parameter s̄ of one curve", where="parameter", remedy='write "s"')
+        if self.counting == Counting.PART_BY_PART and (self.measure != Measure.NOMINAL or table):
+            raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
+        if table and (self.measure != Measure.NOMINAL or self.of != "both"):
+            raise ClaimError("Table 1 counts nominal degrees of any operands", where="measure", remedy='"nominal"')
+        if self.measure == Measure.HEIGHT and (parse(self.claimed).names or self.relation != Relation.EQUAL):
+            raise ClaimError("a height is a number", where="claimed", remedy='write for example "0"')
+
+    @property
+    def claims(self) -> str:
+        """The degree, with its relation."""
+        return RELATIONS[self.relation][1] + str(parse(self.claimed))
+
+    @property
+    def relation_claimed(self) -> Relation:
+        """The relation of the claim."""
+        return self.relation
+
+    @property
+    def latex(self) -> str:
+        """The degree, the relation, what is claimed."""
+        sign = RELATIONS[self.relation][0]
+        return rf"{MEASURES[self.measure]} {symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
+
+    @property
+    def proof_reading(self) -> str:
+        """The reading that decides the measure."""
+        return {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
+
+    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+        """Of one curve nothing is said by a count of another rule, by a height, by a lower bound of the generic one."""
+        silent = (
+            self.counting == Counting.PART_BY_PART
+            or self.measure == Measure.HEIGHT
+            or (self.measure.is_generic and self.relation == Relation.AT_LEAST)
+        )
+        return not silent and super().speaks_of(dimension, polynomial)
+
+    def prove(self) -> tuple[str, Finding]:
+        """The reading is that of the measure."""
+        return self.proof_reading, super().prove()[1]
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """For symbolic d."""
+        found = decide(self, dimension, polynomial)
+        return replace(found, claimed=self.claims, relation=self.relation)
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """The degree of the splines at hand. What is claimed of the generic curve is a bound on this one."""
+        claimed = self._claimed(argument)
+        relation = Relation.AT_MOST if self.measure.is_generic else self.relation
+        text = f"{RELATIONS[relation][1]}{claimed}"
+        computed = self._computed(argument)
+        if computed < 0 and self.measure.is_generic:
+            return vacuous(text, "0")
+        holds = relation.holds(computed, claimed)
+        lower = " (lower on this curve)" if self.measure.is_generic and computed < claimed else ""
+        told = "" if holds else f"{computed}, not {text}"
+        return Finding(VERIFIED if holds else REFUTED, text, f"{computed}{lower}", witness=told, relation=relation)
+
+    def _claimed(self, argument: Any) -> int:
+        degree = parse(self.claimed)
+        if self.curve == ArgumentKind.TABLE:
+            return degree.at({name: argument.degrees[name] for name in degree.names})
+        curve = argument
+        if isinstance(argument, Pair):
+            curve = argument.first if self.parameter == Parameter.S else argument.second
+        d = max(max(p.degree) if isinstance(p.degree, Degrees) else p.degree for p in curve.p)
+        return degree.at(dict.fromkeys(degree.names, int(d)))
+
+    def _computed(self, argument: Any) -> int:
+        if self.measure == Measure.REDUCED:
+            return max(self._own(p.true_degree) for p in split(self._reduced(argument))[0])
+        value = self.find(self.formula)(argument)
+        if self.measure == Measure.NOMINAL:
+            return self._own(value.degree)
+        if self.measure == Measure.TRUE:
+            return max(self._own(p.true_degree) for p in split(value)[0])
+        whole = joined(value) if isinstance(value, RuledSurface) else value
+        return true_degree(self._profile(whole))
+
+    def _reduced(self, argument: Any) -> Any:
+        pair = isinstance(argument, Pair)
+        polynomial = argument.first.polynomial if pair else argument.polynomial
+        if pair and self.parameter == Parameter.S_BAR:
+            swapped = transposed(self.find(self.formula))
+            return reduction_of(swapped, argument.dimension, polynomial).main.on(Pair(argument.second, argument.first))
+        return reduction_of(self.find(self.formula), argument.dimension, polynomial).main.on(argument)
+
+    def _own(self, degree: Any) -> int:
+        """The degree in the parameter that is counted."""
+        if isinstance(degree, Degrees):
+            return int(degree.s if self.parameter == Parameter.S else degree.t)
+        return int(degree)
+
+    def _profile(self, value: Any) -> Any:
+        """What is in two parameters at a fixed one of the other; any other as it is."""
+        components, denominator = split(value)
+        if not isinstance(components[0], TensorSpline):
+            return value
+        across = components[0].domain[1 if self.parameter == Parameter.S else 0]
+        fixed = across[0] + (across[1] - across[0]) * mpq(2, 7)
+
+        def line(x: TensorSpline) -> Any:
+            return x.at_t(fixed) if self.parameter == Parameter.S else x.at_s(fixed)
+
+        top = Vector(*map(line, components))
+        return top if denominator is None else Rational(top, line(denominator))

@@ -1,0 +1,154 @@
+"""Degrees for all curves and all d: by the counting of Table 1, at infinity, and by the degree theorem."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from exactspline.errors import FormulaError
+from exactspline.language.formula import Formula
+from exactspline.language.parts import split
+from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.jet import Jet, JetReading
+from exactspline.readings.leading_terms import generic_true_degree
+from exactspline.symbolic.covariants import degree_at, generic_degree, graded, true_degree, truncated, without_content
+from exactspline.symbolic.reduction import Reduction
+from exactspline.verification.generic_degree import joined_degree
+from exactspline.verification.generic_proof import degree_table, reduction_of, transposed
+from exactspline.verification.verdict import PROVED, REFUTED, ContradictionError, Finding
+from exactspline.verification.vocabulary import ArgumentKind, Measure, Parameter, Relation
+
+if TYPE_CHECKING:
+    from exactspline.verification.kinds.degree import DegreeClaim
+
+
+def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
+    """What holds of the degree of a claim for every d from its least one on."""
+    formula = claim.find(claim.formula)
+    if claim.measure == Measure.NOMINAL:
+        return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
+    if claim.parameter == Parameter.S_BAR:
+        formula = transposed(formula)
+    if claim.measure == Measure.TRUE:
+        computed, lower = _true(formula, dimension, polynomial)
+        return _held(claim, computed, lower, "")
+    found = reduction_of(formula, dimension, polynomial)
+    part = found.main
+    if claim.measure == Measure.HEIGHT:
+        height = part.true.j if part.true else -1
+        return _held(claim, Degree.number(height), {}, "")
+    if claim.measure == Measure.REDUCED:
+        lower = dict(part.true.lower) if part.true else lower_degrees([j for j in part.reduced if not j.is_zero])
+        return _held(claim, part.generic, lower, str(part.cancelled), _grading(part.true))
+    return _lowest(claim, found)
+
+
+def _grading(true: Any) -> str:
+    return f" (k, m, j = {true.k}, {true.m}, {true.j})" if true else ""
+
+
+def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
+    formula = claim.find(claim.formula)
+    if claim.curve == ArgumentKind.TABLE:
+        handed = degree_table()
+    else:
+        counting = "part by part" if claim.counting == "part by part" else ""
+        handed = DegreeReading(parameter=str(claim.parameter), counting=counting).argument(
+            formula.kind, dimension, polynomial=polynomial
+        )
+    degree: Degree = formula(handed).degree
+    return degree
+
+
+def _true(formula: Formula, dimension: int, polynomial: bool) -> tuple[Degree, dict[int, int]]:
+    """The true degree on the generic curve, at infinity and by the degree theorem: two readings that must agree."""
+    value = formula(JetReading(order_of(formula, dimension)).argument(formula.kind, dimension, polynomial=polynomial))
+    jets, denominator = split(value)
+    if denominator is not None:
+        raise FormulaError(f"{formula.name} is a quotient", remedy='its degree is that in "lowest terms"')
+    jets = [jet for jet in jets if not jet.is_zero]
+    if not jets:
+        return Degree.number(-1), {}
+    computed, at_infinity = generic_degree(jets), generic_true_degree(formula, dimension, polynomial=polynomial)
+    if computed != at_infinity:
+        raise ContradictionError(
+            f"{formula.name} has true degree {at_infinity} at infinity, {computed} by the degree theorem",
+            remedy="one of the readings is wrong: report this",
+        )
+    return computed, lower_degrees(jets)
+
+
+def lower_degrees(jets: Sequence[Jet]) -> dict[int, int]:
+    """The d at which the generic curve has a lower degree than the one for symbolic d, with what it is there."""
+    if not jets:
+        return {}
+    generic = generic_degree(jets)
+    suspects = {d for jet in jets for part in graded(jet) for d, _ in true_degree(part).lower}
+    found = {d: degree_at(jets, d) for d in sorted(suspects)}
+    return {d: n for d, n in found.items() if n < generic.at(dict.fromkeys(generic.names, d))}
+
+
+def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
+    """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
+    computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found)
+    order = max(part.core[0].ring.order for part in found.parts)
+    lower: dict[int, int] = {}
+    if claim.least_d <= order or len(found.parts) > 1:
+        jets = [jet for jet in found.joined if not jet.is_zero]
+        lower = lower_degrees(jets)
+        for d in range(claim.least_d, order):
+            cut = [jet for jet in truncated(jets, d) if not jet.is_zero]
+            n = degree_at(without_content(cut), d) if cut else -1
+            if n < computed.at(dict.fromkeys(computed.names, d)):
+                lower[d] = n
+    return _held(claim, computed, lower, str(found.main.cancelled))
+
+
+def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: str, grading: str = "") -> Finding:
+    """A computed degree against the claimed one, for every d from the least one on; with every exception."""
+    claimed = parse(claim.claimed)
+    larger = computed.max(claimed)
+    agree = {
+        Relation.EQUAL: (computed, claimed),
+        Relation.AT_MOST: (larger, claimed),
+        Relation.AT_LEAST: (larger, computed),
+    }[claim.relation]
+    start = equal_from(*agree)
+    told = str(computed) + grading
+    if start is not None and start > 1:
+        told += f" (so from d = {start} on)"
+    if lower:
+        told += f" (lower for d = {', '.join(map(str, sorted(lower)))})"
+    names = computed.names | claimed.names
+    vanishing_is_less = claim.relation == Relation.AT_MOST
+    failing = [
+        d
+        for d in sorted(lower)
+        if d >= claim.least_d
+        and not (lower[d] < 0 and vanishing_is_less)
+        and not claim.relation.holds(lower[d], _at(claimed, d))
+    ]
+    if start is not None and start <= claim.least_d and not failing:
+        return Finding(PROVED, computed=told, factor=factor)
+    d = failing[0] if failing else _first_failure(claim, computed, claimed)
+    n = lower.get(d, _at(computed, d))
+    where = " and ".join(f"{name} = {d}" for name in sorted(names)) or "for every d"
+    return Finding(REFUTED, computed=told, factor=factor, witness=f"at {where}: {n}, not {_at(claimed, d)}")
+
+
+def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int:
+    """The least d from max(3, least d) on, then below it, at which the relation fails; 3 where the operands have
+    unequal degrees.
+    """
+    first = max(3, claim.least_d)
+    tried: list[int] = [*range(first, first + 1001), *range(claim.least_d, first)]
+    for d in tried:
+        if not claim.relation.holds(_at(computed, d), _at(claimed, d)):
+            return d
+    return first
+
+
+def _at(degree: Degree, d: int) -> int:
+    value: int = degree.at(dict.fromkeys(degree.names, d))
+    return value

@@ -1,0 +1,53 @@
+"""Claims that something is not rational."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.language.parts import split
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding, vacuous
+
+NOT = "not rational"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Existence(Claim):
+    """What ``formula`` gives is not rational: refuted by the formula itself, a quotient of polynomials in the curve,
+    together with the proof that it gives what it says.
+    """
+
+    kind: ClassVar[str] = "existence"
+
+    formula: str = field(metadata=read(formula_name))
+
+    @property
+    def claims(self) -> str:
+        """Not rational."""
+        return NOT
+
+    @property
+    def latex(self) -> str:
+        """The formula is not rational."""
+        return rf"{symbol(self.formula)} \;\text{{is not rational}}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """That there is no rational form is refuted by one: a formula without roots, not the constant zero."""
+        formula = self.find(self.formula)
+        components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
+        rational = not all(x.is_zero for x in components)
+        told = f"{self.formula} is a quotient of polynomials in the curve"
+        return Finding(REFUTED if rational else UNDECIDED, NOT, "rational", witness=told)
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """The rational form on this curve."""
+        value = self.find(self.formula)(argument)
+        _, denominator = split(value)
+        if denominator is None or denominator.is_zero:
+            return vacuous(NOT, "does not exist here")
+        told = f"degree {value.degree} over {len(denominator.mesh)} segments"
+        return Finding(REFUTED, NOT, f"rational of degree {value.degree}", witness=told)

@@ -1,0 +1,169 @@
+"""Claims that something is identically something else, or zero."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.language.parts import split
+from exactspline.readings.jet import Jet, polynomial_text
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
+from exactspline.verification.curve_check import printed_factor, where_it_differs
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.generic_proof import factor_of
+from exactspline.verification.notation import factor_latex, symbol
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind
+
+
+def stated_factor(claim: Claim, name: str, value: Any) -> str:
+    """A factor whose names are formulas that can be handed what the claim speaks of."""
+    for part, _ in factor_parts(value):
+        if part == "W" and claim.curve != ArgumentKind.PAIR:
+            raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
+        if part[0].isalpha() and part not in WEIGHTS:
+            formula_name(claim, name, part)
+    return str(value)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Identity(Claim):
+    """``left = factor · right``."""
+
+    kind: ClassVar[str] = "identity"
+
+    left: str = field(metadata=read(formula_name))
+    right: str = field(metadata=read(formula_name))
+    factor: str = field(default="1", metadata=read(stated_factor))
+
+    def validate(self) -> None:
+        """Refuse a formula that is itself."""
+        if self.left == self.right:
+            raise ClaimError("both sides are one formula", where="right", remedy="name another one")
+
+    @property
+    def claims(self) -> str:
+        """The factor."""
+        return self.factor
+
+    @property
+    def latex(self) -> str:
+        """Left side, factor, right side."""
+        return f"{symbol(self.left)} = {factor_latex(self.factor)}{symbol(self.right)}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """``left = factor · right`` as differential polynomials."""
+        left, right = self.find(self.left), self.find(self.right)
+        c = jets_for((left, right), dimension, polynomial=polynomial)
+        if all(x.is_zero for side in (left, right) for x in split(side(c))[0]):
+            return vacuous(self.factor)
+        if all(x.is_zero for x in split(right(c))[0]):
+            return Finding(
+                REFUTED, self.factor, "not proportional", "none", "the right side vanishes, the left does not"
+            )
+        factor = factor_of(left, right, dimension, polynomial=polynomial)
+        if factor is None:
+            witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
+            return Finding(REFUTED, self.factor, "not proportional", "none", witness)
+        order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        top, bottom = factor_of_text(self.factor, order, self.find)
+        if bottom.is_zero:
+            return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
+        stated, found = top / bottom, factor.fraction()
+        if self._same(stated, found):
+            return Finding(PROVED, self.factor, str(factor), str(factor))
+        return Finding(REFUTED, self.factor, str(factor), str(factor), f"the exact quotient is {factor}")
+
+    def _factors(self) -> list[Any]:
+        return [self.find(name) for name, _ in factor_parts(self.factor) if name[0].isalpha() and name not in WEIGHTS]
+
+    def _same(self, stated: Any, found: tuple[Any, Any]) -> bool:
+        ring = stated.ring
+        top, bottom = (_over(ring, part) for part in found)
+        return bool(stated == JetFraction(ring, top, bottom))
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
+        (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
+        top, bottom = factor_of_text(self.factor, argument, self.find)
+        factor = printed_factor(self.factor, argument)
+        if all(x.is_zero for x in (*ps, *qs)):
+            return vacuous(self.factor, factor=factor)
+        if not all(_numerator(bottom).polynomials) or not all(_denominator(top, bottom)):
+            return vacuous(self.factor, "the factor does not exist on all of this curve: 1/0", factor)
+        (tops, a), (bottoms, b) = split(top), split(bottom)
+        left, right = bottoms[0], tops[0]
+        left = left if a is None else left * a
+        right = right if b is None else right * b
+        left = left if m is None else left * m
+        right = right if k is None else right * k
+        for p, q in zip(ps, qs, strict=True):
+            difference = p * left - q * right
+            if not difference.is_zero:
+                return Finding(
+                    REFUTED, self.factor, "not identical", factor, f"the sides differ {where_it_differs(difference)}"
+                )
+        return Finding(VERIFIED, self.factor, factor, factor)
+
+
+def _numerator(value: Any) -> Any:
+    return split(value)[0][0]
+
+
+def _denominator(*values: Any) -> list[Any]:
+    return [p for value in values if (below := split(value)[1]) is not None for p in below.polynomials]
+
+
+def _over(ring: Any, polynomial: Any) -> Any:
+    """A polynomial of a ring with fewer derivatives, in this one."""
+    if polynomial.context() is ring.context:
+        return polynomial
+    names, own = list(polynomial.context().names()), list(ring.context.names())
+    place = [own.index(name) for name in names]
+    terms = {}
+    for exponents, c in polynomial.terms():
+        raised = [0] * len(own)
+        for i, e in zip(place, exponents, strict=True):
+            raised[i] = int(e)
+        terms[tuple(raised)] = c
+    return ring.context.from_dict(terms)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Vanishing(Claim):
+    """``left`` is identically zero."""
+
+    kind: ClassVar[str] = "vanishing"
+
+    left: str = field(metadata=read(formula_name))
+
+    @property
+    def claims(self) -> str:
+        """Zero."""
+        return "0"
+
+    @property
+    def latex(self) -> str:
+        """The formula is zero."""
+        return rf"{symbol(self.left)} \equiv 0"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """``left`` is the zero polynomial."""
+        formula = self.find(self.left)
+        components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
+        rest = next((c for c in components if not c.is_zero), None)
+        if rest is None:
+            return Finding(PROVED, "0", "0")
+        witness = self.refuted_on_examples().witness or "the jet polynomial is not zero"
+        return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness)
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """All components are the zero spline."""
+        for p in split(self.find(self.left)(argument))[0]:
+            if not p.is_zero:
+                return Finding(REFUTED, "0", "not zero", witness=f"it differs from 0 {where_it_differs(p)}")
+        return Finding(VERIFIED, "0", "0")

@@ -1,0 +1,88 @@
+"""Claims that two formulas are squares, up to constants, on the same curves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.language.parts import split
+from exactspline.splines.bernstein import is_square_class
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.generic_proof import factor_of
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind
+
+SAME = "the same"
+
+
+@dataclass(frozen=True, kw_only=True)
+class SquareClass(Claim):
+    """``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is."""
+
+    kind: ClassVar[str] = "square class"
+
+    formula: str = field(metadata=read(formula_name))
+    right: str = field(metadata=read(formula_name))
+
+    def validate(self) -> None:
+        """Refuse a formula compared with itself, and two curves."""
+        if self.formula == self.right:
+            raise ClaimError("a formula is compared with itself", where="right", remedy="name another one")
+        if self.curve in (ArgumentKind.PAIR, ArgumentKind.TABLE):
+            raise ClaimError(f"squares of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
+
+    @property
+    def claims(self) -> str:
+        """A square."""
+        return "a square"
+
+    @property
+    def latex(self) -> str:
+        """The quotient is a square."""
+        return rf"{symbol(self.formula)} \,/\, {symbol(self.right)} \;\text{{is a square up to a constant}}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The quotient of the two is a square times a constant: every irreducible factor occurs an even number of
+        times. A square up to constants stays one times such a quotient.
+        """
+        formula, right = self.find(self.formula), self.find(self.right)
+        c = jets_for((formula, right), dimension, polynomial=polynomial)
+        if any(x.is_zero for f in (formula, right) for x in split(f(c))[0]):
+            return vacuous("a square")
+        factor = factor_of(formula, right, dimension, polynomial=polynomial)
+        odd = "not proportional" if factor is None else "·".join(name for name, _, e in factor.powers if e % 2)
+        quotient = f"{self.formula}/{self.right} = {factor}"
+        if not odd:
+            return Finding(PROVED, "a square", "a square", quotient)
+        told = "not proportional" if factor is None else f"odd powers of {odd}"
+        refuted = self.refuted_on_examples()
+        verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
+        return Finding(verdict, "a square", told, quotient, refuted.witness or told)
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """On every segment both are squares up to a constant, or neither is; where one is 0 nothing is said."""
+        (n, m), (p, q) = [
+            (numerators[0], w)
+            for numerators, w in (split(self.find(name)(argument)) for name in (self.formula, self.right))
+        ]
+        left, right = (n if m is None else n * m), (p if q is None else p * q)
+        pairs = {
+            i: (is_square_class(a, left.degree), is_square_class(b, right.degree))
+            for i, (a, b) in enumerate(zip(left.polynomials, right.polynomials, strict=True))
+            if a and b
+        }
+        if not pairs:
+            return vacuous("a square")
+        for i, (a, b) in pairs.items():
+            if a != b:
+                told = f"on segment {i} one is a square and the other is not"
+                return Finding(REFUTED, SAME, "different", witness=told)
+        squares, whole = sum(b for _, b in pairs.values()), len(left.polynomials)
+        zero = f", 0 on {whole - len(pairs)}" if len(pairs) < whole else ""
+        return Finding(
+            VERIFIED, SAME, f"{self.right} is a square up to a constant on {squares} of {whole} segments{zero}"
+        )

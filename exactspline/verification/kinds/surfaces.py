@@ -1,0 +1,165 @@
+"""Claims about ruled surfaces: that two are one, and that a plane curve is a curve on one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.geometry.ruled_surfaces import differences
+from exactspline.language.arguments import embedded
+from exactspline.language.parts import split
+from exactspline.language.ruled import RuledSurface
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.generic_proof import harmful
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, ContradictionError, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind
+
+ONE = "one surface"
+ZETA = "the curve ζ = 0"
+
+
+@dataclass(frozen=True, kw_only=True)
+class SameSurface(Claim):
+    """The ruled surfaces ``left`` and ``right`` are one: parallel generators, directrices that differ along them."""
+
+    kind: ClassVar[str] = "same surface"
+
+    left: str = field(metadata=read(formula_name))
+    right: str = field(metadata=read(formula_name))
+
+    def validate(self) -> None:
+        """Refuse a surface compared with itself."""
+        if self.left == self.right:
+            raise ClaimError("both sides are one formula", where="right", remedy="name another one")
+
+    @property
+    def claims(self) -> str:
+        """One surface."""
+        return ONE
+
+    @property
+    def latex(self) -> str:
+        """Both names."""
+        return rf"{symbol(self.left)} \;\text{{and}}\; {symbol(self.right)} \;\text{{are one surface}}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The generators are parallel, the directrices differ along them; with the relation of the ruling parameters ζ
+        (left) and λ (right), and where it fails.
+        """
+        formulas = self.find(self.left), self.find(self.right)
+        c = jets_for(formulas, dimension, polynomial=polynomial)
+        a, b = formulas[0](c), formulas[1](c)
+        for name, surface in ((self.left, a), (self.right, b)):
+            if not isinstance(surface, RuledSurface):
+                raise ClaimError(f"{name!r} is no ruled surface", where=self.key, remedy="name one")
+            if all(x.is_zero for x in split(surface.generator)[0]):
+                return Finding(UNDECIDED, ONE, "no surface", witness=f"the generator of {name} vanishes on every curve")
+        offset = b.directrix - a.directrix
+        if not all(part.is_zero for part in differences(a, b)):
+            witness = self.refuted_on_examples().witness
+            told = "the generators are not parallel, or the directrices differ across them"
+            return Finding(REFUTED, ONE, "two surfaces", witness=witness or told)
+        stretch, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
+        if stretch is None or shift is None:
+            raise ContradictionError("parallel vectors are not proportional", remedy="report this")
+        moved = "" if offset.is_zero else f"{shift} + "
+        bad, used = harmful(stretch, self.assumes)
+        also, others = ([], ()) if offset.is_zero else harmful(_poles(shift), self.assumes)
+        bad = list(dict.fromkeys([*bad, *also]))
+        where = f", but where {' or '.join(bad)} vanishes" if bad else ""
+        factor = f"ζ = {moved}{stretch} λ".replace("1 λ", "λ")
+        return Finding(PROVED, ONE, ONE + where, factor, assumptions=tuple(dict.fromkeys([*used, *others])))
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
+        a, b = self.find(self.left)(argument), self.find(self.right)(argument)
+        generators = [split(surface.generator)[0] for surface in (a, b)]
+        for i in range(len(generators[0][0].polynomials)):
+            if any(not any(x.polynomials[i] for x in generator) for generator in generators):
+                return vacuous(ONE, "no surface: the generator vanishes")
+        for product in differences(a, b):
+            for x in split(product)[0]:
+                if not x.is_zero:
+                    return Finding(REFUTED, ONE, "two surfaces", witness=f"they differ {where_it_differs(x)}")
+        return Finding(VERIFIED, ONE, ONE + self._but(generators))
+
+    def _but(self, generators: list[list[Any]]) -> str:
+        """Where one generator vanishes and the other does not."""
+        if isinstance(generators[0][0], TensorSpline):
+            return ""
+        left, right = map(common_zeros, generators)
+        for name, f, g in ((self.left, left, right), (self.right, right, left)):
+            if place := extra_zero(f, g):
+                return f", but {place}, where the generator of {name} vanishes"
+        return ""
+
+
+def _poles(factor: Factor) -> Factor:
+    """The denominator of a factor."""
+    return Factor(factor.constant, tuple(power for power in factor.powers if power[2] < 0), factor.ring)
+
+
+@dataclass(frozen=True, kw_only=True)
+class IsoCurve(Claim):
+    """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
+
+    kind: ClassVar[str] = "iso-curve"
+
+    left: str = field(metadata=read(formula_name))
+    right: str = field(metadata=read(formula_name))
+
+    def kinds_of(self, name: str) -> tuple[str, ...]:
+        """The right side speaks of the same curve in space."""
+        return ArgumentKind.POINT.formulas if name == "right" else super().kinds_of(name)
+
+    def validate(self) -> None:
+        """Refuse anything but a plane curve with a point."""
+        if self.curve != ArgumentKind.PLANE_POINT:
+            raise ClaimError("an iso-curve is one of a plane curve and a point", where="curve", remedy="plane point")
+
+    @property
+    def claims(self) -> str:
+        """The curve ζ = 0."""
+        return ZETA
+
+    @property
+    def latex(self) -> str:
+        """Both names."""
+        return rf"{symbol(self.left)} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {symbol(self.right)}"
+
+    def missing(self, argument: Any) -> str:
+        """Nothing is asked beforehand: the right side is handed the curve in space."""
+        return ""
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """As quotients of differential polynomials."""
+        left, right = self.find(self.left), self.find(self.right)
+        order = max(order_of(left, dimension), order_of(right, dimension + 1))
+        c: Any = RationalJetReading(order).argument(left.kind, dimension, polynomial=polynomial)
+        plane, space = left(c), right(embedded(c)).directrix
+        if all(plane[i].is_zero for i in range(2)):
+            return vacuous(ZETA)
+        if self._agree(plane, space):
+            return Finding(PROVED, ZETA, ZETA)
+        return Finding(REFUTED, ZETA, "another curve", witness=self.refuted_on_examples().witness or "not identical")
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """The plane curve and the directrix, compared as quotients."""
+        plane, space = self.find(self.left)(argument), self.find(self.right)(embedded(argument)).directrix
+        below = [denominator for _, denominator in map(split, (plane, space)) if denominator is not None]
+        if not all(p for denominator in below for p in denominator.polynomials):
+            return vacuous(ZETA, "does not exist here")
+        if self._agree(plane, space):
+            return Finding(VERIFIED, ZETA, ZETA)
+        return Finding(REFUTED, ZETA, "another curve", witness="the two curves differ")
+
+    def _agree(self, plane: Any, space: Any) -> bool:
+        return bool(plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero)

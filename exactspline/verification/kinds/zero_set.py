@@ -1,0 +1,97 @@
+"""Claims that several formulas have one zero set."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.language.parts import split
+from exactspline.language.rational import Rational
+from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification.claim import Claim, formula_names, one_of, read
+from exactspline.verification.curve_check import common_zeros, extra_zero
+from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.generic_proof import factor_of, harmful
+from exactspline.verification.notation import symbol
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind, ZeroSetOf
+
+ONE = "one zero set"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ZeroSet(Claim):
+    """All of ``formulas`` have one zero set: of their numerators as they come, or of their values in lowest terms."""
+
+    kind: ClassVar[str] = "zero set"
+
+    formulas: tuple[str, ...] = field(metadata=read(formula_names))
+    measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
+
+    def validate(self) -> None:
+        """Refuse less than two formulas, and two curves."""
+        if len(set(self.formulas)) < 2 or len(set(self.formulas)) < len(self.formulas):
+            raise ClaimError(
+                "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
+            )
+        if self.curve in (ArgumentKind.PAIR, ArgumentKind.TABLE):
+            raise ClaimError(f"zero sets of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
+
+    @property
+    def claims(self) -> str:
+        """One zero set."""
+        return ONE
+
+    @property
+    def latex(self) -> str:
+        """Zero sets that are equal."""
+        return " = ".join(rf"\{{{symbol(name)} = 0\}}" for name in self.formulas)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """Neighbours are identical up to factors that have no zero by what is assumed."""
+        formulas = [self.find(name) for name in self.formulas]
+        c = jets_for(formulas, dimension, polynomial=polynomial)
+        zero = [name for name, f in zip(self.formulas, formulas, strict=True) if _is_zero(f(c))]
+        if len(zero) == len(formulas):
+            return vacuous(ONE)
+        if zero:
+            return Finding(REFUTED, ONE, "different zero sets", witness=f"{zero[0]} vanishes on every curve")
+        factors = [factor_of(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]]
+        names = ", ".join(
+            f"{self.formulas[0]}/{other} = {f}" for other, f in zip(self.formulas[1:], factors, strict=True)
+        )
+        if self.measure == ZeroSetOf.NUMERATORS and None not in factors:
+            told = [harmful(factor, self.assumes) for factor in factors if factor is not None]
+            if not any(bad for bad, _ in told):
+                used = tuple(dict.fromkeys(name for _, names_used in told for name in names_used))
+                return Finding(PROVED, ONE, ONE, names, assumptions=used)
+        refuted = self.refuted_on_examples()
+        if refuted.verdict == REFUTED:
+            return Finding(REFUTED, ONE, "different zero sets", witness=refuted.witness)
+        return Finding(UNDECIDED, ONE, "", names)
+
+    def examine(self, argument: Any, own: Evaluation) -> Finding:
+        """On every segment, what is left of each numerator after removing the other's factors has no zero."""
+        values = [(name, self.find(name)(argument)) for name in self.formulas]
+        if self.measure == ZeroSetOf.VALUES:
+            values = [(name, _lowest(value)) for name, value in values]
+        numerators = [(name, common_zeros(split(value)[0])) for name, value in values]
+        if all(p.is_zero for _, p in numerators):
+            return vacuous(ONE)
+        first = numerators[0]
+        for other in numerators[1:]:
+            for (a_name, a), (b_name, b) in ((first, other), (other, first)):
+                if place := extra_zero(a, b):
+                    told = f"{a_name} vanishes {place}, {b_name} does not"
+                    return Finding(REFUTED, ONE, "different zero sets", witness=told)
+        return Finding(VERIFIED, ONE, ONE)
+
+
+def _is_zero(value: Any) -> bool:
+    return all(x.is_zero for x in split(value)[0])
+
+
+def _lowest(value: Any) -> Any:
+    return in_lowest_terms(value) if isinstance(value, Rational) and all(value.denominator.polynomials) else value

@@ -1,0 +1,162 @@
+"""What a user asks of formulas: whether one is another times a factor, for all curves or on this one, and what
+cancels.
+
+Formulas are given themselves or by name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.errors import FormulaError
+from exactspline.exact import mpq
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import common_kind
+from exactspline.language.parts import split
+from exactspline.papers import find
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.splines.nurbs import Nurbs
+from exactspline.symbolic.factorization import Factor, find_factor
+from exactspline.symbolic.reduction import Reduction, reduce
+from exactspline.verification.claim_factor import factor_of_text
+
+Named = Formula | str
+
+
+@dataclass(frozen=True)
+class Proof:
+    """The answer of `prove`: whether ``left = factor · right`` for all curves of that dimension. True or false in
+    conditions.
+    """
+
+    left: str
+    right: str
+    factor: str
+    dimension: int
+    holds: bool
+    #: What the left side over the right one is in truth; None for vectors that are not parallel.
+    quotient: Factor | None
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    def __str__(self) -> str:
+        statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
+        if self.holds:
+            return f"{statement} for all curves in R{self.dimension}"
+        truth = "they are not parallel" if self.quotient is None else f"the quotient is {self.quotient}"
+        return f"not {statement} in R{self.dimension}: {truth}"
+
+
+@dataclass(frozen=True)
+class Check:
+    """The answer of `verify`: whether ``left = factor · right`` on one curve. True or false in conditions."""
+
+    left: str
+    right: str
+    factor: str
+    holds: bool
+    #: A parameter at which the sides differ, None where they are equal.
+    witness: mpq | None
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    def __str__(self) -> str:
+        statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
+        return f"{statement} on this curve" if self.holds else f"not {statement} at the parameter {self.witness}"
+
+
+def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
+    """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives.
+
+    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the lowest in which both formulas are
+    defined is taken. The answer tells the true quotient as well.
+
+    >>> print(prove("f1", "f2", "w"))
+    f1 = w · f2 for all curves in R2
+    >>> print(prove("f1", "f2"))
+    not f1 = f2 in R2: the quotient is w
+
+    Raises `FormulaError` for an unknown formula or two without a common dimension, `ClaimError` when the right side
+    vanishes identically or the factor cannot be read.
+    """
+    sides = _formulas(left, right)
+    common = [n for n in (2, 3) if all(n in f.kind.dimensions for f in sides)]
+    if not common or (dimension is not None and dimension not in common):
+        raise FormulaError(
+            f"{sides[0].name} and {sides[1].name} are not both defined in "
+            f"{f'R{dimension}' if dimension else 'R2 or in R3'}",
+            remedy="compare formulas of one kind of curve",
+        )
+    n = common[0] if dimension is None else dimension
+    kind = common_kind(f.kind for f in sides)
+    named = [find(name) for name in re.findall(r"[A-Za-z]\w*", factor) if name not in ("w", "W")]
+    curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
+    quotient = find_factor(sides[0](curve), sides[1](curve))
+    top, bottom = factor_of_text(factor, curve)
+    (ps, _), (qs, _) = (split(f(curve)) for f in sides)
+    holds = len(ps) == len(qs) and all(p * bottom == top * q for p, q in zip(ps, qs, strict=True))
+    return Proof(sides[0].name, sides[1].name, factor, n, holds, quotient)
+
+
+def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
+    """Whether ``left = factor · right`` as functions on a curve, exactly.
+
+    >>> from exactspline import example
+    >>> bool(verify("f1", "f2", example("six_segment_cubic")))  # w = 1 here
+    True
+    >>> print(verify("f1", "f2", example("rational_cubic")))
+    not f1 = f2 at the parameter 1/11
+    >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
+    True
+
+    Raises `FormulaError` for an unknown formula, two that have not as many components, and one that does not exist on
+    all of the curve.
+    """
+    sides = _formulas(left, right)
+    (ps, k), (qs, m) = (split(f(curve)) for f in sides)
+    if len(ps) != len(qs):
+        raise FormulaError(
+            f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
+        )
+    for denominator, f in ((k, sides[0]), (m, sides[1])):
+        if denominator is not None and denominator.vanishes_somewhere:
+            raise FormulaError(f"{f.name} does not exist on all of this curve", remedy="restrict the curve")
+    top, bottom = factor_of_text(factor, curve)
+    for p, q in zip(ps, qs, strict=True):
+        difference = bottom * (p if m is None else p * m) - top * (q if k is None else q * k)
+        if not difference.is_zero:
+            return Check(sides[0].name, sides[1].name, factor, False, _where_not_zero(difference))
+    return Check(sides[0].name, sides[1].name, factor, True, None)
+
+
+def reduction(
+    formula: Named | Callable[[Any], Any], *, dimension: int | None = None, polynomial: bool = False
+) -> Reduction:
+    """What cancels in a formula, for all curves, and the lowest degree that is left (see
+    `exactspline.symbolic.reduction`).
+
+    >>> print(reduction("evolute").main.generic)
+    6d − 6
+
+    Raises `FormulaError` for an unknown formula, `ShapeError` where it does not fit the dimension.
+    """
+    return reduce(find(formula) if isinstance(formula, str) else formula, dimension=dimension, polynomial=polynomial)
+
+
+def _formulas(*given: Named) -> tuple[Formula, ...]:
+    return tuple(find(f) if isinstance(f, str) else f for f in given)
+
+
+def _where_not_zero(f: Any) -> mpq:
+    """A parameter at which a spline that is not zero has another value than 0."""
+    for (c, _), a, b in zip(f.forms, f.breakpoints, f.breakpoints[1:], strict=False):
+        if c:
+            places: list[mpq] = [a + (b - a) * mpq(j, f.degree + 2) for j in range(f.degree + 1)]
+            return next(t for t in places if f(t))
+    raise AssertionError("the spline is not zero")

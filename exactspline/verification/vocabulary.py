@@ -1,0 +1,159 @@
+"""The words of claims: each is one member of an enumeration, so that none is spelled in two ways."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from enum import StrEnum
+from typing import Any, TypeVar
+
+from exactspline.errors import ClaimError
+
+E = TypeVar("E", bound=StrEnum)
+
+
+class Verdict(StrEnum):
+    """What a check says: proved for all curves, verified on one, refuted, or neither."""
+
+    PROVED = "PROVED"
+    VERIFIED = "VERIFIED"
+    REFUTED = "REFUTED"
+    UNDECIDED = "UNDECIDED"
+
+
+class Status(StrEnum):
+    """Who says it: the paper in print, the paper as it must be meant, or this project."""
+
+    PRINTED = "printed"
+    MEANT = "meant"
+    OURS = "ours"
+
+
+class Scope(StrEnum):
+    """Of which curves a claim speaks."""
+
+    BOTH = "both"
+    POLYNOMIAL = "polynomial"
+    RATIONAL = "rational"
+
+    @property
+    def worlds(self) -> tuple[bool, ...]:
+        """Whether the curves are polynomial, case by case: rational ones first."""
+        return {"both": (False, True), "polynomial": (True,), "rational": (False,)}[self.value]
+
+
+class ArgumentKind(StrEnum):
+    """What the formulas of a claim are handed."""
+
+    CURVE = "curve"
+    PLANE = "plane"
+    SPACE = "space"
+    TABLE = "table"
+    PAIR = "pair"
+    POINT = "point"
+    PLANE_POINT = "plane point"
+
+    @property
+    def formulas(self) -> tuple[str, ...]:
+        """The kinds of formulas that can be handed this."""
+        return {
+            "plane": ("plane", "curve"),
+            "space": ("space", "curve"),
+            "point": ("point", "space", "curve"),
+            "plane point": ("plane point", "plane", "curve"),
+        }.get(self.value, (self.value,))
+
+
+class Measure(StrEnum):
+    """Which degree is meant: as Table 1 counts, of the polynomial, of the value, of what a reduction keeps; or the
+    height of a differential polynomial.
+    """
+
+    NOMINAL = "nominal"
+    TRUE = "true"
+    LOWEST_TERMS = "lowest terms"
+    REDUCED = "reduced"
+    HEIGHT = "height"
+
+    @property
+    def is_generic(self) -> bool:
+        """Whether single curves may stay below what holds of the generic one."""
+        return self in (Measure.TRUE, Measure.LOWEST_TERMS, Measure.REDUCED)
+
+
+class Relation(StrEnum):
+    """Whether a degree is claimed, or a bound of it."""
+
+    EQUAL = "="
+    AT_MOST = "≤"
+    AT_LEAST = "≥"
+
+    def holds(self, computed: int, claimed: int) -> bool:
+        """Whether the relation holds of two numbers.
+
+        >>> Relation.AT_MOST.holds(10, 11), Relation.EQUAL.holds(10, 11)
+        (True, False)
+        """
+        return {"=": computed == claimed, "≤": computed <= claimed, "≥": computed >= claimed}[self.value]
+
+
+class Parameter(StrEnum):
+    """Whose degree is counted: that of the first curve or of the second one."""
+
+    S = "s"
+    S_BAR = "s̄"
+
+
+class Counting(StrEnum):
+    """How nominal degrees are counted: as Table 1 counts, or part by part, as (24) does."""
+
+    TABLE_1 = "Table 1"
+    PART_BY_PART = "part by part"
+
+
+class ZeroSetOf(StrEnum):
+    """Whose zeros are meant: those of the numerators as they come, or of the values in lowest terms."""
+
+    NUMERATORS = "numerators"
+    VALUES = "lowest terms"
+
+
+class Curves(StrEnum):
+    """Whether something is claimed of every curve or of the generic one."""
+
+    EVERY = "every"
+    GENERIC = "generic"
+
+
+class Counter(StrEnum):
+    """What a caption counts."""
+
+    DEGREE = "degree"
+    CONTROL_POINTS = "control points"
+    ROOTS = "roots"
+    EXTREMA = "extrema"
+    NOMINAL_CONTINUITY = "nominal continuity"
+    TRUE_CONTINUITY = "true continuity"
+
+
+def word(kind: type[E], value: Any, what: str) -> E:
+    """The member of an enumeration that a word names.
+
+    >>> word(Relation, "≤", "relation").name
+    'AT_MOST'
+
+    Raises `ClaimError` with the nearest words.
+    """
+    try:
+        return kind(str(value)) if isinstance(value, str) else kind(repr(value))
+    except ValueError:
+        raise ClaimError(f"the {what} {value!r} is unknown", remedy=nearest(str(value), list(kind))) from None
+
+
+def nearest(name: str, known: list[str]) -> str:
+    """What would be right: the three nearest names.
+
+    >>> nearest("statment", ["statement", "status", "source", "formula"])
+    "nearest are 'statement', 'status', 'source'"
+    """
+    near = get_close_matches(name, known, 3, 0)
+    return f"nearest are {', '.join(repr(str(n)) for n in near)}" if near else "there is none"

@@ -1,0 +1,140 @@
+"""One curve, one analysis: what is computed is computed once, in time linear in the segments, and is no part of the
+curve's value.
+"""
+
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from random import Random
+
+import pytest
+
+from exactspline import Nurbs
+from exactspline.geometry import facts as facts_module
+from exactspline.geometry import space_features
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.constructions import Construction
+from exactspline.geometry.inspection import compare_approaches, inspect_curve, solved
+from exactspline.geometry.joints import Ends
+from exactspline.roots import isolation as isolation_module
+from exactspline.roots import zero_set as zero_set_module
+from exactspline.splines.examples import example, example_names
+
+
+def spline(segments, dimension, seed=1):
+    """A cubic spline with knots 0, 1, 2, …, that runs along x."""
+    random = Random(seed)
+    points = [[i, *(random.randint(-9, 9) for _ in range(dimension - 1))] for i in range(segments + 3)]
+    return Nurbs(3, [0] * 3 + list(range(segments + 1)) + [segments] * 3, points)
+
+
+class Counted:
+    """Counts the calls of what costs time."""
+
+    def __init__(self, monkeypatch):
+        self.calls, self.patch = Counter(), monkeypatch
+        self.count(facts_module, "zeros")
+        self.count(facts_module, "common_factor")
+        self.count(space_features, "common_factor")
+        self.count(facts_module, "geometric_order")
+        self.count(Construction, "on")
+        self.count(Ends, "jet")
+        self.count(zero_set_module, "isolate")
+        self.count(isolation_module, "variations")
+
+    def count(self, owner, name):
+        original = getattr(owner, name)
+
+        def counting(*arguments, **named):
+            self.calls[name] += 1
+            return original(*arguments, **named)
+
+        self.patch.setattr(owner, name, counting)
+
+
+#: Forms whose zeros are found: κ, κ′ and γ′ in the plane; τ, κ′, γ′ × γ″, γ′, and τ in lowest terms in space.
+FORMS = {2: 3, 3: 5}
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
+    per_segment = {}
+    for segments in (10, 100, 1000):
+        curve = spline(segments, dimension)
+        with monkeypatch.context() as patch:
+            counted = Counted(patch)
+            inspect_curve(curve)
+            first = Counter(counted.calls)
+            assert first["zeros"] == FORMS[dimension]
+            assert first["on"] == 2
+            assert first["common_factor"] == dimension - 1
+            assert first["geometric_order"] == segments - 1
+            assert first["jet"] == 2 * (segments - 1)
+            assert first["isolate"] <= FORMS[dimension] * segments
+            inspect_curve(curve)
+            solved(curve, "minimal")
+            analyse(curve).critical_points()
+            assert counted.calls == first
+            compare_approaches(curve)
+            assert counted.calls["on"] == 6
+        per_segment[segments] = first["variations"] / segments
+    assert per_segment[1000] < 2 * per_segment[10]
+
+
+def test_roots_are_compared_a_bounded_number_of_times_a_segment(monkeypatch):
+    """Comparisons grow as those of a binary search at most, not with the number of segments."""
+    from exactspline.roots.root import Root
+
+    counts = {}
+    for segments in (100, 1000):
+        curve = spline(segments, 2)
+        with monkeypatch.context() as patch:
+            calls, original = Counter(), Root._against
+
+            def counting(self, other, calls=calls, original=original):
+                calls["compared"] += 1
+                return original(self, other)
+
+            patch.setattr(Root, "_against", counting)
+            inspect_curve(curve)
+        counts[segments] = calls["compared"] / segments
+    assert counts[1000] < 2 * counts[100]
+
+
+def test_an_analysis_belongs_to_one_curve_and_is_no_part_of_it():
+    curve, same = spline(4, 2), spline(4, 2)
+    assert curve._analysis is None
+    found = analyse(curve)
+    assert analyse(curve) is found
+    assert analyse(same) is not found
+    assert analyse(same).critical_points() is not found.critical_points()
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_the_sign_of_a_form_is_that_of_its_values(name):
+    """At every root of every other form, asked of the certified zeros alone, and held against interval evaluation."""
+    curve = example(name)
+    found = analyse(curve)
+    names = ("zero_curvature", "critical_curvature") if curve.dimension == 2 else ("zero_torsion",)
+    forms = [found.zero_form(n) for n in (*names, found.critical_form)]
+    for form in forms:
+        for other in forms:
+            for root in other.zeros:
+                if root.exact is not None:
+                    value = form.form(root.exact)
+                    assert form.sign_at(root) == (value > 0) - (value < 0)
+                    continue
+                low, high = root.refine(60)
+                values = [form.form(t) for t in (low, high)]
+                sign = form.sign_at(root)
+                assert sign == 0 or all(v * sign > 0 for v in values)
+                assert (sign == 0) == (values == [0, 0] or root in form.zeros.roots)
+
+
+def test_eight_threads_find_one_analysis():
+    curve = spline(60, 3)
+    with ThreadPoolExecutor(8) as pool:
+        found = list(pool.map(lambda _: inspect_curve(curve), range(16)))
+    assert all(one.critical is found[0].critical and one.torsion is found[0].torsion for one in found)
+    alone = inspect_curve(spline(60, 3))
+    for name in ("singular_points", "inflections", "critical", "torsion"):
+        assert [(f.kind, f.root) for f in getattr(found[0], name)] == [(f.kind, f.root) for f in getattr(alone, name)]

@@ -1,0 +1,186 @@
+"""Nothing is cropped: at every width, in a pipe and in a terminal, every table of every command shows all its cells."""
+
+import os
+import re
+import struct
+import subprocess
+import sys
+from collections import Counter
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.cells import cell_len
+from typer.testing import CliRunner
+
+from exactspline.cli import app
+from exactspline.display.sheet import PIPE, Sheet, csv_of
+from exactspline.display.wrapping import hanging
+from exactspline.splines.examples import example_names
+
+WIDTHS = (60, 80, 120, 200)
+texts = st.text(alphabet="ab−′² ‖κ", min_size=0, max_size=90)
+
+
+@given(st.lists(st.lists(st.integers(1, 9), min_size=3, max_size=3), min_size=1, max_size=4), st.integers(20, 130))
+def test_every_cell_is_shown_once_and_no_line_is_too_long(lengths, width):
+    """The words of the cells are all different, so that none can stand for another."""
+    sheet = Sheet("one", "two", "three", numbers=["two"], prose=["three"])
+    for i, row in enumerate(lengths):
+        sheet.add_row(*[" ".join(f"{i}{'xyz'[j]}{k}" for k in range(n)) for j, n in enumerate(row)])
+    for chosen in (width, PIPE):
+        shown = sheet.text(chosen)
+        found = Counter(re.findall(r"\d[xyz]\d", shown))
+        assert found == Counter(word for row in sheet.rows for cell in row for word in cell.split())
+        assert all(cell_len(line) <= chosen for line in shown.splitlines())
+    assert len(sheet.text().splitlines()) == 1 + len(lengths)
+
+
+@given(texts, st.integers(20, 100))
+def test_breaking_lines_loses_nothing(text, width):
+    lines = hanging(text, width)
+    assert "".join("".join(lines).split()) == "".join(text.split())
+    assert all(cell_len(line) <= width for line in lines)
+
+
+def words(text):
+    """Short words with how often they stand there, whatever sign stands behind them."""
+    return Counter(word for part in text.split() if len(word := part.rstrip(",:")) <= 12)
+
+
+def assert_whole(narrow, cells, width):
+    """All that stands in the cells stands in the narrow text too, in lines that fit."""
+    assert all(cell_len(line) <= width for line in narrow.splitlines())
+    assert words(cells) - words(narrow) == Counter()
+    squeezed = "".join(narrow.split())
+    assert all(word in squeezed for word in cells.split() if len(word) > 12)
+
+
+#: What heads a block needs no heading of its own.
+HEADINGS = {
+    "claim",
+    "construction",
+    "curve",
+    "form",
+    "formula",
+    "name",
+    "parameter",
+    "variant",
+    "verdict",
+    "what",
+    "witness",
+    "zero",
+}
+
+
+COMMANDS = (
+    "prove --claim C4.2",
+    "prove --section 3 --verdict refuted",
+    "prove --curve straight_line",
+    "show C4.2b",
+    "show --quiet",
+    "errata",
+    "degrees --curve straight_between_arcs",
+    "degrees --generic",
+    "reduce curvature_squared_derivative",
+    "derive",
+    "inspect six_segment_cubic planar_in_space",
+    "bisector ellipse --point=-1,1/3",
+    "conditioning",
+    "curves",
+    "glossary",
+)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_command_says_the_same_at_every_width(command):
+    arguments = command.split()
+    full = CliRunner().invoke(app, arguments, env={"COLUMNS": ""})
+    assert full.exit_code == 0, full.output
+    for width in WIDTHS:
+        shown = CliRunner().invoke(app, arguments, env={"COLUMNS": str(width)}).output
+        if command == "errata":
+            # code is broken between tokens: what is pasted is tested beside the README
+            assert all(cell_len(line) <= width for line in shown.splitlines())
+        else:
+            missing = words(full.output) - words(shown)
+            assert set(missing) <= HEADINGS
+            assert_whole(shown, " ".join(word for word in full.output.split() if word not in HEADINGS), width)
+
+
+def test_every_table_on_every_example_curve_is_whole(monkeypatch):
+    made, render = [], Sheet.lines
+
+    def recorded(sheet, width=PIPE):
+        made.append(sheet)
+        return render(sheet, width)
+
+    monkeypatch.setattr(Sheet, "lines", recorded)
+    names = [option for name in example_names() for option in ("--curve", name)]
+    for arguments in (["prove", "--rows"], ["degrees", *names], ["inspect", *example_names()]):
+        result = CliRunner().invoke(app, arguments, env={"COLUMNS": ""})
+        assert result.exit_code == 0, result.output[-300:]
+    monkeypatch.undo()
+    assert len(made) > 3 * len(example_names())
+    for sheet in made:
+        for width in WIDTHS:
+            assert_whole(sheet.text(width), " ".join(cell for row in sheet.rows for cell in row), width)
+
+
+def test_csv_and_markdown_have_every_row():
+    sheet = Sheet("form", "degree", name="circle")
+    sheet.add_row("|κ|, squared", 2)
+    assert csv_of([sheet], "curve") == 'curve,form,degree\ncircle,"|κ|, squared",2\n'
+    full = CliRunner().invoke(app, ["curves", "--csv"]).output.splitlines()
+    assert len(full) == 1 + len(example_names())
+    assert len(CliRunner().invoke(app, ["curves", "--markdown"]).output.splitlines()) == 2 + len(example_names())
+
+
+def environment(**more):
+    kept = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "NO_COLOR", "FORCE_COLOR")}
+    return kept | more
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a pseudo-terminal is needed")
+@pytest.mark.parametrize("width", [60, 100])
+def test_in_a_terminal_lines_fit_and_no_color_is_heeded(width):
+    import fcntl
+    import pty
+    import termios
+
+    for more, coloured in (({}, True), ({"NO_COLOR": "1"}, False)):
+        ours, theirs = pty.openpty()
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, width, 0, 0))
+        command = [sys.executable, "-m", "exactspline", "prove", "--claim", "C4.1"]
+        with subprocess.Popen(
+            command, stdout=theirs, stderr=subprocess.DEVNULL, env=environment(TERM="xterm-256color", **more)
+        ) as process:
+            os.close(theirs)
+            shown = b""
+            while True:
+                try:
+                    part = os.read(ours, 65536)
+                except OSError:
+                    break
+                if not part:
+                    break
+                shown += part
+        os.close(ours)
+        assert process.returncode == 0
+        text = shown.decode()
+        assert ("\x1b[" in text) == coloured
+        plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
+        assert all(cell_len(line) <= width for line in plain.splitlines())
+
+
+@pytest.mark.parametrize("arguments", [["prove", "--claim", "T", "--rows"], ["curves", "--json"], ["--help"]])
+def test_a_reader_that_leaves_changes_no_verdict(arguments):
+    with subprocess.Popen(
+        [sys.executable, "-m", "exactspline", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=environment(),
+    ) as process:
+        process.stdout.close()
+        complaint = process.stderr.read()
+    assert (process.returncode, complaint) == (0, b"")

@@ -1,0 +1,260 @@
+"""The judge cannot be fooled: statements that are false, each of which was once PROVED or VERIFIED."""
+
+from dataclasses import replace
+
+import pytest
+
+from exactspline.language.formula import Formula
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.papers import find, paper
+from exactspline.readings.leading_terms import generic_true_degree
+from exactspline.splines.examples import example, example_names
+from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
+from exactspline.verification.claim import combined
+from exactspline.verification.claims import all_claims, select
+from exactspline.verification.kinds import DegreeClaim, Identity, SameSurface, SquareClass, Vanishing, ZeroSet
+from exactspline.verification.ledger import audit
+from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, ContradictionError
+
+TOLD = {"paper": "lifted", "id": "X", "key": "X-a", "source": "a test", "statement": "a statement", "status": "ours"}
+
+
+def verdict(claim):
+    return claim.prove()[1].verdict
+
+
+def degree(formula, claimed, **more):
+    return DegreeClaim(**TOLD | {"curve": find(formula).curve, "formula": formula, "claimed": claimed} | more)
+
+
+@pytest.fixture
+def also(monkeypatch):
+    """Formulas that a paper has while a test runs."""
+
+    def add(name, function, kind):
+        function.__name__ = name
+        made = Formula(function, "a test", kind, "")
+        monkeypatch.setitem(paper("lifted").formulas, name, made)
+        return name
+
+    return add
+
+
+# ---- scope
+
+
+@pytest.mark.parametrize(
+    ("formula", "false", "true", "least"), [("f2", "3d − 6", "2d − 4", 2), ("D1", "2d − 2", "d − 1", 1)]
+)
+def test_true_degrees_of_polynomial_curves_are_those_of_polynomial_curves(formula, false, true, least):
+    claim = degree(formula, false, of="polynomial", measure="true", least_d=least)
+    assert verdict(claim) == REFUTED
+    assert verdict(replace(claim, claimed=true)) == PROVED
+    assert verdict(replace(claim, of="rational")) == PROVED
+
+
+@pytest.mark.parametrize(
+    ("formula", "measure", "false"), [("f0", "reduced", "3d − 6"), ("evolute", "lowest terms", "6d − 6")]
+)
+def test_what_holds_of_rational_curves_alone_does_not_hold_of_both(formula, measure, false):
+    claim = degree(formula, false, measure=measure, least_d=3)
+    assert verdict(claim) == REFUTED
+    assert verdict(replace(claim, of="rational")) == PROVED
+
+
+def test_the_parameter_is_the_one_that_is_named():
+    claim = degree("second_normal", "0", of="rational", measure="reduced")
+    assert verdict(claim) == PROVED
+    assert verdict(replace(claim, parameter="s̄")) == REFUTED
+    assert verdict(replace(claim, parameter="s̄", claimed="2d − 2")) == PROVED
+    curve = example("rational_space_cubic")
+    assert replace(claim, parameter="s̄", claimed="2d − 3").check(curve).verdict == REFUTED
+    assert replace(claim, parameter="s̄", claimed="2d − 2").check(curve).verdict == VERIFIED
+
+
+def test_identities_and_vanishing_keep_to_their_curves():
+    zero = Vanishing(**TOLD | {"curve": "curve", "left": "D21", "of": "polynomial"})
+    assert (verdict(zero), verdict(replace(zero, of="rational")), verdict(replace(zero, of="both"))) == (
+        PROVED,
+        REFUTED,
+        REFUTED,
+    )
+    same = Identity(**TOLD | {"curve": "plane", "left": "f0", "right": "f2", "of": "polynomial"})
+    assert (verdict(same), verdict(replace(same, of="both"))) == (PROVED, REFUTED)
+
+
+# ---- zero
+
+
+def test_zero_has_no_zero_set_in_common_with_anything():
+    claim = ZeroSet(**TOLD | {"curve": "space", "formulas": ["D1_D2_D21", "D1_D2_D3"]})
+    for order in (claim.formulas, claim.formulas[::-1]):
+        assert verdict(replace(claim, formulas=order)) == REFUTED
+        assert replace(claim, formulas=order).check(example("rational_space_cubic")).verdict == REFUTED
+
+
+def test_zero_is_in_no_square_class():
+    claim = SquareClass(**TOLD | {"curve": "space", "formula": "D1_D2_D21", "right": "speed_squared"})
+    assert claim.prove()[1].witness == VACUOUS
+    assert claim.check(example("rational_space_cubic")).witness == VACUOUS
+
+
+def test_nothing_is_divided_by_zero():
+    told = {"curve": "space", "left": "D1_D2_D3", "right": "velocity_acceleration_jerk", "of": "rational"}
+    claim = Identity(**TOLD | told | {"factor": "w^6 D1_D2_D21^-1"})
+    assert verdict(claim) == REFUTED
+    assert claim.check(example("rational_space_cubic")).verdict == UNDECIDED
+    on_line = Identity(
+        **TOLD | {"curve": "plane", "left": "D1_squared", "right": "speed_squared", "factor": "w^4 f2 f2^-1"}
+    )
+    assert verdict(on_line) == PROVED
+    assert on_line.check(example("straight_line")).verdict == UNDECIDED
+
+
+def test_a_ruled_surface_needs_a_generator(also):
+    name = also("pointlike", lambda c: RuledSurface(c.gamma, c.gamma.d(1) - c.gamma.d(1)), "space")
+    claim = SameSurface(**TOLD | {"curve": "space", "left": "tangent_developable", "right": name})
+    for left, right in ((claim.left, name), (name, claim.left)):
+        assert verdict(replace(claim, left=left, right=right)) == UNDECIDED
+        assert replace(claim, left=left, right=right).check(example("twisted_cubic")).verdict == UNDECIDED
+
+
+# ---- assumptions
+
+
+@pytest.mark.parametrize(
+    "claim", [c for c in all_claims() if c.kind == "zero set" and c.expected == PROVED], ids=lambda c: c.key
+)
+def test_no_zero_set_is_proved_without_the_assumptions_it_uses(claim):
+    _, finding = claim.prove()
+    assert finding.assumptions
+    for name in finding.assumptions:
+        left = tuple(each for each in claim.assumes if each.name != name)
+        assert verdict(replace(claim, assumes=left)) != PROVED
+
+
+def test_to_vanish_on_no_whole_segment_is_less_than_to_have_no_zero():
+    (claim,) = [c for c in select(["C5.2c"]) if c.kind == "zero set" and c.expected == PROVED]
+    weaker = tuple(assumption("γ′×γ″ ≢ 0") if a.name == "γ′×γ″" else a for a in claim.assumes)
+    assert verdict(replace(claim, assumes=weaker)) != PROVED
+
+
+def test_a_curve_that_does_not_satisfy_the_assumptions_is_no_witness():
+    (claim,) = [c for c in select(["C5.2c"]) if c.kind == "zero set" and c.expected == PROVED]
+    finding = replace(claim, measure="lowest terms").check(example("flat_point"))
+    assert finding.verdict == UNDECIDED
+    assert finding.witness.startswith(OUTSIDE + "γ′×γ″ vanishes at the parameter 1/2")
+    loose = tuple(a for a in claim.assumes if a.name != "γ′×γ″")
+    assert replace(claim, measure="lowest terms", assumes=loose).check(example("flat_point")).verdict == REFUTED
+
+
+def test_every_witness_satisfies_the_assumptions_of_its_claim():
+    from exactspline.verification.evaluation import Evaluation
+
+    for claim in all_claims():
+        if claim.expected == REFUTED and claim.kind in ("zero set", "identity", "vanishing"):
+            witness = claim.prove()[1].witness
+            named = [name for name in example_names() if f"curve {name}:" in witness]
+            for name in named:
+                assert not Evaluation(example(name)).failing(claim.curve, claim.assumes)
+
+
+def test_every_assumption_fails_somewhere_or_is_checked():
+    """Assumptions are no decoration: all can be checked on a curve."""
+    from exactspline.verification.evaluation import Evaluation
+
+    cusp, line, flat = (Evaluation(example(name)) for name in ("cusp", "straight_line", "flat_point"))
+    assert "vanishes" in cusp.failing("plane", [ASSUMPTIONS["γ′"]])
+    assert not cusp.failing("plane", [ASSUMPTIONS["γ′ ≢ 0"], ASSUMPTIONS["w"]])
+    assert "on all of" in line.failing("plane", [ASSUMPTIONS["[γ′ γ″] ≢ 0"]])
+    assert "vanishes" in flat.failing("space", [ASSUMPTIONS["γ′×γ″"]])
+    pair = Evaluation(example("rational_space_cubic"))
+    assert not pair.failing("pair", [ASSUMPTIONS[name] for name in ("w", "w̄", "γ′", "γ̄′", "[γ′ γ̄′ γ−γ̄] ≢ 0")])
+
+
+# ---- parts
+
+
+def test_zero_sets_of_vectors_compare_all_components(also):
+    padded = also("padded", lambda c: Vector(find("f2")(c) * c.p[0], find("f2")(c) * c.p[1], find("f2")(c)), "plane")
+    shifted = also("shifted", lambda c: Vector(find("f2")(c), find("g2")(c)), "plane")
+    claim = ZeroSet(**TOLD | {"curve": "plane", "formulas": ["f2", padded], "of": "rational"})
+    assert claim.check(example("rational_cubic_s")).verdict == VERIFIED
+    assert replace(claim, formulas=("f2", shifted)).check(example("rational_cubic_s")).verdict == REFUTED
+
+
+def test_where_one_of_two_equal_surfaces_has_no_ruling_is_named():
+    (claim,) = [c for c in select(["C6.2c"]) if c.kind == "same surface" and c.right == "point_bisector"]
+    _, finding = claim.prove()
+    assert (finding.verdict, finding.computed.startswith("one surface, but where ")) == (PROVED, True)
+
+
+# ---- almost all d, and sums of different degree
+
+
+def test_a_claim_for_all_d_fails_if_it_fails_for_one():
+    claim = degree("f2", "max(3d − 3, 2000)", of="rational")
+    assert verdict(claim) == REFUTED
+    assert verdict(replace(claim, relation="≤")) == PROVED
+    assert verdict(replace(claim, relation="≥", claimed="3d − 4")) == PROVED
+    reduced = degree("f0", "3d − 6", of="rational", measure="reduced")
+    assert verdict(reduced) == REFUTED
+    assert "lower for d = 1" in reduced.prove()[1].computed
+    assert verdict(replace(reduced, least_d=2)) == PROVED
+
+
+def test_leading_terms_of_a_sum_of_different_degrees_keep_the_dominant_one(also):
+    mixed = also("mixed", lambda c: find("D1")(c)[0] + c.w, "curve")
+    assert str(generic_true_degree(paper("lifted").find(mixed), 2)) == "max(2d − 2, d)"
+    told = TOLD | {"curve": "curve", "formula": mixed, "measure": "true", "of": "rational"}
+    assert verdict(DegreeClaim(**told, claimed="d")) == REFUTED
+    assert verdict(DegreeClaim(**told, claimed="max(2d − 2, d)")) == PROVED
+
+
+# ---- bounds, and two verdicts
+
+
+def test_a_degree_of_the_generic_curve_is_a_bound_on_one_curve():
+    rows = list(audit([c for c in select(["C6.1d"]) if c.curve == "plane point"], [example("rational_cubic")]))
+    assert [(row.claimed, row.computed.split()[0], str(row.relation)) for row in rows] == [
+        ("≤ 11", "10", "≤"),
+        ("≤ 10", "10", "≤"),
+    ]
+    assert all(row.statement.endswith("(on one curve: at most)") for row in rows)
+
+
+def test_no_row_verifies_an_equality_that_does_not_hold():
+    rows = audit([c for c in all_claims() if c.kind == "degree"], [example("circle"), example("rational_space_cubic")])
+    for row in rows:
+        if row.verdict == VERIFIED:
+            claimed, computed = (
+                int(text.split()[-1 if "≤" in text or "≥" in text else 0].replace("−", "-"))
+                for text in (row.claimed, row.computed.split(" (")[0])
+            )
+            assert {"=": claimed == computed, "≤": computed <= claimed, "≥": computed >= claimed}[row.relation]
+
+
+def test_a_contradiction_between_readings_is_an_alarm(monkeypatch):
+    false = replace(select(["C4.1a"])[0], factor="w^2")
+    assert combined(false)[1].verdict == REFUTED
+    honest = Identity.decide
+
+    def fooled(self, dimension, polynomial):
+        found = honest(self, dimension, polynomial)
+        return replace(found, verdict=PROVED) if self.factor == "w^2" else found
+
+    monkeypatch.setattr(Identity, "decide", fooled)
+    with pytest.raises(ContradictionError, match=false.key):
+        list(audit([false], [example("rational_cubic")]))
+    with pytest.raises(ContradictionError, match="proved for all curves, but refuted"):
+        combined(false)
+
+
+def test_vacuous_rows_are_on_record():
+    (claim,) = [c for c in select(["C4.1a"]) if c.right == "f2" and c.left == "f1"]
+    assert "straight_line" in claim.vacuous
+    (row,) = audit([replace(claim, vacuous=())], [example("straight_line")])
+    assert (row.verdict, row.as_recorded) == (UNDECIDED, False)
+    (row,) = audit([replace(claim, vacuous=("circle",))], [example("circle")])
+    assert (row.verdict, row.as_recorded) == (VERIFIED, False)

@@ -1,0 +1,53 @@
+"""The words on which claims rest stand in the paper, on the page that is named."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from exactspline.verification.claims import all_claims
+
+TEXT = Path(__file__).resolve().parents[2] / "shared" / "paper-raw.txt"
+HEADER = "April 2, 2007 21:19 WSPC/INSTRUCTION FILE ws-ijsm"
+ALIKE = {"″": "′′", "‴": "′′′", "’": "'", "²": "2", "³": "3", "⁴": "4"}
+PRINTED = [claim for claim in all_claims() if claim.status == "printed"]
+
+
+def squeezed(words):
+    """Without spaces and hyphens (lines are broken anywhere), and bold letters once: the text has each three times."""
+    for theirs, ours in ALIKE.items():
+        words = words.replace(theirs, ours)
+    return re.sub(r"([^\W\d_]′*)\1\1", r"\1", re.sub(r"[\s\-]", "", words))
+
+
+def test_squeezing_keeps_what_distinguishes():
+    assert squeezed("polynomial B-\nspline γγγ′") == "polynomialBsplineγ′"
+    assert squeezed("[γ′γ′γ′ γ′′γ′′γ′′]") == squeezed("[γ′ γ″]") != squeezed("[γ′ γ‴]")
+
+
+@pytest.mark.skipif(not TEXT.exists(), reason="the text of the paper is not part of the repository")
+def test_every_quotation_stands_on_its_page():
+    pages = [squeezed(page) for page in TEXT.read_text(encoding="utf-8").split(HEADER)]
+    quoted = [claim for claim in all_claims() if claim.words]
+    assert len(quoted) > 200
+    wrong = []
+    for claim in quoted:
+        number = int(re.match(r"p\. (\d+)", claim.place)[1])
+        if squeezed(claim.words) not in pages[number]:
+            wrong.append((claim.key, claim.place))
+    assert wrong == []
+
+
+def test_what_is_printed_is_quoted_or_carries_the_number_of_its_equation():
+    unquoted = [claim for claim in PRINTED if not claim.words]
+    assert all(re.search(r"eq\. \(\d+\)|Table 1", claim.place) for claim in unquoted)
+    assert all(claim.place.startswith("p. ") for claim in PRINTED)
+    assert len(unquoted) < len(PRINTED) / 5
+
+
+def test_refuted_statements_in_print_belong_to_errors_and_every_error_says_what_is_true():
+    refuted = {claim.error for claim in PRINTED if claim.expected == "REFUTED"}
+    meant = {claim.error for claim in all_claims() if claim.status == "meant"}
+    assert refuted
+    assert refuted == meant
+    assert not any(claim.error for claim in PRINTED if claim.expected != "REFUTED")

@@ -1,0 +1,90 @@
+"""Symbols are typography: no verdict depends on how a formula prints."""
+
+import random
+
+import pytest
+
+from exactspline.papers import all_formulas, find
+from exactspline.symbolic import factorization, reduction
+from exactspline.symbolic.assumptions import zero_free
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification import generic_proof
+from exactspline.verification.claims import all_claims
+from exactspline.verification.kinds import ZeroSet
+from exactspline.verification.ledger import proved
+
+#: One whose factor takes longer to find than those of all others together.
+SLOW = "focal_binormal_squared_by_parameter"
+#: Kinds whose proofs ask for factors; degrees only where a reduction decides.
+CLAIMS = [
+    claim
+    for claim in all_claims()
+    if SLOW not in claim.named
+    and (
+        claim.kind in ("identity", "zero set", "same surface", "square class")
+        or (claim.kind == "degree" and claim.measure != "nominal")
+    )
+]
+
+
+def forget():
+    for cached in (generic_proof._factor, generic_proof.reduction_of, reduction.reduction, factorization._named_values):
+        cached.cache_clear()
+
+
+def empty():
+    return dict.fromkeys(all_formulas(), "")
+
+
+def alike():
+    return dict.fromkeys(all_formulas(), find("D1_squared").symbol)
+
+
+def permuted():
+    names = list(all_formulas())
+    symbols = [all_formulas()[name].symbol for name in names]
+    random.Random(7).shuffle(symbols)
+    return dict(zip(names, symbols, strict=True))
+
+
+def disguised():
+    return {"f2": find("D1_squared").symbol}
+
+
+@pytest.fixture(scope="module")
+def honest():
+    forget()
+    return [proved(claim).verdict for claim in CLAIMS]
+
+
+@pytest.mark.parametrize("symbols", [empty, alike, permuted, disguised])
+def test_no_verdict_changes_with_the_symbols(symbols, honest, monkeypatch):
+    for name, symbol in symbols().items():
+        monkeypatch.setattr(find(name), "symbol", symbol)
+    forget()
+    try:
+        assert [proved(claim).verdict for claim in CLAIMS] == honest
+    finally:
+        forget()
+
+
+def test_a_disguise_does_not_take_away_zeros(monkeypatch):
+    """f2 under the symbol of ‖D1‖²: the quotient f2² / f2 prints as what has no zero, and has some."""
+    monkeypatch.setattr(find("f2"), "symbol", find("D1_squared").symbol)
+    forget()
+    told = {"paper": "lifted", "id": "X", "key": "X-a", "source": "a test", "statement": "a test", "status": "ours"}
+    try:
+        false = ZeroSet(**told, curve="plane", formulas=("f0_g0", "g0"), assumes=("w", "γ′"))
+        assert "‖D1‖²" in str(generic_proof.factor_of("f0_g0", "g0", 2))
+        assert false.prove()[1].verdict == "REFUTED"
+    finally:
+        forget()
+
+
+def test_assumptions_are_found_by_the_polynomial_whatever_its_constant():
+    c = jets_for(("g0",), 2)
+    for name, free in (("D1_squared", "γ′"), ("f2", None)):
+        value = find(name)(c)
+        jet = factorization.Jet(value.ring, value.top * -3)
+        found = zero_free(jet)
+        assert (found and found.name) == free

@@ -1,0 +1,103 @@
+"""A second judge: sympy decides every identity of the ledger as the jets do, and refutes false ones."""
+
+from dataclasses import replace
+
+import pytest
+import sympy
+from typer.testing import CliRunner
+
+from exactspline.cli import app
+from exactspline.errors import FormulaError
+from exactspline.papers import find
+from exactspline.readings.sympy_expression import FIRST, sympy_argument, sympy_curve, vanishes
+from exactspline.verification.claims import all_claims, select
+from exactspline.verification.sympy_judge import judged, tasks
+
+x, y, w = (sympy.Function(name)(FIRST) for name in "xyw")
+
+
+def test_every_identity_of_the_ledger_is_decided_alike():
+    rows = [task() for task in tasks(all_claims())]
+    assert [(r.id, r.statement, r.verdict) for r in rows if not r.as_recorded] == []
+    kinds = {"identity", "vanishing", "same surface", "iso-curve"}
+    assert len(rows) == sum(c.kind in kinds for c in all_claims()) > 90
+    assert {r.verdict for r in rows} == {"PROVED", "REFUTED"}
+
+
+@pytest.mark.parametrize("factor", ["1", "w^2", "2 w", "-1 w", "f2"])
+def test_a_false_factor_is_refuted(factor):
+    claim = select(["C4.1a"])[0]
+    assert judged(claim).verdict == "PROVED"
+    assert judged(replace(claim, factor=factor)).verdict == "REFUTED"
+
+
+def test_what_vanishes_on_both_sides_or_divides_by_zero_is_no_proof():
+    claim = next(c for c in select(["C3c"]) if c.left == "D1_D2_D21")
+    nothing = replace(claim, kind="identity", right="D1_D2_D21", factor="1")
+    assert (judged(nothing).verdict, judged(nothing).computed) == ("UNDECIDED", "0 = 0")
+    zero = replace(select(["C5.2a"])[0], kind="identity", left="D1_D2_D3", right="D1_D2_D3", curve="space")
+    assert judged(replace(zero, factor="1")).verdict == "PROVED"
+    assert judged(replace(zero, factor="D1_D2_D21")).verdict == "UNDECIDED"
+    assert judged(replace(zero, factor="D1_D2_D21^-1")).verdict == "UNDECIDED"
+
+
+def test_false_vanishing_and_false_surfaces_are_refuted():
+    claim = next(c for c in select(["C3c"]) if c.left == "D1_D2_D21")
+    assert judged(replace(claim, left="D1_D2_D3")).verdict == "REFUTED"
+    surface = next(c for c in all_claims() if c.kind == "same surface" and c.left == "binormal_scroll")
+    assert judged(surface).verdict == "PROVED"
+    assert judged(replace(surface, left="normal_scroll")).verdict == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        ((x / w).diff(FIRST) - (x.diff(FIRST) * w - x * w.diff(FIRST)) / w**2, True),
+        ((x / w).diff(FIRST) + (x.diff(FIRST) * w - x * w.diff(FIRST)) / w**2, False),
+        ((x + y) ** 5 / (x + y) ** 4 - x - y, True),
+        ((x**2 - y**2) / (x - y) - x - y, True),
+        ((x**2 - y**2) / (x - y) - x + y, False),
+        (1 / (2 * x + 2 * y) - 1 / (x + y) / 2, True),
+        (1 / (x - y) + 1 / (y - x), True),
+        (1 / (x - y) - 1 / (y - x), False),
+        (x**2 * w - w * x**2, True),
+        (sympy.Integer(3), False),
+        ((6 * x * y + 4 * y) / (3 * x + 2) - 2 * y, True),
+        ((6 * x * y + 4 * y) / (3 * x + 2) - 3 * y, False),
+    ],
+)
+def test_vanishing_is_decided(expression, expected):
+    assert vanishes(expression) is expected
+
+
+def test_what_is_no_rational_expression_is_refused():
+    with pytest.raises(FormulaError, match="no rational expression"):
+        vanishes(sympy.sin(x) - y)
+    c = sympy_curve(2)
+    with pytest.raises(FormulaError, match="division by what vanishes"):
+        c.w / (c.p[0] - c.p[0])
+    with pytest.raises(FormulaError, match="division by what vanishes"):
+        vanishes(1 / ((x + y) ** 2 - x**2 - y**2 - 2 * x * y) - w)
+
+
+def test_each_curve_has_its_own_parameter():
+    c = sympy_argument("pair", 3)
+    assert c.first.w.d().expression.variables != c.second.w.d().expression.variables
+    with pytest.raises(FormulaError, match="two parameters"):
+        (c.first.w * c.second.w).d()
+    assert sympy_argument("point", 3).point[0].d().is_zero
+
+
+def test_a_formula_is_an_expression_of_sympy():
+    found = find("f2")(sympy_curve(2)).expression
+    by_hand = sympy.Matrix([[w, x, y]] + [[f.diff(FIRST, k) for f in (w, x, y)] for k in (1, 2)]).det()
+    assert sympy.expand(found - by_hand) == 0
+
+
+def test_the_option_of_the_command_line():
+    run = CliRunner().invoke
+    told = run(app, ["prove", "--claim", "C4.1a", "--judge", "sympy"])
+    assert told.exit_code == 0
+    assert "2 PROVED" in " ".join(told.output.split())
+    assert run(app, ["prove", "--judge", "nobody"]).exit_code == 2
+    assert run(app, ["prove", "--judge", "sympy", "--curve", "circle"]).exit_code == 2
