@@ -109,6 +109,10 @@ def test_a_damaged_archive_is_read_or_refused():
 @pytest.mark.parametrize("data", [
     pytest.param(b"/*" * 300_000, id="step"),
     pytest.param(b"'" + b"''" * 300_000, id="step"),
+    pytest.param(b"#1=CARTESIAN_POINT('',(0.,0.));#2=UNIFORM_CURVE('',99999999,(#1),.U.,.F.,.F.);", id="step"),
+    pytest.param(b"#1=CARTESIAN_POINT('',(0.,0.));#2=BEZIER_CURVE('',-9999999,(#1),.U.,.F.,.F.);", id="step"),
+    pytest.param(b"[CURVE BEZIER 999999999 E2 [0 0]]", id="itd"),
+    pytest.param(b"Curves 1\n6 0 99999999 0 0 0", id="brep"),
     pytest.param(b'"\\' + b'"\\' * 300_000, id="itd"),
     pytest.param(b"[" * 300_000, id="itd"),
     pytest.param(b"[CURVE BEZIER 1 E2 [" + b"1" * 300_000 + b"x 1]]", id="itd"),

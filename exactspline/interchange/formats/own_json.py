@@ -18,6 +18,7 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.splines.control_points import Direction
 from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
 
 _EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
@@ -71,7 +72,7 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
         where,
         whole(str(entry["degree"])),
         _row(found, entry["knots"]),
-        [_row(found, row) for row in _list(entry["control_points"])],
+        [_point(found, row) for row in _list(entry["control_points"])],
         None if entry.get("weights") is None else _row(found, entry["weights"]),
         name=str(entry.get("name") or "") or found.source.name,
     )
@@ -86,6 +87,13 @@ def _list(value: Any) -> list[Any]:
 def _row(found: Collector, values: Any) -> list[mpq]:
     found.count(len(_list(values)))
     return [_number(value, found) for value in values]
+
+
+def _point(found: Collector, row: Any) -> Sequence[mpq]:
+    """A point is a list, a direction (of weight zero) an object."""
+    if isinstance(row, dict) and set(row) == {"vector"}:
+        return Direction(*_row(found, row["vector"]))
+    return _row(found, row)
 
 
 def _number(value: Any, found: Collector) -> mpq:

@@ -101,6 +101,8 @@ def _curve(file: _File, entity: dict[str, list[Value]], where: str) -> None:
     if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(own) < 2):
         raise CurveFileError("attributes are missing", remedy="complete the instance")
     degree = whole(base[0])
+    if not 0 <= degree <= file.limits.degree:
+        raise CurveFileError(f"degree {degree}", remedy=f"at most {file.limits.degree} is read")
     points = [file.point(reference) for reference in file.texts(base[1])]
     knots = _listed(file, own) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
     weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
