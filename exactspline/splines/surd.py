@@ -108,8 +108,14 @@ class Surd(Immutable):
         return f"Surd({text(self.coefficient)}, {self.radicand})"
 
     def __str__(self) -> str:
-        a = "" if self.coefficient == 1 else "−" if self.coefficient == -1 else text(self.coefficient)
-        return f"{f'({a})' if '/' in a else a}√{self.radicand}"
+        """``p√b/q``.
+
+        >>> print(square_root(mpq(1, 8)), -square_root(mpq(2)), square_root(mpq(18, 25)))
+        √2/4 -√2 3√2/5
+        """
+        p, q = self.coefficient.numerator, self.coefficient.denominator
+        times = {1: "", -1: "-"}.get(int(p)) if abs(p) == 1 else text(mpq(p))
+        return f"{times}√{self.radicand}" + (f"/{q}" if q != 1 else "")
 
 
 def square_root(q: mpq) -> mpq | Surd:
