@@ -21,7 +21,7 @@ class Angle:
 
     >>> angle = angle_between((mpq(1), mpq(0)), (mpq(1), mpq(-1)))
     >>> print(angle.cosine, angle.sine, angle.degrees(10))
-    (1/2)√2 (-1/2)√2 -45.0
+    √2/2 -√2/2 -45.0
     """
 
     cosine: mpq | Surd

@@ -151,7 +151,7 @@ def curvature_of(jet: Jet) -> mpq | Surd:
     """κ from a jet with γ′ ≠ 0: with its sign in the plane, not negative in space.
 
     >>> print(curvature_of(((0, 0), (1, 1), (0, 1), (0, 0))))
-    (1/4)√2
+    √2/4
     """
     v, a = jet[1], jet[2]
     speed = mpq(exact_dot(v, v))

@@ -111,8 +111,14 @@ class Surd(Immutable):
         return f"Surd({text(self.coefficient)}, {self.radicand})"
 
     def __str__(self) -> str:
-        a = "" if self.coefficient == 1 else "−" if self.coefficient == -1 else text(self.coefficient)
-        return f"{f'({a})' if '/' in a else a}√{self.radicand}"
+        """``p√b/q``.
+
+        >>> print(square_root(mpq(1, 8)), -square_root(mpq(2)), square_root(mpq(18, 25)))
+        √2/4 -√2 3√2/5
+        """
+        p, q = self.coefficient.numerator, self.coefficient.denominator
+        times = {1: "", -1: "-"}.get(int(p)) if abs(p) == 1 else text(mpq(p))
+        return f"{times}√{self.radicand}" + (f"/{q}" if q != 1 else "")
 
 
 def square_root(q: mpq) -> mpq | Surd:
@@ -147,8 +153,8 @@ def parts(number: mpq | Surd) -> tuple[mpq, int]:
 def significant(number: mpq | Surd, digits: int) -> mpf:
     """A number as an mpmath number that is relatively off by less than ``10^−digits``.
 
-    >>> significant(square_root(mpq(2)), 5)
-    mpf('1.4142135624')
+    >>> round(float(significant(square_root(mpq(2)), 20)), 6)
+    1.414214
     """
     from mpmath import mp
 
