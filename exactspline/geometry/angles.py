@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.exact import mpq
 from exactspline.splines.surd import Surd, significant, square_root
+
+if TYPE_CHECKING:
+    from mpmath import mpf
 
 
 @dataclass(frozen=True)
@@ -24,7 +27,7 @@ class Angle:
     cosine: mpq | Surd
     sine: mpq | Surd
 
-    def degrees(self, digits: int) -> Any:
+    def degrees(self, digits: int) -> mpf:
         """The angle in degrees, in (−180, 180], as an mpmath number to so many significant digits."""
         from mpmath import mp
 
