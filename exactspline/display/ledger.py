@@ -62,7 +62,9 @@ def section(claim: Claim) -> str:
 def found(row: Row) -> str:
     """What was found, in one phrase: an identity as ``left = factor · right``."""
     claim = claim_of(row)
-    if word(row) in (VACUOUS, INAPPLICABLE):
+    if word(row) == INAPPLICABLE:
+        return f"{row.computed or 'nothing'}: {row.witness.removeprefix(OUTSIDE)}"
+    if word(row) == VACUOUS:
         return "nothing to decide here"
     if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
         left, right = name_of(claim, claim.left), name_of(claim, claim.right)
