@@ -151,6 +151,15 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
     return found
 
 
+#: What claims of these kinds of arguments speak of; of other kinds, of curves of that kind.
+ARGUMENTS = {
+    "pair": "two space curves",
+    "point": "a point and a space curve",
+    "plane point": "a point and a plane curve",
+    "framed": "curves with their frames",
+}
+
+
 def reasons(claims: Iterable[Claim], curve: Any) -> str:
     """Why claims say nothing of a curve, counted.
 
@@ -164,7 +173,7 @@ def reasons(claims: Iterable[Claim], curve: Any) -> str:
         if claim.curve == "table":
             counts["of Table 1"] += 1
         elif claim.curve not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension, "")):
-            counts[f"of {claim.curve} curves"] += 1
+            counts[f"of {ARGUMENTS.get(claim.curve, f'{claim.curve} curves')}"] += 1
         else:
             counts[f"of {claim.of} curves"] += 1
     return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
