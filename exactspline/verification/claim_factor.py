@@ -9,6 +9,7 @@ from typing import Any
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
 from exactspline.language.formula import Formula
+from exactspline.language.vector import Vector
 from exactspline.papers import find as find_anywhere
 
 #: The names of the denominators, those of the curve and of the second one.
@@ -43,7 +44,7 @@ def factor_of_text(text: str, curve: Any, find: Callable[[str], Formula] = find_
     Raises `ClaimError` when it cannot be read.
     """
     known = curve.operands()
-    one = known["w"]
+    one = next(value for value in known.values() if not isinstance(value, Vector))
     top = bottom = one.constant(1)
     for name, exponent in factor_parts(text):
         value = (
