@@ -14,7 +14,7 @@ from decimal import Decimal
 from fractions import Fraction
 from math import inf, isfinite, nextafter
 from numbers import Integral
-from typing import Any
+from typing import Any, SupportsIndex, TypeAlias, cast, overload
 
 import flint
 from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
@@ -24,6 +24,7 @@ from exactspline.errors import NumberError, shown
 __all__ = [
     "MAX_EXPONENT",
     "MAX_TEXT",
+    "Number",
     "from_float",
     "from_floats",
     "gcd",
@@ -41,6 +42,9 @@ __all__ = [
     "to_fmpz",
 ]
 
+#: What :func:`rational` takes for an exact number; of what has an index, the integers of other libraries.
+Number: TypeAlias = int | str | Fraction | Decimal | mpz | mpq | flint.fmpz | flint.fmpq | SupportsIndex
+
 _TYPES = {type(mpq()), type(mpz()), int, Fraction}
 #: Largest decimal or binary exponent read from text: beyond it a few characters would fill the memory.
 MAX_EXPONENT = 100_000
@@ -52,7 +56,7 @@ _DECIMAL = re.compile(r"\s*([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d{1,9}))?\s*", 
 _HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?\d{1,9}))?\s*", re.ASCII)
 
 
-def rational(value: Any) -> mpq:
+def rational(value: Number) -> mpq:
     """The exact value of a number as ``gmpy2.mpq``.
 
     Takes ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers of
@@ -68,23 +72,24 @@ def rational(value: Any) -> mpq:
     Traceback (most recent call last):
     exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" ...
     """
-    kind = type(value)
+    given = cast(Any, value)  # told apart by its very type: a bool, which is an int, is refused
+    kind = type(given)
     if kind in _TYPES:
-        return mpq(value)
+        return mpq(given)
     if kind is str:
-        return _from_text(value)
+        return _from_text(given)
     if kind is Decimal:
-        if not value.is_finite():
+        if not given.is_finite():
             raise NumberError(f"{value} is not a number", remedy="write a finite number")
-        return _from_text(str(value))
+        return _from_text(str(given))
     if kind is flint.fmpq:
-        return mpq(int(value.p), int(value.q))
+        return mpq(int(given.p), int(given.q))
     if kind is flint.fmpz:
-        return mpq(int(value))
+        return mpq(int(given))
     if kind is float:
-        raise _refuse_float(value)
+        raise _refuse_float(given)
     if isinstance(value, Integral) and not isinstance(value, int):
-        return mpq(operator.index(value))
+        return mpq(operator.index(given))
     name = f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
     raise NumberError(
         f"{shown(value)} is of type {name}, which is not taken as an exact number",
@@ -107,7 +112,11 @@ def from_float(value: float) -> mpq:
     return mpq(*float(value).as_integer_ratio())
 
 
-def from_floats(values: Iterable[Any]) -> list[Any]:
+@overload
+def from_floats(values: Iterable[float]) -> list[mpq]: ...
+@overload
+def from_floats(values: Iterable[Iterable[float]]) -> list[list[mpq]]: ...
+def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq] | list[list[mpq]]:
     """The exact binary values of floats in a sequence, or in a sequence of sequences such as control points.
 
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
@@ -115,8 +124,9 @@ def from_floats(values: Iterable[Any]) -> list[Any]:
 
     Raises `NumberError` with the place of what is no float.
     """
+    given: Iterable[Any] = values
     found: list[Any] = []
-    for i, value in enumerate(values):
+    for i, value in enumerate(given):
         try:
             nested = isinstance(value, Iterable) and not isinstance(value, str)
             found.append(from_floats(value) if nested else from_float(value))
@@ -179,7 +189,7 @@ def to_fmpq(value: mpq) -> flint.fmpq:
     return flint.fmpq(int(value.numerator), int(value.denominator))
 
 
-def to_fmpz(value: Any) -> flint.fmpz:
+def to_fmpz(value: int) -> flint.fmpz:
     """An ``mpz`` (or int) as FLINT's ``fmpz``.
 
     >>> to_fmpz(mpz(7))

@@ -103,6 +103,8 @@ def test_public_things_have_docstrings(path):
     assert ast.get_docstring(tree)
     for node in tree.body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_"):
+            if any(ast.unparse(mark) == "overload" for mark in node.decorator_list):
+                continue  # the docstring is at the definition that follows
             assert ast.get_docstring(node), node.name
 
 

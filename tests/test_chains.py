@@ -126,7 +126,7 @@ def test_the_degree_two_chain_of_the_first_wrong_answer():
     assert found.constant_pieces == found.straight_pieces
     assert [joint.parameter for joint in found.corners] == [0, 1, 2, 3]
     assert [mpmath.nstr(joint.angle.degrees(20), 20) for joint in found.corners] == ["90.0", "45.0", "45.0", "90.0"]
-    assert [str(joint.angle.cosine) for joint in found.corners] == ["0", "1/2·√2", "1/2·√2", "0"]
+    assert [str(joint.angle.cosine) for joint in found.corners] == ["0", "√2/2", "√2/2", "0"]
 
 
 def test_a_side_that_the_seam_divides_is_one_piece():

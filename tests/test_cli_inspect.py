@@ -68,9 +68,9 @@ def test_jumps_of_the_curvature_are_told_with_both_values(inspected):
     output, data = inspected(curve)
     (joint,) = data["joints"]
     assert joint["kind"] == "jump of the curvature"
-    assert joint["curvatures"] == ["-1/4·√2", "1/4·√2"]
+    assert joint["curvatures"] == ["-√2/4", "√2/4"]
     assert joint["curvature"] == "-0.3535533905932737622 | 0.3535533905932737622"
-    assert "exactly −1/4·√2 | 1/4·√2, G1" in output
+    assert "exactly −√2/4 | √2/4, G1" in output
     (inflection,) = data["inflections"]
     assert inflection["curvature"] == joint["curvature"]
 

@@ -128,6 +128,18 @@ def test_an_equation_is_found_by_its_number():
     assert "(8)" not in told
 
 
+def test_a_researcher_finds_an_answer_by_its_words():
+    assert "the rectifying developable" in run("show", "rectifying developable").stdout
+    table = run("degrees", "rectifying_developable", "--generic", "--csv").stdout.splitlines()
+    assert len(table) == 3
+    assert all("rectifying developable" in line for line in table[1:])
+    assert "10d − 18" in table[1]
+    own = json.loads(run("degrees", "evolute", "--curve", "ellipse_skew", "--json").stdout)["rows"]
+    assert {row["formula"] for row in own} == {"evolute"}
+    assert {row["variant"]: row["true"] for row in own}["minimal"] == 6
+    assert "the nearest are" in str(run("degrees", "evolvent", "--curve", "circle").exception)
+
+
 def test_options_that_contradict_each_other_are_bad_input():
     assert "--json and --csv" in str(run("curves", "--json", "--csv").exception)
     assert "--judge and --curve" in str(run("prove", "--judge", "sympy", "--curve", "circle").exception)

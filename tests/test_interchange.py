@@ -104,7 +104,7 @@ def test_own_files_follow_the_published_schema():
     jsonschema.Draft202012Validator.check_schema(schema())
     for name in example_names():
         jsonschema.validate(json.loads(encoded([example(name)], "json")[0]), schema())
-    jsonschema.validate(json.loads(encoded(CURVES, "json")[0]), schema())
+    jsonschema.validate(json.loads(encoded([*CURVES, CONTROL_VECTOR], "json")[0]), schema())
 
 
 @pytest.mark.parametrize("broken", [
@@ -119,6 +119,13 @@ def test_what_the_reader_refuses_is_refused(broken):
     if "1/0" not in broken:
         with pytest.raises(jsonschema.ValidationError):
             jsonschema.validate(json.loads(broken), schema())
+
+
+@pytest.mark.parametrize("number", ["1e+-9", "1e", "1e1000", "0x1p9999", "1/0", "٣", "", "1 2", "--1", "1e9e9"])
+def test_what_is_no_number_or_beyond_the_limits_is_no_coordinate(number):
+    data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
+    reading = read(json.dumps(data).encode(), "json")
+    assert (len(reading.curves), len(reading.skipped)) == (0, 1)
 
 
 def test_homogeneous_and_cartesian_points_are_told_apart():

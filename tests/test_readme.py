@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from rich.cells import cell_len
 
 from exactspline.display.code import code_lines
 from exactspline.papers import papers
@@ -58,7 +59,7 @@ def test_three_lines_show_that_each_statement_fails(width):
     """Pasted as they are printed at this width, all in one process."""
     for entry, each in checks():
         shown = [part for line in each.check for part in code_lines(line, width)]
-        assert all(len(line) <= width for line in shown), shown
+        assert all(cell_len(line) <= width for line in shown), shown
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
             exec("\n".join(shown), {})

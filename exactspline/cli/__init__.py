@@ -46,7 +46,7 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     ),
     show.show: ("Spell out one claim.", "show", 'show "eq. (12)"', "show C4.2 --latex"),
     errata.errata: ("List the errors of the paper.", "errata", "errata C4.2b"),
-    degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees --curve my.json"),
+    degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees evolute --curve my.json"),
     reduce.reduce: ("Factor a formula, yours too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
     derive.derive: ("Evolutes, focal curves, … exactly.", "derive", "derive evolute my.json -o evolute.json"),
     inspect.inspect: ("Features of curves, certified.", "inspect ellipse", "inspect my.json --digits 50 --plot my.svg"),

@@ -8,12 +8,16 @@ import typer
 
 from exactspline.cli.common import CurveFiles, also_in_their_planes, described, loaded, tracked
 from exactspline.cli.output import Output, document, print_json, printing
-from exactspline.errors import ShapeError
+from exactspline.errors import FormulaError, ShapeError, nearest
 
 
 @printing
 def degrees(
     out: Output,
+    name: Annotated[
+        list[str] | None,
+        typer.Argument(help="Only these constructions or formulas (evolute, rectifying_developable, …)."),
+    ] = None,
     curve: CurveFiles = None,
     formulas: Annotated[
         bool, typer.Option("--formulas", help="Every formula of the library instead of the constructions.")
@@ -35,12 +39,14 @@ def degrees(
         _certify(curve)
         return
     if generic:
-        _generic(out)
+        _generic(out, name or [])
         return
     usual = ["rational_cubic", "rational_space_cubic" if formulas else "six_segment_cubic"]
     chosen, good = loaded(curve or usual)
     make = formula_table if formulas else construction_table
-    results = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
+    tables = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
+    _check_names(name or [], [row.formula for _, rows in tables for row in rows])
+    results = [(c, [row for row in rows if _is_one_of(row.formula, name or [])]) for c, rows in tables]
     out.give(
         "degrees",
         lambda: [
@@ -53,6 +59,22 @@ def degrees(
     )
     if not good:
         raise typer.Exit(2)
+
+
+def _is_one_of(title: str, names: list[str]) -> bool:
+    """Whether a row is wanted: all are where no name is given."""
+    return not names or any(_plain(title).startswith(_plain(name)) for name in names)
+
+
+def _plain(name: str) -> str:
+    return name.lower().replace("_", " ")
+
+
+def _check_names(names: list[str], known: list[str]) -> None:
+    for name in names:
+        if not any(_is_one_of(title, [name]) for title in known):
+            remedy = nearest(name, dict.fromkeys(known), listed_by="exactspline derive")
+            raise FormulaError(f"the table has no {name!r}", remedy=remedy)
 
 
 def _certify(names: list[str] | None) -> None:
@@ -83,11 +105,13 @@ def _certify(names: list[str] | None) -> None:
         raise typer.Exit(2)
 
 
-def _generic(out: Output) -> None:
+def _generic(out: Output, names: list[str]) -> None:
     from exactspline.display.degrees import generic_sheet
     from exactspline.verification.degree_tables import generic_table
 
-    kinds = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
+    found = {kind: tracked(generic_table(polynomial=kind == "polynomial"), kind) for kind in ("rational", "polynomial")}
+    _check_names(names, [row.object for row in found["rational"]])
+    kinds = {kind: [row for row in rows if _is_one_of(row.object, names)] for kind, rows in found.items()}
     out.give(
         "generic",
         lambda: [

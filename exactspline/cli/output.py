@@ -87,7 +87,8 @@ class Output:
                 out.print()
             out.print(sheet)
         if not self.quiet:
-            console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *more])
+            tags = [tag for sheet in sheets for tag in sheet.tags]
+            console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags, *more])
 
 
 def document(schema: str, rows: Iterable[dict[str, Any]]) -> dict[str, Any]:

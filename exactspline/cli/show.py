@@ -19,8 +19,8 @@ def show(
     claim: Annotated[
         str,
         typer.Argument(
-            help="The id of a claim, what it begins (C4.2: all of §4.2), or a place in the paper (eq. (12)). "
-            "Without it the claims are listed."
+            help="The id of a claim, what it begins (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
+            "the statement (evolute). Without it the claims are listed."
         ),
     ] = "",
     latex: Annotated[bool, typer.Option("--latex", help="Print formulas as LaTeX.")] = False,

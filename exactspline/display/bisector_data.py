@@ -8,7 +8,7 @@ from typing import Any
 from flint import arb
 
 from exactspline.display.serialize import decimal_of, piece_data
-from exactspline.exact import mpq, text
+from exactspline.exact import Number, mpq, text
 from exactspline.geometry.bisector.components import (
     Branch,
     LineComponent,
@@ -25,9 +25,11 @@ from exactspline.geometry.bisector.polynomials import Parameter, Sides
 from exactspline.geometry.bisectors import BisectorPatch, CurveBisector, PointBisector
 from exactspline.geometry.trimmed_bisector import TrimmedBisector, TrimmedPiece
 from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.values import SplineVector
 
 Data = dict[str, Any]
 NAMES = "st"
@@ -61,6 +63,7 @@ def _sides(sides: Sides) -> list[list[str]]:
 
 def _patch_data(patch: BisectorPatch) -> Data:
     numerator, w = patch.value.elevated()
+    assert isinstance(numerator, Vector)  # a surface
     return {"sides": _sides(patch.sides)} | _control_net([*numerator, w])
 
 
@@ -109,7 +112,7 @@ def _line_piece_data(one: LinePiece, digits: int) -> Data:
         "high": parameter_data(one.high, digits),
         "other": other,
         "directrix": piece_data(interval, one.surface.directrix),
-        "generator": piece_data(interval, one.surface.generator.numerator),
+        "generator": piece_data(interval, one.surface.generator.vector),
         "poles": [parameter_data(root, digits) for root in one.poles],
     }
 
@@ -233,15 +236,15 @@ def parameter_data(t: Parameter, digits: int) -> Data:
 # ---- for people
 
 
-def degree_of(value: Any) -> str:
+def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
     """The degree of a piece, for people."""
     d = value.degree
     return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
 
 
-def counted(value: Rational) -> int:
+def counted(value: Rational[TensorSpline]) -> int:
     """The number of control points of a patch."""
-    top = value.numerator[0].elevated_to(value.denominator)
+    top = value.vector[0].elevated_to(value.denominator)
     m, n = top.control_point_counts
     return int(m * n)
 
@@ -254,7 +257,7 @@ def shown(t: Parameter, digits: int) -> str:
     return decimal_of(t if isinstance(t, Root) else knot_root(t), digits)
 
 
-def sides_text(sides: Sequence[Sequence[Any]]) -> str:
+def sides_text(sides: Sequence[Sequence[Number]]) -> str:
     """An interval or a rectangle for people.
 
     >>> sides_text([(0, 1), (2, 3)])

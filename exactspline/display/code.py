@@ -14,10 +14,10 @@ INDENT = "    "
 def code_lines(line: str, width: int) -> list[str]:
     """A statement in lines of at most that width where its tokens allow it; all of them together are the statement.
 
-    >>> for part in code_lines('print(DegreeReading().of(find("f2"), 2))', 30):
+    >>> for part in code_lines('print(max([3141592653, 2718281828, 1618033988]))', 30):
     ...     print(part)
-    print(DegreeReading().of(
-        find("f2"), 2))
+    print(max([3141592653,
+        2718281828, 1618033988]))
     >>> code_lines("from exactspline.papers import find", 30)
     ['from exactspline.papers \\\\', '    import find']
     """

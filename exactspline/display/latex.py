@@ -9,6 +9,7 @@ from typing import Any
 from exactspline.exact import mpq, text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
+from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -19,6 +20,7 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.values import SplineSurface
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.statement import Statement, telling_tree
 
@@ -67,20 +69,20 @@ def _(f: BSpline) -> str | None:
     return rf"\left[{_row(f.control_points)}\right]_{{\,n={f.degree},\ t=({_row(f.knots.knots)})}}"
 
 
-@mathematics.register
-def _(v: Vector) -> str | None:
+@mathematics.register(Vector)
+def _(v: Vector[Operand]) -> str | None:
     parts = [fraction(x) if isinstance(x, type(mpq())) else mathematics(x) for x in v]
     return None if None in parts or not parts else r"\begin{pmatrix}" + r"\\".join(map(str, parts)) + r"\end{pmatrix}"
 
 
-@mathematics.register
-def _(r: Rational) -> str | None:
+@mathematics.register(Rational)
+def _(r: Rational[BSpline]) -> str | None:
     top, bottom = mathematics(r.numerator), mathematics(r.denominator)
     return None if top is None or bottom is None else rf"\frac{{{top}}}{{{bottom}}}"
 
 
-@mathematics.register
-def _(s: RuledSurface) -> str | None:
+@mathematics.register(RuledSurface)
+def _(s: SplineSurface) -> str | None:
     a, b = mathematics(s.directrix), mathematics(s.generator)
     return None if a is None or b is None else rf"{a} + \zeta\,{b}"
 

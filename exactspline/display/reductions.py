@@ -35,7 +35,7 @@ def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
             row = part.data()
             label = r.name if len(r.parts) == 1 else f"{r.name}, {part.role}"
             grading = f"{row['k']}, {row['m']}, {row['j']}" if row["k"] is not None else "–"
-            reduced = row["reduced"] + (f", poles at {row['poles']} = 0" if row["poles"] else "")
+            reduced = part.text + (f", poles at {row['poles']} = 0" if row["poles"] else "")
             made.add_row(
                 label,
                 row["cancelled"],
@@ -53,9 +53,9 @@ def explanations(r: Reduction) -> Iterator[str]:
     """Of what the factors are, and where the degree is lower: a sentence each."""
     kind = {2: "plane curve", 3: "space curve"}.get(r.dimension, f"curve in R{r.dimension}")
     yield f"For the {'polynomial' if r.polynomial else 'rational'} {kind} of degree d; verified by multiplication."
-    for name, meaning in {n: told for part in r.parts for n, told in part.data()["meaning"].items()}.items():
+    for name, meaning in {p.name: p.meaning for part in r.parts for p in part.powers}.items():
         yield f"{name}: {meaning}"
     for part in r.parts:
-        for d, n in part.data()["lower"].items():
+        for d, n in part.true.lower if part.true else ():
             told = f"the true degree is {n}" if n >= 0 else "it vanishes on every curve"
             yield f"{part.role}: at d = {d} {told}"

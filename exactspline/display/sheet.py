@@ -67,6 +67,12 @@ class Sheet:
         """The number of rows."""
         return len(self.rows)
 
+    @property
+    def tags(self) -> list[str]:
+        """The words in the columns of variants, forms and verdicts, each once."""
+        columns = [i for i, name in enumerate(self.columns) if name in ("variant", "form", "verdict")]
+        return list(dict.fromkeys(row[i] for i in columns for row in self.rows))
+
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text]:
         for line in self.lines(options.max_width):
             line.no_wrap, line.overflow = True, "ignore"

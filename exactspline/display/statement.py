@@ -10,17 +10,24 @@ from exactspline.verification.kinds import Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.vocabulary import Status
 
+#: A shorter text is not looked for in statements.
+SHORTEST = 4
+
 
 def located(wanted: str) -> tuple[Claim, ...]:
-    """The claims with this id, that it begins, or that stand at this place of the paper.
+    """The claims with this id, that it begins, that stand at this place of the paper, or that speak of it.
 
     >>> [claim.id for claim in located("eq. (8)")][:2], located("C4.1c")[0].id
     (['E8', 'C4.1a'], 'C4.1c')
+    >>> located("rectifying developable")[0].id
+    'C5.4a'
 
     Raises `ClaimError` with the nearest ids.
     """
     chosen = tuple(c for c in all_claims() if c.key == wanted or matches(c.id, wanted))
     chosen = chosen or tuple(c for c in all_claims() if _stands(c.source, wanted) or _stands(c.place, wanted))
+    if len(wanted) >= SHORTEST:
+        chosen = chosen or tuple(c for c in all_claims() if wanted.lower() in c.statement.lower())
     if not chosen:
         known = dict.fromkeys(claim.id for claim in all_claims())
         raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, known, listed_by="exactspline show"))

@@ -107,5 +107,6 @@ def analyse(curve: Nurbs) -> Analysis:
     with _LOCK:
         if curve._analysis is None:
             object.__setattr__(curve, "_analysis", Analysis(curve))
-        found: Analysis = curve._analysis
+        found = curve._analysis
+    assert isinstance(found, Analysis)
     return found

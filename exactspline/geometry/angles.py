@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.exact import mpq
 from exactspline.splines.surd import Surd, significant, square_root
+
+if TYPE_CHECKING:
+    from mpmath import mpf
 
 
 @dataclass(frozen=True)
@@ -18,13 +21,13 @@ class Angle:
 
     >>> angle = angle_between((mpq(1), mpq(0)), (mpq(1), mpq(-1)))
     >>> print(angle.cosine, angle.sine, angle.degrees(10))
-    (1/2)√2 (-1/2)√2 -45.0
+    √2/2 -√2/2 -45.0
     """
 
     cosine: mpq | Surd
     sine: mpq | Surd
 
-    def degrees(self, digits: int) -> Any:
+    def degrees(self, digits: int) -> mpf:
         """The angle in degrees, in (−180, 180], as an mpmath number to so many significant digits."""
         from mpmath import mp
 

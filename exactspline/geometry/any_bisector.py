@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable
 
 from exactspline.errors import ShapeError
+from exactspline.exact import Number
 from exactspline.geometry.bisectors import CurveBisector, PointBisector, curve_bisector, exact_point, point_bisector
 from exactspline.language.rational import Rational
 from exactspline.papers import find
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import where_it_exists
 from exactspline.splines.nurbs import Nurbs
 
 
-def bisector(first: Nurbs, second: Any) -> CurveBisector | PointBisector | Rational:
+def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> CurveBisector | PointBisector | Rational[BSpline]:
     """The points of equal *critical* distances to a curve and to another curve or a point (its coordinates).
 
     Of two space curves a surface in patches; of a space curve and a point ruled surfaces in pieces; of a plane curve
@@ -36,5 +38,5 @@ def bisector(first: Nurbs, second: Any) -> CurveBisector | PointBisector | Ratio
         return point_bisector(first, second)
     if first.dimension != 2:
         raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
-    value: Rational = find("plane_bisector_polynomial")(first.with_point(exact_point(first, second, 2)))
+    value: Rational[BSpline] = find("plane_bisector_polynomial")(first.with_point(exact_point(first, second, 2)))
     return where_it_exists(value)

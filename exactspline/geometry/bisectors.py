@@ -10,6 +10,7 @@ Parameters and coordinates are unitless exact numbers. "Bisector" means equal *c
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -17,13 +18,12 @@ from itertools import pairwise, product
 from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross
 from exactspline.papers import find
 from exactspline.roots.root import Root, between
@@ -31,8 +31,9 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor import surface_pair
+from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
+from exactspline.splines.values import SplineSurface
 
 Interval = tuple[mpq, mpq]
 
@@ -53,7 +54,7 @@ class BisectorPatch:
     """A part of the bisector of two curves: a rectangle of parameters, and a `Rational` of splines in both."""
 
     sides: tuple[Interval, Interval]
-    value: Rational
+    value: Rational[TensorSpline]
 
 
 class SurfaceVariant(StrEnum):
@@ -178,7 +179,7 @@ PARALLEL = "the tangents are parallel everywhere, so are the normal planes"
 COPLANAR = "the curves lie in one plane, and all three planes of the system are perpendicular to it"
 
 
-def _is_zero_on(v: Vector, at: int) -> bool:
+def _is_zero_on(v: Vector[BSpline], at: int) -> bool:
     """Whether a vector of splines vanishes on all of the segment or patch with this number."""
     return not any(x.polynomials[at] for x in v)
 
@@ -191,7 +192,7 @@ class RuledPiece:
 
     interval: Interval
     moved: str
-    surface: RuledSurface
+    surface: SplineSurface
 
 
 @dataclass(frozen=True)
@@ -212,7 +213,7 @@ class PointBisector:
 THROUGH = "the curve is straight here and its line passes through the point"
 
 
-def point_bisector(curve: Any, point: Any, variant: str = "direct") -> PointBisector:
+def point_bisector(curve: Nurbs, point: Iterable[Number], variant: str = "direct") -> PointBisector:
     """The bisector of a point and a space curve.
 
     `variant` is ``naive`` (31), ``explicit`` (34) or ``direct``: the 2×2 system with a component moved that is solvable
@@ -254,7 +255,7 @@ def point_bisector(curve: Any, point: Any, variant: str = "direct") -> PointBise
     return PointBisector(variant, tuple(pieces), _singular(generator, good), tuple(missing))
 
 
-def _singular(generator: Vector, segments: list[Interval]) -> tuple[Root, ...]:
+def _singular(generator: Vector[BSpline], segments: list[Interval]) -> tuple[Root, ...]:
     """Where the generator vanishes on some of the segments, at a knot also from one side only: there the surface of
     that side has a pole.
     """
@@ -273,7 +274,7 @@ def _merged(parts: list[tuple[mpq, mpq, int]]) -> list[tuple[mpq, mpq, int]]:
     return merged
 
 
-def exact_point(curve: Any, point: Any, dimension: int) -> tuple[mpq, ...]:
+def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) -> tuple[mpq, ...]:
     """The exact coordinates of a point beside a curve of that dimension; `ShapeError` when the numbers of coordinates
     are wrong.
     """
@@ -285,9 +286,9 @@ def exact_point(curve: Any, point: Any, dimension: int) -> tuple[mpq, ...]:
     return coordinates
 
 
-def _cut(c: Curve, a: mpq, b: mpq) -> Curve:
+def _cut(c: Curve[BSpline], a: mpq, b: mpq) -> Curve[BSpline]:
     """The curve and the point over a part of the domain."""
-    part: Curve = c.mapped(lambda f: f.restrict(a, b))
+    part: Curve[BSpline] = c.mapped(lambda f: f.restrict(a, b))
     return part
 
 

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
 
 from exactspline.errors import FormulaError, nearest
+from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import find, papers
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
+from exactspline.splines.values import SplineVector
 from exactspline.splines.wronskian import lowest_wronskian
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 
@@ -69,7 +71,7 @@ class Construction:
         """That of the curves it speaks of."""
         return {"plane": 2, "space": 3}[self.curve]
 
-    def on(self, curve: Any, variant: str) -> Any:
+    def on(self, curve: Curve[BSpline], variant: str) -> BSpline | SplineVector:
         """The object on a curve; of a zero-set problem the numerator alone.
 
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
@@ -78,9 +80,11 @@ class Construction:
         """
         if variant != MINIMAL:
             value = self.formula(variant)(curve)
-            return numerator(value) if self.zero_set else joined(value)
+            taken: BSpline | SplineVector = numerator(value) if self.zero_set else joined(value)
+            return taken
         if not self.zero_set:
-            return joined(in_lowest_terms(self.formula(variant)(curve)))
+            reduced: BSpline | SplineVector = joined(in_lowest_terms(self.formula(variant)(curve)))
+            return reduced
         at_once = self.wronskian_of and not curve.polynomial
         value = lowest_wronskian(find(self.wronskian_of)(curve)) if at_once else self.formula(variant)(curve)
         power = self.power_of_w(LIFTED)
@@ -96,7 +100,7 @@ class Construction:
             )
         return next((e for _, _, e in factor.powers), 0)
 
-    def sign(self, curve: Any, variant: str) -> int:
+    def sign(self, curve: Curve[BSpline], variant: str) -> int:
         """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
         return -1 if self.power_of_w(variant) % 2 and curve.w(curve.w.domain[0]) < 0 else 1
 

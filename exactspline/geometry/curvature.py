@@ -25,7 +25,7 @@ class CurvaturePiece:
 
     interval: Interval
     radicand: int
-    value: Rational | BSpline | None
+    value: Rational[BSpline] | BSpline | None
     reason: str = ""
 
 
@@ -45,7 +45,7 @@ def curvature(curve: Nurbs) -> list[CurvaturePiece]:
     return [_curvature_on(c, interval) for interval, c in segments(plane(curve))]
 
 
-def _curvature_on(c: Curve, interval: Interval) -> CurvaturePiece:
+def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     turning = find("f2")(c)
     if turning.is_zero:
         return CurvaturePiece(interval, 1, turning.constant(0))

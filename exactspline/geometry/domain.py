@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import TypeVar
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
@@ -13,9 +13,12 @@ from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
+from exactspline.splines.nurbs import Nurbs
+
+C = TypeVar("C", bound=Curve[BSpline])
 
 
-def part(curve: Any, a: mpq, b: mpq) -> Curve:
+def part(curve: Nurbs, a: mpq, b: mpq) -> Curve[BSpline]:
     """The curve over [a, b], as operands for formulas."""
     whole = curve.domain == (a, b)
     restricted = Curve(
@@ -23,11 +26,11 @@ def part(curve: Any, a: mpq, b: mpq) -> Curve:
         curve.w if whole else curve.w.restrict(a, b),
         polynomial=curve.polynomial,
     )
-    restricted.domain = (a, b)  # type: ignore[attr-defined]
+    restricted.domain = (a, b)  # type: ignore[attr-defined]  # a plain curve is told its domain, a Nurbs knows it
     return restricted
 
 
-def segments(curve: Curve) -> Iterator[tuple[Interval, Curve]]:
+def segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]:
     """The segments of a curve one by one, as operands for formulas, in time linear in their number."""
     breaks = curve.w.breakpoints
 
@@ -52,14 +55,14 @@ def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interv
     return found
 
 
-def plane(curve: Any) -> Any:
+def plane(curve: C) -> C:
     """The curve itself, if it is one in the plane; `ShapeError` otherwise."""
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
     return curve
 
 
-def space(curve: Any) -> Any:
+def space(curve: C) -> C:
     """The curve itself, if it is one in space; `ShapeError` otherwise."""
     if curve.dimension != 3:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in space")

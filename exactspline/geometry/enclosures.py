@@ -17,6 +17,8 @@ from exactspline.roots.root import Root
 from exactspline.splines.surd import Surd, significant
 
 if TYPE_CHECKING:
+    from mpmath import mpf
+
     from exactspline.splines.nurbs import Nurbs
 
 
@@ -28,7 +30,7 @@ def curvature_sign(curve: Nurbs, root: Root, side: str = "right") -> int:
     return int(not analysis.is_flat(root) if root.exact is None else any(analysis.bend(root.exact, side)))
 
 
-def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> Any:
+def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> mpf:
     """κ at a root as an mpmath number that is relatively off by less than ``10^−digits``; exactly 0 where κ = 0.
 
     >>> from exactspline import curvature_extrema, load
@@ -40,7 +42,7 @@ def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") 
     return _certain(lambda wanted: curvature(curve, root, digits=wanted, side=side), digits)
 
 
-def torsion_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> Any:
+def torsion_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> mpf:
     """τ at a root (where κ = 0 its limit) as an mpmath number that is relatively off by less than ``10^−digits``;
     exactly 0 where τ = 0.
 

@@ -8,7 +8,7 @@ depends on is no business of this module: it asks the zero sets.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from time import perf_counter
@@ -131,7 +131,7 @@ class Facts:
         self.closed: bool = curve.closed
         self.breaks: tuple[mpq, ...] = curve.breakpoints
 
-    def once(self, key: Any, compute: Callable[[], T]) -> T:
+    def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """What is kept under a key, computed by the first who asks."""
         if key not in self._known:
             with self._lock:
@@ -148,7 +148,13 @@ class Facts:
         """
         made = construction(name)
         {"plane": plane, "space": space}[made.curve](self.curve)
-        return self.once((name, variant), lambda: self.solved(lambda: made.on(self.operands, variant)))
+
+        def form() -> BSpline:
+            found = made.on(self.operands, variant)
+            assert isinstance(found, BSpline)
+            return found
+
+        return self.once((name, variant), lambda: self.solved(form))
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -161,7 +167,7 @@ class Facts:
         return self.zero_form(name).sign_at(root, side)
 
     @Fact
-    def velocity(self) -> Vector:
+    def velocity(self) -> Vector[BSpline]:
         """D1, a positive multiple of γ′."""
         return Vector(*find("D1")(self.operands))
 
@@ -171,7 +177,7 @@ class Facts:
         return self.solved(lambda: common_factor(self.velocity))
 
     @Fact
-    def binormal(self) -> Vector:
+    def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
         return Vector(*find("binormal_form")(space(self.operands)))
 
@@ -235,7 +241,7 @@ class Facts:
                 return JointKind.TURN
         return JointKind.CONTINUOUS if order >= 2 else JointKind.CURVATURE_JUMP
 
-    def _directions(self, v: Vector, t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
+    def _directions(self, v: Vector[BSpline], t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
         """The directions of a vector just left and just right of a knot."""
         left, right = self.sides(t)
         return limit_direction(v, left, "left"), limit_direction(v, right, "right")

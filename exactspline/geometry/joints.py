@@ -64,7 +64,7 @@ class Joint:
 class Ends:
     """The jets of a curve at both ends of every segment."""
 
-    def __init__(self, curve: Curve) -> None:
+    def __init__(self, curve: Curve[BSpline]) -> None:
         self.curve = curve
         self._p = [[x.d(k) for k in range(ORDER + 1)] for x in curve.p]
         self._w = [] if curve.polynomial else [curve.w.d(k) for k in range(ORDER + 1)]
@@ -102,7 +102,7 @@ def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
     return bool(product > 0 and product**2 == exact_dot(a, a) * exact_dot(b, b))
 
 
-def limit_direction(v: Vector, t: mpq, side: str) -> Point:
+def limit_direction(v: Vector[BSpline], t: mpq, side: str) -> Point:
     """The direction in which a vector points just beside a parameter; zeros where it vanishes all along that side.
 
     >>> s = BSpline.identity(-1, 1)
@@ -151,7 +151,7 @@ def curvature_of(jet: Jet) -> mpq | Surd:
     """κ from a jet with γ′ ≠ 0: with its sign in the plane, not negative in space.
 
     >>> print(curvature_of(((0, 0), (1, 1), (0, 1), (0, 0))))
-    (1/4)√2
+    √2/4
     """
     v, a = jet[1], jet[2]
     speed = mpq(exact_dot(v, v))

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from math import gcd, lcm
-from typing import Any
 
 from flint import fmpq_mat
 
@@ -51,7 +50,7 @@ class Plane:
         return nonzero[0] if len(nonzero) == 1 else None
 
 
-def plane_of(curve: Any) -> Plane | None:
+def plane_of(curve: Nurbs) -> Plane | None:
     """The plane that a space curve lies in, None when there is none; of a straight curve a coordinate plane where there
     is one, otherwise none.
 
@@ -129,7 +128,7 @@ def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
     return found
 
 
-def _rows(curve: Any) -> list[Rows]:
+def _rows(curve: Nurbs) -> list[Rows]:
     """The homogeneous Bézier points (p, w) segment by segment."""
     columns = [s.elevated_to(curve.p[0]).segments for s in (*curve.p, curve.w)]
     return [list(zip(*parts, strict=True)) for parts in zip(*columns, strict=True)]
@@ -163,7 +162,7 @@ def _plane(relation: list[mpq]) -> Plane:
     return Plane((a, b, c), -k)
 
 
-def as_plane_curve(curve: Any) -> Nurbs | None:
+def as_plane_curve(curve: Nurbs) -> Nurbs | None:
     """A space curve with a constant coordinate as a plane curve, None when there is no such coordinate.
 
     The plane is seen from the tip of the axis: the coordinates are (x, y), (z, x) or (y, z), so that [γ′ γ″] is the
@@ -184,7 +183,7 @@ def as_plane_curve(curve: Any) -> Nurbs | None:
     return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)
 
 
-def with_plane_curves(curves: Iterable[Any]) -> list[Any]:
+def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:
     """The curves, each that has a constant coordinate followed by itself as a plane curve.
 
     >>> from exactspline.splines.examples import example

@@ -8,12 +8,13 @@ them, or vector quotients).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 from exactspline.geometry.constructions import MINIMAL, construction
 from exactspline.geometry.domain import space
+from exactspline.language.operand import Operand
 from exactspline.language.parts import numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development
@@ -23,7 +24,10 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor import lifted
+from exactspline.splines.tensor import TensorSpline, lifted
+from exactspline.splines.values import SplineSurface
+
+V = TypeVar("V", bound=Vector[Any] | Operand)
 
 
 @dataclass(frozen=True)
@@ -32,8 +36,8 @@ class RulingRelation:
     both in lowest terms.
     """
 
-    shift: Rational
-    stretch: Rational
+    shift: Rational[BSpline]
+    stretch: Rational[BSpline]
 
     def __call__(self, s: Any, ruling: Any, side: str = "right") -> mpq:
         """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
@@ -41,7 +45,7 @@ class RulingRelation:
         return value
 
 
-def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> RuledSurface:
+def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
@@ -56,11 +60,11 @@ def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> RuledSurfa
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: RuledSurface = in_lowest_terms(value) if variant == MINIMAL else value
+    found: SplineSurface = in_lowest_terms(value) if variant == MINIMAL else value
     return found
 
 
-def point_at(surface: RuledSurface, s: Any, ruling: Any, side: str = "right") -> tuple[mpq, ...]:
+def point_at(surface: SplineSurface, s: Number, ruling: Number, side: str = "right") -> tuple[mpq, ...]:
     """The point of the parameters s and ζ, exactly; `ZeroDivisionError` at a pole.
 
     >>> from exactspline.splines.examples import example
@@ -75,7 +79,7 @@ def _value(part: Any, s: Any, side: str) -> tuple[mpq, ...]:
     return tuple(c(s, side) for c in part) if isinstance(part, Vector) else part(s, side)
 
 
-def as_tensor_product(surface: RuledSurface, a: Any, b: Any) -> Any:
+def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[TensorSpline] | Rational[TensorSpline]:
     """The surface between the ruling parameters a and b as a tensor-product B-spline: a `Vector` of `TensorSpline`, or
     a `Rational` of them.
 
@@ -108,7 +112,7 @@ def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
     return Rational(top, lifted(part.denominator, meshes, 0)) if isinstance(part, Rational) else top
 
 
-def is_developable(surface: RuledSurface) -> bool:
+def is_developable(surface: SplineSurface) -> bool:
     """Whether the tangent plane is one along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
 
     >>> from exactspline.splines.examples import example
@@ -122,7 +126,7 @@ def is_developable(surface: RuledSurface) -> bool:
     return bool(development(in_lowest_terms(surface)).is_zero)
 
 
-def _check_generator(surface: RuledSurface) -> None:
+def _check_generator(surface: SplineSurface) -> None:
     for i, parts in enumerate(zip(*[c.polynomials for c in numerator(surface.generator)], strict=True)):
         if not any(parts):
             a, b = numerator(surface.generator)[0].breakpoints[i : i + 2]
@@ -132,12 +136,17 @@ def _check_generator(surface: RuledSurface) -> None:
             )
 
 
-def differences(a: RuledSurface, b: RuledSurface) -> tuple[Any, Any]:
+def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
     """What vanishes exactly where two ruled surfaces (in any reading) are one: ``G × Ḡ`` and ``(δ̄ − δ) × G``."""
-    return cross(a.generator, b.generator), cross(b.directrix - a.directrix, a.generator)
+    between: Any = b.directrix
+    first: Any = a.generator
+    second: Any = b.generator
+    across: Any = cross(first, second)
+    aside: Any = cross(between - a.directrix, first)
+    return across, aside
 
 
-def same_surface(a: RuledSurface, b: RuledSurface) -> RulingRelation | None:
+def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
     """The relation between the ruling parameters ζ of `a` and λ of `b` when both are one surface with the same rulings
     for the same s, else None.
 
@@ -156,13 +165,12 @@ def same_surface(a: RuledSurface, b: RuledSurface) -> RulingRelation | None:
         _check_generator(surface)
     if not all(part.is_zero for part in differences(a, b)):
         return None
-    along = norm2(a.generator)
-    return RulingRelation(
-        _ratio(dot(b.directrix - a.directrix, a.generator), along), _ratio(dot(b.generator, a.generator), along)
-    )
+    first, second, between = cast(Any, a.generator), cast(Any, b.generator), cast(Any, b.directrix) - a.directrix
+    along = norm2(first)
+    return RulingRelation(_ratio(dot(between, first), along), _ratio(dot(second, first), along))
 
 
-def _ratio(top: Any, bottom: Any) -> Rational:
+def _ratio(top: Any, bottom: Any) -> Rational[BSpline]:
     """A quotient of scalars that may be quotients themselves, in lowest terms."""
     found = top / bottom
     return where_it_exists(found if isinstance(found, Rational) else Rational(found, BSpline.constant(found, 1)))

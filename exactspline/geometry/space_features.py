@@ -17,6 +17,7 @@ from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKi
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.roots.root import Root, knot_root
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor, where_it_exists
 
 BINORMAL, TORSION = "binormal_form", "D1_D2_D3"
@@ -31,7 +32,7 @@ class SpaceFacts(Facts):
         return self.solved(lambda: common_factor(self.binormal))
 
     @Fact
-    def reduced_torsion(self) -> Rational:
+    def reduced_torsion(self) -> Rational[BSpline]:
         """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
         return where_it_exists(find("torsion_reduced")(self.operands))
 

@@ -10,7 +10,7 @@ parameters are isolated, and one exact decision is made between each two.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
@@ -21,7 +21,7 @@ from typing import Any
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
 from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
 from exactspline.geometry.features import joints, singular_points
@@ -37,6 +37,7 @@ from exactspline.splines.bernstein import ONE, is_nonnegative
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import common_factor, lowest_terms
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly
 
 AROUND = "the curve is an arc here of a circle through the point, and all its normals meet in the centre"
@@ -65,7 +66,7 @@ class TrimmedPiece:
     kind: PieceKind
     low: Parameter
     high: Parameter
-    value: Rational
+    value: Rational[BSpline]
     foot: mpq | None = None
 
     def __call__(self, t: Any) -> tuple[mpq, ...]:
@@ -78,7 +79,7 @@ class TrimmedPiece:
         point: tuple[mpq, ...] = self.value(t)
         return point
 
-    def restricted(self) -> Rational | None:
+    def restricted(self) -> Rational[BSpline] | None:
         """The piece as a quotient over [low, high] alone; None where an end is irrational."""
         low, high = (_rational(t) for t in (self.low, self.high))
         if low is None or high is None:
@@ -86,7 +87,7 @@ class TrimmedPiece:
         value = self.value
         if (low, high) == value.denominator.domain:
             return value
-        top = Vector(*[x.restrict(low, high) for x in value.numerator])
+        top = Vector(*[x.restrict(low, high) for x in value.vector])
         return Rational(top, value.denominator.restrict(low, high))
 
 
@@ -112,7 +113,7 @@ class TrimmedBisector:
         return [piece for piece in self.pieces if piece.kind is PieceKind.ARC]
 
 
-def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
+def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
     """The true bisector of a plane curve and a point.
 
     >>> from exactspline import Nurbs
@@ -144,14 +145,14 @@ def trimmed_bisector(curve: Any, point: Any) -> TrimmedBisector:
     return TrimmedBisector(tuple(pieces), tuple(missing))
 
 
-def _around(curve: Any, q: tuple[mpq, ...]) -> Curve:
+def _around(curve: Nurbs, q: tuple[mpq, ...]) -> Curve[BSpline]:
     """The curve with Q moved to the origin and w positive."""
     sign = 1 if curve.w(curve.domain[0]) > 0 else -1
     p = Vector(*[(x - curve.w * y).scaled(sign) for x, y in zip(curve.p, q, strict=True)])
     return Curve(p, curve.w.scaled(sign), polynomial=curve.polynomial).with_point((0, 0))
 
 
-def _refuse_point_on(c: Curve) -> None:
+def _refuse_point_on(c: Curve[BSpline]) -> None:
     on = zeros(common_factor(c.p))
     knots = [t for t in c.w.breakpoints if any(all(x(t, side) == 0 for x in c.p) for side in ("left", "right"))]
     if len(on) or knots:
@@ -161,7 +162,7 @@ def _refuse_point_on(c: Curve) -> None:
         )
 
 
-def _arc(c: Curve, i: int) -> tuple[tuple[list[fmpz_poly], int], Rational] | str:
+def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Rational[BSpline]] | str:
     """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the
     quotient.
 
@@ -183,7 +184,7 @@ def _arc(c: Curve, i: int) -> tuple[tuple[list[fmpz_poly], int], Rational] | str
 class _Conditions:
     """``‖a(u)‖²`` and ``2 w(u) a(u)`` on all segments, for a = γw around the origin."""
 
-    def __init__(self, c: Curve) -> None:
+    def __init__(self, c: Curve[BSpline]) -> None:
         square, twice = norm2(c.p), [x * c.w * 2 for x in c.p]
         self.degree = square.degree
         self.rows = []
@@ -347,12 +348,13 @@ def _intersection(
     return found
 
 
-def _corners(curve: Any, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
+def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational
     ones are named as missing.
     """
     a, b = curve.domain
-    found = [] if curve.closed else [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)]
+    has_ends = not curve.closed or find("D1")(curve).is_zero  # a curve that is one point is closed, and all end
+    found = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
     found += [(PieceKind.CORNER, joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
     for feature in singular_points(curve):
         feature.root.minimal_polynomial()
@@ -368,7 +370,9 @@ def _corners(curve: Any, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     return list(points.values())
 
 
-def _line_pieces(conditions: _Conditions, c: Curve, q: tuple[mpq, ...], kind: PieceKind, t: mpq) -> list[TrimmedPiece]:
+def _line_pieces(
+    conditions: _Conditions, c: Curve[BSpline], q: tuple[mpq, ...], kind: PieceKind, t: mpq
+) -> list[TrimmedPiece]:
     """The kept part of the line of points as far from the origin as from the point of the curve at t."""
     w = c.w(t)
     foot = Vector(*[x(t) / w for x in c.p])

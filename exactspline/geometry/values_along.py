@@ -5,10 +5,10 @@ What `exactspline.Nurbs.curvature` and `exactspline.Nurbs.torsion` call.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.exact import mpq, text
+from exactspline.exact import Number, mpq, text
 from exactspline.geometry.domain import part, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
@@ -25,7 +25,7 @@ from exactspline.roots.enclosure import (
     values_between,
 )
 from exactspline.roots.root import Root
-from exactspline.splines.bspline import checked_side
+from exactspline.splines.bspline import BSpline, checked_side
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.surd import Surd, square_root
 
@@ -33,14 +33,14 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-def curvature(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> mpq | Surd | Enclosure:
+def curvature(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Surd | Enclosure:
     """The curvature of a curve at a parameter or a root (see `exactspline.Nurbs.curvature`)."""
     if curve.dimension not in (2, 3):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
     place = exact_place(t)
     c = _segment(curve, place, side)
     _refuse_singular(c, place, side)
-    squared: Rational = find("space_curvature_squared" if curve.dimension == 3 else "curvature_squared")(c)
+    squared: Rational[BSpline] = find("space_curvature_squared" if curve.dimension == 3 else "curvature_squared")(c)
     sign = 1 if curve.dimension == 3 else sign_at(find("f2")(c) * c.w, place, side)
     if not isinstance(place, Root):
         return square_root(_quotient(squared, place, side)) * sign
@@ -57,7 +57,7 @@ def curvature(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") ->
     return narrowed(bounds, place, digits)[0]
 
 
-def torsion(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
+def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
     """The torsion of a space curve at a parameter or a root (see `exactspline.Nurbs.torsion`)."""
     place = exact_place(t)
     c = _segment(space(curve), place, side)
@@ -75,7 +75,7 @@ def torsion(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> m
     return value_at((tau.numerator,), tau.denominator, place, digits)[0]
 
 
-def _segment(curve: Nurbs, place: mpq | Root, side: str) -> Curve:
+def _segment(curve: Nurbs, place: mpq | Root, side: str) -> Curve[BSpline]:
     """The curve over the segment that holds a parameter or a root."""
     left = checked_side(side)
     i = _segment_of_root(curve, place) if isinstance(place, Root) else curve.mesh.locate(place, left=left)
@@ -90,12 +90,12 @@ def _segment_of_root(curve: Nurbs, root: Root) -> int:
     return next(i for i, t in enumerate(curve.breakpoints[1:]) if root < t)
 
 
-def _quotient(value: Rational, t: mpq, side: str) -> mpq:
+def _quotient(value: Rational[BSpline], t: mpq, side: str) -> mpq:
     quotient: mpq = value(t, side)
     return quotient
 
 
-def _refuse_singular(c: Curve, place: mpq | Root, side: str) -> None:
+def _refuse_singular(c: Curve[BSpline], place: mpq | Root, side: str) -> None:
     if all(sign_at(x, place, side) == 0 for x in find("D1")(c)):
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
 

@@ -36,7 +36,7 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
     """
     if curve.dimension != 2 or not curve.polynomial or not 1 <= curve.degree <= 3:
         raise ShapeError(repr(curve), remedy="polynomial plane curves of degree 1 to 3 can be drawn")
-    columns: list[list[list[mpq]]] = [component.segments for component in curve.p]
+    columns = [component.segments for component in curve.p]
     segments = [[*zip(*rows, strict=True)] for rows in zip(*columns, strict=True)]
     for before, after in pairwise(segments):
         if before[-1] != after[0]:

@@ -12,8 +12,8 @@ from collections.abc import Callable
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import Curve
-from exactspline.language.operand import FieldOperand
+from exactspline.language.arguments import Curve, T
+from exactspline.language.operand import Constant, FieldOperand, Operand
 from exactspline.language.vector import cross, norm2
 
 
@@ -32,18 +32,18 @@ class Adjoined(FieldOperand):
     __slots__ = ("plain", "rooted", "square")
     degree = provenance = 0
 
-    def __init__(self, plain: Any, rooted: Any, square: Any) -> None:
+    def __init__(self, plain: Operand, rooted: Operand, square: Operand) -> None:
         self.plain, self.rooted, self.square = plain, rooted, square
 
-    def lifted(self, operand: Any) -> Adjoined:
+    def lifted(self, operand: Operand) -> Adjoined:
         """An operand of the reading below, in this extension."""
         return Adjoined(operand, operand.constant(0), self.square)
 
-    def constant(self, value: Any) -> Adjoined:
+    def constant(self, value: Constant) -> Adjoined:
         """An exact constant."""
         return self.lifted(self.square.constant(value))
 
-    def beside(self, other: Any) -> Any:
+    def beside(self, other: object) -> Adjoined | None:
         """Another element of this extension, a constant made one; None for anything else.
 
         Raises `FormulaError` for an element of another extension.
@@ -74,7 +74,7 @@ class Adjoined(FieldOperand):
         return Adjoined(self.plain, -self.rooted, self.square)
 
     @property
-    def norm(self) -> Any:
+    def norm(self) -> Operand:
         """``a² − b² S``, an operand of the reading below."""
         return self.plain * self.plain - self.rooted * self.rooted * self.square
 
@@ -83,11 +83,11 @@ class Adjoined(FieldOperand):
         inverse = self.square.constant(1) / self.norm
         return Adjoined(self.plain * inverse, -self.rooted * inverse, self.square)
 
-    def scaled(self, constant: Any) -> Adjoined:
+    def scaled(self, constant: Constant) -> Adjoined:
         """The element times an exact constant."""
         return Adjoined(self.plain.scaled(constant), self.rooted.scaled(constant), self.square)
 
-    def elevated_to(self, other: Any) -> Adjoined:
+    def elevated_to(self, other: object) -> Adjoined:
         """Itself: degree elevation does not change a function."""
         return self
 
@@ -115,7 +115,7 @@ class Adjoined(FieldOperand):
         return f"{self.plain!r} + {self.rooted!r} √({self.square!r})"
 
 
-def root_of(square: Any) -> Adjoined:
+def root_of(square: Operand) -> Adjoined:
     """The root σ of an operand that can be divided by, which must be no square.
 
     Raises `FormulaError` for 0, whose root would be one.
@@ -125,17 +125,17 @@ def root_of(square: Any) -> Adjoined:
     return Adjoined(square.constant(0), square.constant(1), square)
 
 
-class FramedCurve(Curve):
+class FramedCurve(Curve[Adjoined]):
     """A curve with the roots that its Frenet frame needs: ``sigma`` = ‖γ′‖, and in space ``rho`` = ‖γ′ × γ″‖.
 
     In the plane the operands are ``a + b σ``, in space ``(a + b σ) + (c + e σ) ρ``.
     """
 
-    def __init__(self, curve: Curve, roots: dict[str, Any], change: Callable[[Any], Any]) -> None:
+    def __init__(self, curve: Curve[T], roots: dict[str, Adjoined], change: Callable[[T], Adjoined]) -> None:
         lifted = curve.mapped(change)
         super().__init__(lifted.p, lifted.w, polynomial=curve.polynomial, point=lifted.point)
-        self.sigma: Any = roots["sigma"]
-        self.rho: Any = roots.get("rho")
+        self.sigma = roots["sigma"]
+        self.rho = roots.get("rho")
 
     def copied(self) -> FramedCurve:
         """The same operands, the roots among them, in a curve of its own."""
@@ -144,7 +144,7 @@ class FramedCurve(Curve):
         return plain
 
 
-def framed(curve: Curve) -> FramedCurve:
+def framed(curve: Curve[T]) -> FramedCurve:
     """A curve of a reading that can divide (jets, Taylor series, sympy) with the roots of its frame adjoined.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.rational_jet import RationalJetReading

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+
+#: What formulas return, in any reading: a scalar (a quotient is one), a vector, a ruled surface.
+Value = Operand | Vector[Operand] | RuledSurface[Operand | Vector[Operand]]
 
 
 def numerator(value: Any) -> Any:

@@ -9,10 +9,10 @@ from exactspline.language.rational import Rational
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector, det
 
-T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
 
 
-class RuledSurface(Displayed, Generic[T]):
+class RuledSurface(Displayed, Generic[T_co]):
     """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) of one parameter s, and the ruling
     parameter ζ.
 
@@ -22,17 +22,17 @@ class RuledSurface(Displayed, Generic[T]):
 
     __slots__ = ("directrix", "generator")
 
-    directrix: T
-    generator: T
+    directrix: T_co
+    generator: T_co
 
-    def __init__(self, directrix: T, generator: T) -> None:
+    def __init__(self, directrix: T_co, generator: T_co) -> None:
         self.directrix, self.generator = directrix, generator
 
-    def at(self, ruling: Constant) -> T:
+    def at(self, ruling: Constant) -> T_co:
         """The curve of constant ruling parameter."""
         directrix: Any = self.directrix
         generator: Any = self.generator
-        curve: T = directrix + generator * ruling
+        curve: T_co = directrix + generator * ruling
         return curve
 
     @property

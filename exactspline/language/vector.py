@@ -23,12 +23,13 @@ from exactspline.language.operand import (
 from exactspline.language.services import Displayed
 
 T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
 U = TypeVar("U")
 S = TypeVar("S", bound=Scalar)
 P = ParamSpec("P")
 
 
-class Vector(Immutable, Displayed, Generic[T]):
+class Vector(Immutable, Displayed, Generic[T_co]):
     """A tuple of scalar operands of one reading.
 
     >>> a, b = Vector(1, 2), Vector(mpq(1, 2), 0)
@@ -38,11 +39,11 @@ class Vector(Immutable, Displayed, Generic[T]):
 
     __slots__ = ("_derivatives", "components")
     is_vector = True
-    components: tuple[T, ...]
+    components: tuple[T_co, ...]
 
-    _derivatives: dict[str | None, Vector[T]]
+    _derivatives: dict[str | None, Vector[T_co]]
 
-    def __init__(self, *components: T) -> None:
+    def __init__(self, *components: T_co) -> None:
         #: First derivatives by parameter are kept once they were asked for.
         fill(self, components=components, _derivatives={})
 
@@ -52,14 +53,14 @@ class Vector(Immutable, Displayed, Generic[T]):
     def __len__(self) -> int:
         return len(self.components)
 
-    def __iter__(self) -> Iterator[T]:
+    def __iter__(self) -> Iterator[T_co]:
         return iter(self.components)
 
     @overload
-    def __getitem__(self, index: int) -> T: ...
+    def __getitem__(self, index: int) -> T_co: ...
     @overload
-    def __getitem__(self, index: slice) -> Vector[T]: ...
-    def __getitem__(self, index: int | slice) -> T | Vector[T]:
+    def __getitem__(self, index: slice) -> Vector[T_co]: ...
+    def __getitem__(self, index: int | slice) -> T_co | Vector[T_co]:
         """A component, or the vector of those that a slice takes."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
@@ -80,7 +81,7 @@ class Vector(Immutable, Displayed, Generic[T]):
     def __bool__(self) -> bool:
         raise no_truth_value(self)
 
-    def mapped(self, change: Callable[[T], U]) -> Vector[U]:
+    def mapped(self, change: Callable[[T_co], U]) -> Vector[U]:
         """The vector of what becomes of its components.
 
         >>> Vector(1, 2).mapped(lambda x: x + 1)
@@ -132,12 +133,12 @@ class Vector(Immutable, Displayed, Generic[T]):
             result = known[by]
         return result
 
-    def scaled(self, constant: Constant) -> Vector[T]:
+    def scaled(self, constant: Constant) -> Vector[T_co]:
         """The vector times an exact constant."""
         components: tuple[Any, ...] = self.components
         return Vector(*[a * constant for a in components])
 
-    def elevated_to(self, other: Any) -> Vector[T]:
+    def elevated_to(self, other: Any) -> Vector[T_co]:
         """The same vector, every component at least of the degree of `other`."""
         components: tuple[Any, ...] = self.components
         return Vector(*[a.elevated_to(other) for a in components])

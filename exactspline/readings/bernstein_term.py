@@ -15,7 +15,8 @@ from exactspline.errors import FormulaError
 from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.parts import Value
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 
@@ -29,7 +30,7 @@ class Monomials(Operand):
     def __init__(self, exponents: tuple[fmpq_mpoly, fmpq_mpoly], terms: dict[tuple[int, int], fmpq_mpoly]) -> None:
         self.exponents, self.terms = exponents, {shift: c for shift, c in terms.items() if c}
 
-    def constant(self, value: Any) -> Monomials:
+    def constant(self, value: Constant) -> Monomials:
         """An exact constant."""
         zero = self.exponents[0] * 0
         return Monomials((zero, zero), {(0, 0): zero + to_fmpq(rational(value))})
@@ -60,12 +61,12 @@ class Monomials(Operand):
         (u, v), (s, t) = self.exponents, other.exponents
         return Monomials((u + s, v + t), terms)
 
-    def scaled(self, constant: Any) -> Monomials:
+    def scaled(self, constant: Constant) -> Monomials:
         """The terms times an exact constant."""
         q = to_fmpq(rational(constant))
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
-    def elevated_to(self, other: Any) -> Monomials:
+    def elevated_to(self, other: object) -> Monomials:
         """Itself: what this reading is for needs no degree elevation."""
         return self
 
@@ -114,7 +115,7 @@ class BernsteinTermReading(Reading):
         )
 
 
-def every_coefficient(value: Any) -> tuple[mpq, mpq] | None:
+def every_coefficient(value: Value) -> tuple[mpq, mpq] | None:
     """A proof that no scaled Bernstein coefficient of a vector that is linear in p and in w is identically zero, for
     every degree d ≥ 1, or None.
 

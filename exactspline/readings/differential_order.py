@@ -7,7 +7,7 @@ from typing import Any
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
@@ -37,15 +37,15 @@ class Order(Operand):
 
     __mul__ = __add__
 
-    def scaled(self, constant: Any) -> Order:
+    def scaled(self, constant: Constant) -> Order:
         """A constant factor needs no derivative."""
         return self
 
-    def constant(self, value: Any) -> Order:
+    def constant(self, value: Constant) -> Order:
         """A constant needs no derivative."""
         return Order(0)
 
-    def elevated_to(self, other: Any) -> Order:
+    def elevated_to(self, other: object) -> Order:
         """Raising a degree needs no derivative."""
         return self
 
@@ -65,7 +65,7 @@ class OrderReading(Reading):
         return kind.argument(dimension, lambda _: Order(0), Order(0), polynomial=polynomial)
 
 
-def is_polynomial(formula: Any, dimension: int) -> bool:
+def is_polynomial(formula: Formula, dimension: int) -> bool:
     """Whether a formula is a polynomial in the curve and its derivatives: no quotient on a rational curve.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0, f2
@@ -75,7 +75,7 @@ def is_polynomial(formula: Any, dimension: int) -> bool:
     return isinstance(_orders(formula, dimension), (Order, Vector))
 
 
-def order_of(formula: Any, dimension: int) -> int:
+def order_of(formula: Formula, dimension: int) -> int:
     """The highest derivative of the curve that a formula needs.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D3
@@ -92,6 +92,6 @@ def _highest(value: Any) -> int:
     return max(map(_highest, parts))
 
 
-def _orders(formula: Any, dimension: int) -> Any:
+def _orders(formula: Formula, dimension: int) -> Any:
     kind = formula.kind if isinstance(formula, Formula) else CURVE
     return joined(formula(OrderReading().argument(kind, dimension)))

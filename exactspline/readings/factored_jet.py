@@ -14,7 +14,7 @@ from flint import fmpq, fmpq_mpoly
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import Operand
+from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
 from exactspline.readings.jet import Jet, JetReading, JetRing
@@ -49,7 +49,7 @@ class FactoredJet(Operand):
         """A differential polynomial as one base."""
         return _product(jet.ring, jet.polynomial, (), jet.provenance)
 
-    def constant(self, value: Any) -> FactoredJet:
+    def constant(self, value: Constant) -> FactoredJet:
         """An exact constant."""
         return FactoredJet(self.ring, to_fmpq(rational(value)), (), (MULTIPLE, UNIT, rational(value)))
 
@@ -92,14 +92,14 @@ class FactoredJet(Operand):
         b = multiplied(self.ring, without(right.powers, common)) * right.unit
         return _product(self.ring, a + sign * b, common, provenance)
 
-    def scaled(self, constant: Any) -> FactoredJet:
+    def scaled(self, constant: Constant) -> FactoredJet:
         """The polynomial times an exact constant."""
         unit = self.unit * to_fmpq(rational(constant))
         return FactoredJet(
             self.ring, unit, self.powers if unit else (), (MULTIPLE, self.provenance, rational(constant))
         )
 
-    def elevated_to(self, other: Any) -> FactoredJet:
+    def elevated_to(self, other: object) -> FactoredJet:
         """Itself: degree elevation does not change a function."""
         return self
 

@@ -15,7 +15,7 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.reading import Reading
 
 
@@ -43,7 +43,7 @@ class Generic(Operand):
 
     __hash__ = None  # type: ignore[assignment]
 
-    def constant(self, value: Any) -> Generic:
+    def constant(self, value: Constant) -> Generic:
         """A constant of degree 0."""
         return Generic(self.context, [self.context.constant(to_fmpq(rational(value)))])
 
@@ -76,7 +76,7 @@ class Generic(Operand):
                 product[i + j] += x * y
         return Generic(self.context, product)
 
-    def scaled(self, constant: Any) -> Generic:
+    def scaled(self, constant: Constant) -> Generic:
         """The form times an exact constant."""
         q = to_fmpq(rational(constant))
         return Generic(self.context, [q * x for x in self.coefficients])

@@ -12,10 +12,10 @@ from typing import Any
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.exact import Number, mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import Operand
+from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
 
@@ -48,7 +48,7 @@ class JetRing:
     def __getitem__(self, name: str) -> Jet:
         return Jet(self, self.gens[self.index[name, 0]])
 
-    def number(self, value: Any) -> Jet:
+    def number(self, value: Number) -> Jet:
         """An exact constant."""
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
@@ -70,7 +70,7 @@ class Jet(Operand):
     def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, provenance: Provenance = None) -> None:
         self.ring, self.polynomial, self.provenance = ring, polynomial, leaf() if provenance is None else provenance
 
-    def constant(self, value: Any) -> Jet:
+    def constant(self, value: Constant) -> Jet:
         """An exact constant of the ring."""
         return self.ring.number(value)
 
@@ -92,11 +92,11 @@ class Jet(Operand):
             return NotImplemented
         return Jet(self.ring, self.polynomial * right.polynomial, (PRODUCT, self.provenance, right.provenance))
 
-    def scaled(self, constant: Any) -> Jet:
+    def scaled(self, constant: Constant) -> Jet:
         """The polynomial times an exact constant."""
         return Jet(self.ring, self.polynomial * to_fmpq(rational(constant)), (MULTIPLE, self.provenance, mpq(constant)))
 
-    def elevated_to(self, other: Any) -> Jet:
+    def elevated_to(self, other: object) -> Jet:
         """Itself: degree elevation does not change a function."""
         return self
 

@@ -16,8 +16,9 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import PARAMETERS
+from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 from exactspline.readings.degree import Degree, parse
@@ -53,7 +54,7 @@ class Expansion(Operand):
         """The largest degree k of the parts."""
         return max((k for k, _ in self.parts), default=0)
 
-    def constant(self, value: Any) -> Expansion:
+    def constant(self, value: Constant) -> Expansion:
         """A constant: it expands to itself."""
         number = to_fmpq(rational(value))
         if not number:
@@ -86,13 +87,13 @@ class Expansion(Operand):
                 result = result + Expansion(self.context, self.known, {(k + n, m + o): terms})
         return result
 
-    def scaled(self, constant: Any) -> Expansion:
+    def scaled(self, constant: Constant) -> Expansion:
         """The expansion times an exact constant."""
         q = to_fmpq(rational(constant))
         parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
         return Expansion(self.context, self.known, parts)
 
-    def elevated_to(self, other: Any) -> Expansion:
+    def elevated_to(self, other: object) -> Expansion:
         """Itself: degree elevation does not change a function."""
         return self
 
@@ -189,7 +190,7 @@ class LeadingTermsReading(Reading):
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
 
-def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
+def generic_drop(formula: Formula, dimension: int) -> tuple[int, int, int, tuple[int, ...]]:
     """``(k, m, drop, exceptions)``: on the generic rational curve of degree d the formula has true degree ``k d − m −
     drop``.
 
@@ -209,7 +210,7 @@ def generic_drop(formula: Any, dimension: int) -> tuple[int, int, int, tuple[int
     )
 
 
-def generic_true_degree(formula: Any, dimension: int, *, polynomial: bool = False) -> Degree:
+def generic_true_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
     """The true degree of a polynomial formula on the generic curve for symbolic d, homogeneous or not.
 
     Leading terms of parts of different degree and weight have no monomial in common: nothing cancels between them.

@@ -7,14 +7,17 @@ in h. It shares no code with the splines, so that what they tell can be held aga
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import DomainError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 from exactspline.language.arguments import Curve
-from exactspline.language.operand import CONSTANTS
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.vector import Vector
 from exactspline.readings.taylor import Series
+
+if TYPE_CHECKING:
+    from exactspline.splines.nurbs import Nurbs
 
 
 class NumericSeries(Series):
@@ -34,7 +37,7 @@ class NumericSeries(Series):
     def _made(self, series: Series) -> NumericSeries:
         return NumericSeries(self.context, series.coefficients)
 
-    def constant(self, value: Any) -> NumericSeries:
+    def constant(self, value: Constant) -> NumericSeries:
         """An exact constant."""
         return NumericSeries(self.context, [value, *[0] * (len(self.coefficients) - 1)])
 
@@ -50,7 +53,7 @@ class NumericSeries(Series):
         """``1 / a``; `FormulaError` when the value here is zero."""
         return self._made(super().reciprocal())
 
-    def scaled(self, constant: Any) -> NumericSeries:
+    def scaled(self, constant: Constant) -> NumericSeries:
         """The series times an exact constant."""
         return self._made(Series(self.coefficients).scaled(number(self.context, constant)))
 
@@ -74,15 +77,15 @@ def arithmetic(digits: int, *, intervals: bool = False) -> Any:
     return context
 
 
-def number(context: Any, value: Any) -> Any:
+def number(context: Any, value: Number) -> Any:
     """An exact number in an arithmetic of mpmath."""
     q = rational(value)
     return context.mpf(int(q.numerator)) / int(q.denominator)
 
 
 def numeric_curve(
-    curve: Any, t: Any, terms: int, digits: int, *, intervals: bool = False, side: str = "right"
-) -> Curve:
+    curve: Nurbs, t: Number, terms: int, digits: int, *, intervals: bool = False, side: str = "right"
+) -> Curve[NumericSeries]:
     """The expansion of a curve at a parameter (at a knot the one on the given side) to so many terms and digits.
 
     >>> from exactspline.splines.examples import example

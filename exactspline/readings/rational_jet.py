@@ -14,7 +14,7 @@ from flint import fmpq_mpoly
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import FieldOperand
+from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.readings.jet import Jet, JetReading, JetRing
 
@@ -37,7 +37,7 @@ class JetFraction(FieldOperand):
     def __init__(self, ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> None:
         self.ring, self.top, self.bottom = ring, top, bottom
 
-    def constant(self, value: Any) -> JetFraction:
+    def constant(self, value: Constant) -> JetFraction:
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
@@ -65,12 +65,12 @@ class JetFraction(FieldOperand):
         unit = self.top.leading_coefficient()
         return JetFraction(self.ring, self.bottom / unit, self.top / unit)
 
-    def scaled(self, constant: Any) -> JetFraction:
+    def scaled(self, constant: Constant) -> JetFraction:
         """The fraction times an exact constant."""
         result: JetFraction = self * self.constant(constant)
         return result
 
-    def elevated_to(self, other: Any) -> JetFraction:
+    def elevated_to(self, other: object) -> JetFraction:
         """Itself: degree elevation does not change a function."""
         return self
 

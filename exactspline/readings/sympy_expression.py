@@ -20,7 +20,7 @@ from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import PARAMETERS
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import FieldOperand
+from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 
 PARAMETER = {name: sympy.Symbol(name) for name in PARAMETERS}
@@ -41,7 +41,7 @@ class SympyExpression(FieldOperand):
     def __init__(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol] = frozenset()) -> None:
         self.expression, self.parameters = expression, parameters
 
-    def constant(self, value: Any) -> SympyExpression:
+    def constant(self, value: Constant) -> SympyExpression:
         """An exact constant."""
         return SympyExpression(_number(value))
 
@@ -63,11 +63,11 @@ class SympyExpression(FieldOperand):
             raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
         return SympyExpression(1 / self.expression, self.parameters)
 
-    def scaled(self, constant: Any) -> SympyExpression:
+    def scaled(self, constant: Constant) -> SympyExpression:
         """The expression times an exact constant."""
         return SympyExpression(self.expression * _number(constant), self.parameters)
 
-    def elevated_to(self, other: Any) -> SympyExpression:
+    def elevated_to(self, other: object) -> SympyExpression:
         """Itself: degree elevation does not change a function."""
         return self
 

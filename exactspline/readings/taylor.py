@@ -7,15 +7,18 @@ Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mp
 from __future__ import annotations
 
 from math import factorial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
+from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import FieldOperand
+from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
+
+if TYPE_CHECKING:
+    from exactspline.splines.bspline import BSpline
 
 
 class Series(FieldOperand):
@@ -32,7 +35,7 @@ class Series(FieldOperand):
     def __init__(self, coefficients: Any) -> None:
         self.coefficients = tuple(coefficients)
 
-    def constant(self, value: Any) -> Series:
+    def constant(self, value: Constant) -> Series:
         """An exact constant."""
         zero = self.coefficients[0] * 0
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
@@ -62,11 +65,11 @@ class Series(FieldOperand):
             b.append(-b[0] * sum(a[j] * b[i - j] for j in range(1, i + 1)))
         return Series(b)
 
-    def scaled(self, constant: Any) -> Series:
+    def scaled(self, constant: Constant) -> Series:
         """The series times an exact constant."""
         return Series(a * constant for a in self.coefficients)
 
-    def elevated_to(self, other: Any) -> Series:
+    def elevated_to(self, other: object) -> Series:
         """Itself: degree elevation does not change a function."""
         return self
 
@@ -93,7 +96,7 @@ class Series(FieldOperand):
         return f"Series({', '.join(map(str, self.coefficients))})"
 
 
-def taylor(spline: Any, t: Any, terms: int, side: str = "right") -> Series:
+def taylor(spline: BSpline, t: Number, terms: int, side: str = "right") -> Series:
     """The expansion of a spline at a parameter (at a knot the one on the given side).
 
     >>> from exactspline import BSpline
@@ -119,7 +122,7 @@ class TaylorReading(Reading):
     name = "series"
     proves = "values and derivatives at one parameter"
 
-    def __init__(self, given: Evaluated, t: Any, terms: int, side: str = "right") -> None:
+    def __init__(self, given: Evaluated, t: Number, terms: int, side: str = "right") -> None:
         self.given, self.t, self.terms, self.side = given, t, terms, side
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
@@ -128,7 +131,7 @@ class TaylorReading(Reading):
         return expanded
 
 
-def series_curve(curve: Any, t: Any, terms: int, side: str = "right") -> Curve:
+def series_curve(curve: Curve[BSpline], t: Number, terms: int, side: str = "right") -> Curve[Series]:
     """The expansion of a concrete curve at a parameter."""
-    expanded: Curve = curve.mapped(lambda spline: taylor(spline, t, terms, side))
+    expanded: Curve[Series] = curve.mapped(lambda spline: taylor(spline, t, terms, side))
     return expanded

@@ -9,7 +9,7 @@ each taken once. The roots, with the intervals reached so far, are those of the 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.exact import mpq, text
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 FORMAT = "exactspline zeros 1"
 
 
-def certificate(found: ZeroSet) -> dict[str, Any]:
+def certificate(found: ZeroSet) -> dict[str, object]:
     """The proof of a zero set as JSON data.
 
     >>> from exactspline import BSpline
@@ -52,7 +52,7 @@ def certificate(found: ZeroSet) -> dict[str, Any]:
     }
 
 
-def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, Any]:
+def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, object]:
     if isolation is None:
         return {"coefficients": coefficients, "factors": [], "points": [], "leaves": []}
     leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)

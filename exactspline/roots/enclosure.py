@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flint import fmpz_poly
 
-from exactspline.exact import isqrt, lcm, mpq, mpz, nearest_double, rational
+from exactspline.exact import Number, isqrt, lcm, mpq, mpz, nearest_double, rational
 from exactspline.language.immutable import Immutable, fill
 from exactspline.roots.root import Root
 from exactspline.splines.bernstein import bezier, restrict, substituted
@@ -46,7 +46,7 @@ class Enclosure(Immutable):
     def __init__(self, low: mpq, high: mpq, digits: int) -> None:
         fill(self, low=low, high=high, digits=digits)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Enclosure, (self.low, self.high, self.digits)
 
     def __eq__(self, other: object) -> bool:
@@ -85,7 +85,7 @@ def _nearest_integer(q: mpq) -> int:
     return int((2 * q + 1) // 2)
 
 
-def at(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> tuple[mpq | Enclosure, ...]:
+def at(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> tuple[mpq | Enclosure, ...]:
     """The point of a curve at a parameter or a root (see `exactspline.Nurbs.at`)."""
     place = exact_place(t)
     if isinstance(place, Root):
@@ -93,7 +93,7 @@ def at(curve: Nurbs, t: Any, *, digits: int = 15, side: str = "right") -> tuple[
     return curve(place, side)
 
 
-def exact_place(t: Any) -> mpq | Root:
+def exact_place(t: Number | Root) -> mpq | Root:
     """A parameter as an exact number where it is one, otherwise the root."""
     if not isinstance(t, Root):
         return rational(t)

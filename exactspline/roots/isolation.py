@@ -12,7 +12,7 @@ Riesenfeld, Bounds on a polynomial, BIT 1981.
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import fmpz, fmpz_poly, nmod_poly
 
@@ -37,7 +37,7 @@ class Factor:
     def __init__(self, polynomial: fmpz_poly) -> None:
         self.polynomial = polynomial
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return _factor, tuple(int(x) for x in self.polynomial.coeffs())
 
     @cached_property

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from functools import total_ordering
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_poly
 
 from exactspline.errors import NumberError
-from exactspline.exact import lcm, mpq, mpz, nearest_double, rational, text, to_fmpq
+from exactspline.exact import Number, lcm, mpq, mpz, nearest_double, rational, text, to_fmpq
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
 from exactspline.roots.isolation import LocalZero
 from exactspline.roots.refinement import Interval, enclosures, sign_at
 from exactspline.splines.bernstein import substituted
+
+if TYPE_CHECKING:
+    from mpmath import mpf
 
 #: What a root is compared with, besides roots.
 _EXACT = (int, Fraction, type(mpz()), type(mpq()))
@@ -92,7 +95,7 @@ class Root(Immutable, Displayed):
             segment=segment,
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         multiplicities = self.left_multiplicity, self.right_multiplicity
         return _restored, (*self._first, multiplicities, self.signs, self._zero, self.segment, self._reached)
 
@@ -266,7 +269,7 @@ class Root(Immutable, Displayed):
         """
         return nearest_double(self.refine, self._against_number)
 
-    def mpf(self, digits: int = 15) -> Any:
+    def mpf(self, digits: int = 15) -> mpf:
         """The root as an ``mpmath.mpf`` that is off by at most ``10^−digits``; mpmath's own precision is not
         touched.
         """
@@ -384,7 +387,7 @@ def _restored(
     return root
 
 
-def between(low: Any, high: Any) -> mpq:
+def between(low: Number | Root, high: Number | Root) -> mpq:
     """A rational number strictly between two roots or exact numbers ``low < high``: a dyadic one of few digits.
 
     >>> from exactspline import BSpline

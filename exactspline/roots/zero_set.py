@@ -92,7 +92,7 @@ class ZeroSet(Immutable, Displayed):
             intervals=tuple(_zero_intervals(spline, found.isolations, periodic)),
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         isolations = [i and i._replace(factors=_pickled(i.factors)) for i in self.isolations]
         return _restored, (self.spline, self.periodic, isolations, self.roots, self.jumps, self.intervals)
 
@@ -131,7 +131,7 @@ class ZeroSet(Immutable, Displayed):
                 progress(i + 1, len(self.roots))
         return result
 
-    def certificate(self) -> dict[str, Any]:
+    def certificate(self) -> dict[str, object]:
         """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.roots.checker`)."""
         from exactspline.roots.certificate import certificate
 

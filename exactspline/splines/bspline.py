@@ -16,7 +16,7 @@ from typing import Any
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
-from exactspline.exact import mpq, rational, text, to_fmpz
+from exactspline.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -81,7 +81,7 @@ class BSpline(Immutable, _Parts, Operand):
 
     __slots__ = ()
 
-    def __init__(self, degree: int, knots: Iterable[Any], control_points: Iterable[Any]) -> None:
+    def __init__(self, degree: int, knots: Iterable[Number], control_points: Iterable[Number]) -> None:
         degree = checked_degree(degree)
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
         vector.check(degree)
@@ -122,7 +122,7 @@ class BSpline(Immutable, _Parts, Operand):
         return made
 
     @classmethod
-    def bezier(cls, points: Sequence[Any], a: Any = 0, b: Any = 1) -> BSpline:
+    def bezier(cls, points: Sequence[Number], a: Number = 0, b: Number = 1) -> BSpline:
         """A polynomial by its Bézier points over [a, b].
 
         >>> BSpline.bezier([0, 0, 1])("1/2")
@@ -132,7 +132,7 @@ class BSpline(Immutable, _Parts, Operand):
         return cls(len(points) - 1, [*[a] * len(points), *[b] * len(points)], points)
 
     @classmethod
-    def identity(cls, a: Any, b: Any) -> BSpline:
+    def identity(cls, a: Number, b: Number) -> BSpline:
         """The function t ↦ t on [a, b].
 
         >>> BSpline.identity(0, 2)("1/3")
@@ -190,7 +190,7 @@ class BSpline(Immutable, _Parts, Operand):
         points = ", ".join(map(text, self.control_points))
         return f"BSpline({self.degree}, [{knots}], [{points}])"
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in self.forms)
         return _restored, (self.degree, self.mesh, self.continuity, forms, self._knots, self._points)
 
@@ -200,7 +200,7 @@ class BSpline(Immutable, _Parts, Operand):
 
     # ---- arithmetic
 
-    def constant(self, number: Any) -> BSpline:
+    def constant(self, number: Number) -> BSpline:
         """The constant spline of degree 0 on this domain."""
         q, segments = rational(number), len(self.mesh)
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
@@ -246,7 +246,7 @@ class BSpline(Immutable, _Parts, Operand):
             (PRODUCT, self.provenance, other.provenance),
         )
 
-    def scaled(self, constant: Any) -> BSpline:
+    def scaled(self, constant: Number) -> BSpline:
         """The spline times an exact constant."""
         q = constant if type(constant) is int else rational(constant)
         provenance = (MULTIPLE, self.provenance, q)
@@ -285,7 +285,7 @@ class BSpline(Immutable, _Parts, Operand):
 
     # ---- the function
 
-    def __call__(self, t: Any, side: str = "right") -> mpq:
+    def __call__(self, t: Number, side: str = "right") -> mpq:
         """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the `side`
         asked for.
 
@@ -330,7 +330,7 @@ class BSpline(Immutable, _Parts, Operand):
         """
         return max(true_degree(form, self.degree) for form in self.forms)
 
-    def continuity_at(self, t: Any) -> int:
+    def continuity_at(self, t: Number) -> int:
         """How many derivatives agree at a parameter: −1 at a jump, `degree` where the two sides are one polynomial.
 
         >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
@@ -348,20 +348,20 @@ class BSpline(Immutable, _Parts, Operand):
         """The same function, its degree lowered; `ReductionError` names a segment where that cannot be done exactly."""
         return refinement.reduce(self, by)
 
-    def insert_knot(self, t: Any, times: int = 1) -> BSpline:
+    def insert_knot(self, t: Number, times: int = 1) -> BSpline:
         """The same function with a knot more inside the domain."""
         return refinement.insert_knot(self, rational(t), times)
 
-    def remove_knot(self, t: Any, times: int = 1) -> BSpline:
+    def remove_knot(self, t: Number, times: int = 1) -> BSpline:
         """The same function with a knot less; `ReductionError` tells the derivative that jumps there."""
         return refinement.remove_knot(self, rational(t), times)
 
-    def split(self, t: Any) -> tuple[BSpline, BSpline]:
+    def split(self, t: Number) -> tuple[BSpline, BSpline]:
         """The parts left and right of an inner parameter."""
         a, b = self.domain
         return self.restrict(a, t), self.restrict(t, b)
 
-    def restrict(self, a: Any, b: Any) -> BSpline:
+    def restrict(self, a: Number, b: Number) -> BSpline:
         """The part over [a, b]."""
         return refinement.restricted(self, rational(a), rational(b))
 
@@ -369,7 +369,7 @@ class BSpline(Immutable, _Parts, Operand):
         """The spline run through backwards, over the same domain."""
         return refinement.reversed_(self)
 
-    def reparametrize(self, a: Any, b: Any) -> BSpline:
+    def reparametrize(self, a: Number, b: Number) -> BSpline:
         """The same control points over the domain [a, b], mapped affinely."""
         return refinement.reparametrized(self, rational(a), rational(b))
 
@@ -456,7 +456,7 @@ def limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
     return None
 
 
-def checked_degree(degree: Any) -> int:
+def checked_degree(degree: object) -> int:
     """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
     if type(degree) is not int or degree < 0:
         raise ShapeError(f"{shown(degree)} is no degree", where="degree", remedy="an integer ≥ 0")
@@ -472,7 +472,7 @@ def checked_side(side: str) -> bool:
     return side == "left"
 
 
-def exact_points(points: Iterable[Any]) -> tuple[mpq, ...]:
+def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:
     """Control points as exact numbers, an error naming the one at fault."""
     exact = []
     for i, b in enumerate(points):

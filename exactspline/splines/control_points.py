@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from exactspline.errors import NumberError, ShapeError, shown
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 
 
 class Direction(tuple[mpq, ...]):
@@ -25,7 +24,7 @@ class Direction(tuple[mpq, ...]):
 
     __slots__ = ()
 
-    def __new__(cls, *coordinates: Any) -> Direction:
+    def __new__(cls, *coordinates: Number) -> Direction:
         """The direction with these coordinates."""
         return super().__new__(cls, exact_row(coordinates, "Direction"))
 
@@ -48,7 +47,7 @@ class Direction(tuple[mpq, ...]):
 Point = tuple[mpq, ...]
 
 
-def exact_row(values: Iterable[Any], place: str) -> tuple[mpq, ...]:
+def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
     """Numbers in a row as exact ones, an error naming the one at fault."""
     exact = []
     for i, value in enumerate(values):
@@ -59,7 +58,7 @@ def exact_row(values: Iterable[Any], place: str) -> tuple[mpq, ...]:
     return tuple(exact)
 
 
-def exact_points(rows: Iterable[Iterable[Any]], least: int = 2) -> tuple[Point, ...]:
+def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
     """Points and directions of one dimension, at least so many coordinates each; `ShapeError` names the one at
     fault.
     """
@@ -86,7 +85,7 @@ def exact_points(rows: Iterable[Iterable[Any]], least: int = 2) -> tuple[Point, 
     return tuple(points)
 
 
-def exact_weights(weights: Iterable[Any] | None, points: Sequence[Point]) -> tuple[mpq, ...]:
+def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> tuple[mpq, ...]:
     """One weight a control point, 0 for a direction; without weights 1 for every point."""
     if weights is None:
         return tuple(mpq(not isinstance(point, Direction)) for point in points)

@@ -12,7 +12,7 @@ import json
 import os
 import stat
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError
@@ -121,7 +121,7 @@ def _points(rows: list[Any]) -> list[Any]:
     return points
 
 
-def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
+def _one_piece(data: dict[str, Any]) -> dict[str, object]:
     """The only piece of what `derive` or `bisector` wrote."""
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
     curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
@@ -138,7 +138,8 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
             remedy="low and high tell where; a curve file can only end at a rational parameter",
         )
     of = f" of {data['curve']}" if data.get("curve") else ""
-    return {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"} | curves[0]
+    named: dict[str, object] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
+    return named | curves[0]
 
 
 def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
@@ -223,13 +224,13 @@ def _parsed(text: str) -> Any:
         ) from None
 
 
-def _refuse(word: str) -> Any:
+def _refuse(word: str) -> NoReturn:
     raise CurveFileError(f"{word} is not a number", remedy="write finite numbers")
 
 
-def curve_data(curve: Nurbs) -> dict[str, Any]:
+def curve_data(curve: Nurbs) -> dict[str, object]:
     """The data of a curve file, numbers as exact text."""
-    data: dict[str, Any] = {"name": curve.name, "source": curve.source} if curve.source else {"name": curve.name}
+    data: dict[str, object] = {"name": curve.name, "source": curve.source} if curve.source else {"name": curve.name}
     data |= {
         "degree": curve.degree,
         "knots": [str(t) for t in curve.knots],
@@ -240,7 +241,7 @@ def curve_data(curve: Nurbs) -> dict[str, Any]:
     return data if curve.polynomial else data | {"weights": [str(w) for w in curve.weights]}
 
 
-def _written(point: tuple[mpq, ...]) -> Any:
+def _written(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
     coordinates = [text_of(x) for x in point]
     return {"vector": coordinates} if isinstance(point, Direction) else coordinates
 
@@ -260,7 +261,7 @@ def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
     write_json(path, curve_data(curve))
 
 
-def write_json(path: str | os.PathLike[str], data: Any) -> None:
+def write_json(path: str | os.PathLike[str], data: object) -> None:
     """Write JSON atomically: the file is there whole or not at all."""
     text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     write_atomically(path, lambda stream: stream.write(text.encode()))

@@ -10,12 +10,11 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
-from typing import Any
 
 from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, NumberError
-from exactspline.exact import mpq, rational, text, to_fmpz
+from exactspline.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.language.immutable import Immutable, fill
 
 #: Continuity at a breakpoint where the function has no knot.
@@ -35,7 +34,7 @@ class KnotVector(Immutable):
     __slots__ = ("knots",)
     knots: tuple[mpq, ...]
 
-    def __init__(self, knots: Iterable[Any]) -> None:
+    def __init__(self, knots: Iterable[Number]) -> None:
         exact = []
         for i, t in enumerate(knots):
             try:
@@ -52,7 +51,7 @@ class KnotVector(Immutable):
                 )
         fill(self, knots=tuple(exact))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return KnotVector, (self.knots,)
 
     def __len__(self) -> int:
@@ -73,7 +72,7 @@ class KnotVector(Immutable):
     def __repr__(self) -> str:
         return f"KnotVector({', '.join(map(text, self.knots))})"
 
-    def multiplicity(self, t: Any) -> int:
+    def multiplicity(self, t: Number) -> int:
         """How often t occurs."""
         return self.knots.count(rational(t))
 
@@ -92,7 +91,7 @@ class KnotVector(Immutable):
         both = sorted({*self.knots, *other.knots})
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 
-    def insert(self, t: Any, times: int = 1) -> KnotVector:
+    def insert(self, t: Number, times: int = 1) -> KnotVector:
         """The vector with t in it so many times more."""
         return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
 
@@ -157,7 +156,7 @@ class Mesh(Immutable):
             unit=all(h == 1 for h in widths),
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Mesh, (self.breaks,)
 
     @property

@@ -5,7 +5,7 @@ division).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import overload
 
 from flint import fmpz, fmpz_poly
 
@@ -18,9 +18,10 @@ from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.values import SplineSurface, SplineValue, SplineVector
 
 
-def common_factor(v: Vector) -> BSpline:
+def common_factor(v: Vector[BSpline]) -> BSpline:
     """A spline that vanishes exactly where all components do: their greatest common divisor, segment by segment.
 
     >>> t = BSpline.identity(0, 1)
@@ -38,12 +39,13 @@ def common_factor(v: Vector) -> BSpline:
     return BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), [(c * raiser(n - degree), ONE) for c, degree in rows])
 
 
-def _scalars(value: Any) -> list[BSpline]:
+def _scalars(value: SplineValue) -> list[BSpline]:
+    components: list[BSpline]
     components, denominator = split(value)
     return components if denominator is None else [*components, denominator]
 
 
-def control_point_count(value: Any) -> int:
+def control_point_count(value: SplineValue) -> int:
     """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity,
     over the knots of all.
     """
@@ -53,7 +55,7 @@ def control_point_count(value: Any) -> int:
     return ends + inner_points
 
 
-def true_degree(value: Any) -> int:
+def true_degree(value: BSpline | SplineVector) -> int:
     """Degree after exact division: by u + v, and of a quotient by the common factor of numerator and denominator; the
     largest over the segments.
     """
@@ -65,7 +67,7 @@ def true_degree(value: Any) -> int:
     return max(n for _, n in lowest_terms(value))
 
 
-def true_degree_or_none(value: Any) -> int | None:
+def true_degree_or_none(value: BSpline | SplineVector) -> int | None:
     """The true degree, None where a denominator vanishes on a whole segment."""
     try:
         return true_degree(value)
@@ -73,7 +75,7 @@ def true_degree_or_none(value: Any) -> int | None:
         return None
 
 
-def lowest_terms(value: Rational) -> list[tuple[list[fmpz_poly], int]]:
+def lowest_terms(value: Rational[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
     """Segment by segment the components of a quotient without their common factor, the denominator last and positive,
     and the degree that is left.
 
@@ -175,7 +177,15 @@ def primitive(f: BSpline) -> BSpline:
     return BSpline.from_forms(f.degree, f.mesh, f.continuity, [(c // content, ONE) for c in forms])
 
 
-def in_lowest_terms(value: Any) -> Any:
+@overload
+def in_lowest_terms(value: BSpline) -> BSpline: ...
+@overload
+def in_lowest_terms(value: Vector[BSpline]) -> Vector[BSpline]: ...
+@overload
+def in_lowest_terms(value: Rational[BSpline]) -> Rational[BSpline]: ...
+@overload
+def in_lowest_terms(value: SplineSurface) -> SplineSurface: ...
+def in_lowest_terms(value: SplineValue) -> SplineValue:
     """The same scalar, vector or quotient in the lowest degree that holds on all segments.
 
     A quotient is reduced segment by segment: each keeps a factor of its own, so that numerator and denominator are only
@@ -205,7 +215,7 @@ def in_lowest_terms(value: Any) -> Any:
     return _over_rows(value, lowest_terms(value))
 
 
-def primitive_part(value: Any) -> Vector:
+def primitive_part(value: SplineVector) -> Vector[BSpline]:
     """The polynomial vector of least degree with the direction of a vector or a vector quotient, segment by segment.
 
     It points the same way as the vector does in the first half of each segment (but for parameters at which the vector
@@ -216,19 +226,19 @@ def primitive_part(value: Any) -> Vector:
     >>> primitive_part(find("normal")(example("rational_space_cubic"))).degree
     7
     """
-    if isinstance(value, Rational):
-        value = in_lowest_terms(value).numerator
-    n, mesh, rows = value.degree, value[0].mesh, []
-    for forms in zip(*[c.forms for c in value], strict=True):
+    vector = in_lowest_terms(value).numerator if isinstance(value, Rational) else value
+    assert isinstance(vector, Vector)
+    n, mesh, rows = vector.degree, vector[0].mesh, []
+    for forms in zip(*[c.forms for c in vector], strict=True):
         scale = _common([m for _, m in forms])
-        parts = [c * (scale // m) * raiser(n - x.degree) for (c, m), x in zip(forms, value, strict=True)]
+        parts = [c * (scale // m) * raiser(n - x.degree) for (c, m), x in zip(forms, vector, strict=True)]
         rows.append(_lowest(parts, n, sign_of_last=False) if any(parts) else (parts, 0))
     highest = max(degree for _, degree in rows)
     columns = zip(*[[(c * raiser(highest - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
     return Vector(*[BSpline.from_forms(highest, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns])
 
 
-def where_it_exists(value: Rational) -> Rational:
+def where_it_exists(value: Rational[BSpline]) -> Rational[BSpline]:
     """A quotient in lowest terms segment by segment, 0/1 on segments where its denominator vanishes identically.
 
     >>> from exactspline.splines.examples import example
@@ -239,7 +249,7 @@ def where_it_exists(value: Rational) -> Rational:
     return _over_rows(value, _lowest_rows(_scalars(value)))
 
 
-def _over_rows(value: Rational, rows: list[tuple[list[fmpz_poly], int]]) -> Rational:
+def _over_rows(value: Rational[BSpline], rows: list[tuple[list[fmpz_poly], int]]) -> Rational[BSpline]:
     """The quotient whose segments are the rows, raised to one degree."""
     mesh = value.denominator.mesh
     n = max(degree for _, degree in rows)

@@ -5,10 +5,10 @@ ask for.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.exact import mpq, text
+from exactspline.exact import Number, mpq, text
 from exactspline.language.arguments import Curve
 from exactspline.language.immutable import Immutable
 from exactspline.language.vector import Vector
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from exactspline.splines.knots import Mesh
 
 
-class Nurbs(Immutable, ValuesAlong, Curve):
+class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     """A polynomial or rational B-spline curve with exact data.
 
     `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is
@@ -53,17 +53,17 @@ class Nurbs(Immutable, ValuesAlong, Curve):
     name: str
     source: str
     note: str
-    p: Vector
+    p: Vector[BSpline]
     w: BSpline
     #: What `exactspline.analyse` found: set once, neither pickled nor compared.
-    _analysis: Any = None
+    _analysis: object = None
 
     def __init__(
         self,
         degree: int,
-        knots: Iterable[Any],
-        control_points: Iterable[Iterable[Any]],
-        weights: Iterable[Any] | None = None,
+        knots: Iterable[Number],
+        control_points: Iterable[Iterable[Number]],
+        weights: Iterable[Number] | None = None,
         *,
         name: str = "",
         source: str = "",
@@ -78,8 +78,8 @@ class Nurbs(Immutable, ValuesAlong, Curve):
     def from_homogeneous(
         cls,
         degree: int,
-        knots: Iterable[Any],
-        points: Iterable[Iterable[Any]],
+        knots: Iterable[Number],
+        points: Iterable[Iterable[Number]],
         *,
         name: str = "",
         source: str = "",
@@ -116,7 +116,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
             super().__setattr__(name, value)
         vars(self).setdefault(name, value)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         data = self.degree, self.knots, self.control_points, self.weights
         return _restored, (*data, self.name, self.source, self.note)
 
@@ -136,7 +136,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
 
     # ---- the curve
 
-    def __call__(self, t: Any, side: str = "right") -> tuple[mpq, ...]:
+    def __call__(self, t: Number, side: str = "right") -> tuple[mpq, ...]:
         """The exact point at a parameter (at a jump the limit from the right, or from the `side` asked for)."""
         w = self.w(t, side)
         return tuple(x(t, side) / w for x in self.p)
@@ -176,7 +176,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
 
     # ---- other representations, parts, images (see exactspline.splines.nurbs_operations)
 
-    def insert_knot(self, t: Any, times: int = 1) -> Nurbs:
+    def insert_knot(self, t: Number, times: int = 1) -> Nurbs:
         """The same curve with a knot more inside the domain.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
@@ -196,7 +196,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
         """
         return operations.changed(self, lambda f: f.elevate_degree(by))
 
-    def split(self, t: Any) -> tuple[Nurbs, Nurbs]:
+    def split(self, t: Number) -> tuple[Nurbs, Nurbs]:
         """The parts before and behind an inner parameter.
 
         >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
@@ -208,7 +208,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
         a, b = self.domain
         return self.restrict(a, t), self.restrict(t, b)
 
-    def restrict(self, a: Any, b: Any) -> Nurbs:
+    def restrict(self, a: Number, b: Number) -> Nurbs:
         """The part over [a, b], over the same parameters.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).restrict("1/4", "3/4").control_points
@@ -226,7 +226,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
         """
         return operations.changed(self, lambda f: f.reverse())
 
-    def transform(self, matrix: Sequence[Sequence[Any]]) -> Nurbs:
+    def transform(self, matrix: Sequence[Sequence[Number]]) -> Nurbs:
         """The image under a linear, an affine or a projective map with exact entries.
 
         In Rⁿ a matrix of n columns is linear, one of n rows and n + 1 columns is affine (its last column the
@@ -241,7 +241,7 @@ class Nurbs(Immutable, ValuesAlong, Curve):
         return operations.transformed(self, matrix)
 
 
-def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, Any]:
+def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, object]:
     """All that a curve with this data consists of."""
     polynomial = len(set(weights)) == 1 and weights[0] != 0
     knots.check(degree)

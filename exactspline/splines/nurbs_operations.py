@@ -5,10 +5,10 @@ maps. Functions behind the methods of `Nurbs`.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
+from exactspline.exact import Number, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_row
 
@@ -22,7 +22,7 @@ def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
     return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
 
 
-def transformed(curve: Nurbs, matrix: Sequence[Sequence[Any]]) -> Nurbs:
+def transformed(curve: Nurbs, matrix: Sequence[Sequence[Number]]) -> Nurbs:
     """The image under the map with this matrix (see `Nurbs.transform`)."""
     rows = [exact_row(row, f"matrix[{i}]") for i, row in enumerate(matrix)]
     n = curve.dimension

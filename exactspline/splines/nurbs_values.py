@@ -5,16 +5,19 @@ parameters, to any number of digits at certified roots.
 from __future__ import annotations
 
 from math import comb
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, FormulaError, ShapeError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 from exactspline.language.services import service
 from exactspline.language.vector import Vector
 from exactspline.splines.surd import Surd, square_root
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from exactspline.roots.enclosure import Enclosure
+    from exactspline.roots.root import Root
     from exactspline.splines.bspline import BSpline
 
 #: An exact value: a rational number, or ``a√b``.
@@ -25,11 +28,11 @@ class ValuesAlong:
     """The methods of a `Nurbs` that take a parameter."""
 
     __slots__ = ()
-    p: Vector
+    p: Vector[BSpline]
     w: BSpline
     dimension: int
 
-    def at(self, t: Any, *, digits: int = 15, side: str = "right") -> tuple[mpq | Enclosure, ...]:
+    def at(self, t: Number | Root, *, digits: int = 15, side: str = "right") -> tuple[mpq | Enclosure, ...]:
         """The point at a parameter: exact at a rational one, enclosed to so many digits behind the point at an
         irrational `Root`.
 
@@ -45,7 +48,7 @@ class ValuesAlong:
         point: tuple[mpq | Enclosure, ...] = service("at")(self, t, digits=digits, side=side)
         return point
 
-    def derivative(self, order: int, t: Any, side: str = "right") -> tuple[mpq, ...]:
+    def derivative(self, order: int, t: Number, side: str = "right") -> tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the one from the `side`.
 
         >>> from exactspline import Nurbs
@@ -69,7 +72,7 @@ class ValuesAlong:
             found.append(tuple(x / weights[0] for x in row))
         return found[order]
 
-    def tangent(self, t: Any, side: str = "right") -> tuple[mpq, ...]:
+    def tangent(self, t: Number, side: str = "right") -> tuple[mpq, ...]:
         """γ′ at a rational parameter (see `unit_tangent`).
 
         >>> from exactspline import Nurbs
@@ -78,7 +81,7 @@ class ValuesAlong:
         """
         return self.derivative(1, t, side)
 
-    def unit_tangent(self, t: Any, side: str = "right") -> tuple[Exact, ...]:
+    def unit_tangent(self, t: Number, side: str = "right") -> tuple[Exact, ...]:
         """γ′/‖γ′‖ at a rational parameter, exactly.
 
         >>> from exactspline import Nurbs
@@ -89,7 +92,7 @@ class ValuesAlong:
         """
         return _normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
 
-    def normal(self, t: Any, side: str = "right") -> tuple[Exact, ...]:
+    def normal(self, t: Number, side: str = "right") -> tuple[Exact, ...]:
         """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
         the principal normal, towards the centre of curvature.
 
@@ -111,7 +114,7 @@ class ValuesAlong:
         bent = tuple(length * b - along * a for a, b in zip(first, second, strict=True))
         return _normalized(bent, f"γ′ × γ″ = 0 {where}")
 
-    def curvature(self, t: Any, *, digits: int = 15, side: str = "right") -> Exact | Enclosure:
+    def curvature(self, t: Number | Root, *, digits: int = 15, side: str = "right") -> Exact | Enclosure:
         """The curvature: in the plane signed (positive where the curve turns left), in space not negative. Exact at a
         rational parameter, enclosed to so many digits behind the point at an irrational `Root`.
 
@@ -125,7 +128,7 @@ class ValuesAlong:
         value: Exact | Enclosure = service("curvature")(self, t, digits=digits, side=side)
         return value
 
-    def torsion(self, t: Any, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
+    def torsion(self, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
         """The torsion of a space curve (where κ = 0 its limit), positive for a right-handed helix. Exact at a rational
         parameter, enclosed to so many digits behind the point at an irrational `Root`.
 
@@ -139,7 +142,7 @@ class ValuesAlong:
         value: mpq | Enclosure = service("torsion")(self, t, digits=digits, side=side)
         return value
 
-    def plot(self, ax: Any = None, **how: Any) -> Any:
+    def plot(self, ax: Axes | None = None, **how: object) -> Axes:
         """The curve with its control polygon in matplotlib's axes (None: those of a new figure), which are returned;
         `how` as for `exactspline.display.plot.plot_curve`.
 
@@ -147,7 +150,8 @@ class ValuesAlong:
         >>> example("circle").plot().get_aspect()
         1.0
         """
-        return service("plot")(self, ax, **how)
+        drawn: Axes = service("plot")(self, ax, **how)
+        return drawn
 
 
 def _dot(a: tuple[mpq, ...], b: tuple[mpq, ...]) -> mpq:

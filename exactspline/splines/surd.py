@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import total_ordering
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import NumberError
-from exactspline.exact import is_square, isqrt, mpq, mpz, nearest_double, text
+from exactspline.exact import Number, is_square, isqrt, mpq, mpz, nearest_double, text
 from exactspline.language.immutable import Immutable, fill
+
+if TYPE_CHECKING:
+    from mpmath import mpf
 
 _EXACT = (int, Fraction, type(mpz()), type(mpq()))
 
@@ -29,7 +32,7 @@ class Surd(Immutable):
     coefficient: mpq
     radicand: int
 
-    def __init__(self, coefficient: Any, radicand: int) -> None:
+    def __init__(self, coefficient: Number, radicand: int) -> None:
         a, b = mpq(coefficient), int(radicand)
         if a == 0 or b <= 1 or is_square(b):
             raise NumberError(
@@ -37,7 +40,7 @@ class Surd(Immutable):
             )
         fill(self, coefficient=a, radicand=b)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Surd, (self.coefficient, self.radicand)
 
     @property
@@ -108,8 +111,14 @@ class Surd(Immutable):
         return f"Surd({text(self.coefficient)}, {self.radicand})"
 
     def __str__(self) -> str:
-        a = "" if self.coefficient == 1 else "−" if self.coefficient == -1 else text(self.coefficient)
-        return f"{f'({a})' if '/' in a else a}√{self.radicand}"
+        """``p√b/q``.
+
+        >>> print(square_root(mpq(1, 8)), -square_root(mpq(2)), square_root(mpq(18, 25)))
+        √2/4 -√2 3√2/5
+        """
+        p, q = self.coefficient.numerator, self.coefficient.denominator
+        times = {1: "", -1: "-"}.get(int(p)) if abs(p) == 1 else text(mpq(p))
+        return f"{times}√{self.radicand}" + (f"/{q}" if q != 1 else "")
 
 
 def square_root(q: mpq) -> mpq | Surd:
@@ -141,11 +150,11 @@ def parts(number: mpq | Surd) -> tuple[mpq, int]:
     return (number.coefficient, number.radicand) if isinstance(number, Surd) else (number, 1)
 
 
-def significant(number: mpq | Surd, digits: int) -> Any:
+def significant(number: mpq | Surd, digits: int) -> mpf:
     """A number as an mpmath number that is relatively off by less than ``10^−digits``.
 
-    >>> significant(square_root(mpq(2)), 5)
-    mpf('1.4142135624')
+    >>> round(float(significant(square_root(mpq(2)), 20)), 6)
+    1.414214
     """
     from mpmath import mp
 

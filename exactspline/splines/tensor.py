@@ -16,16 +16,16 @@ from typing import Any
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.exact import lcm, mpq, rational, text, to_fmpz
+from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
 from exactspline.language.arguments import PARAMETERS, Curve, Pair
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
-from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, leaf
+from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, Mesh, clamped
-from exactspline.splines.tensor_lines import Degrees, joined, lines
+from exactspline.splines.tensor_lines import Continuity, Degrees, joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
 from exactspline.splines.tensor_parts import TensorParts
 from exactspline.splines.tensor_univariate import changed_one, one_parameter, packed_segments, replaced, smooth, spread
@@ -49,9 +49,9 @@ class TensorSpline(Immutable, TensorParts, Operand):
     def __init__(
         self,
         degrees: tuple[int, int],
-        knots_s: Iterable[Any],
-        knots_t: Iterable[Any],
-        control_points: Iterable[Iterable[Any]],
+        knots_s: Iterable[Number],
+        knots_t: Iterable[Number],
+        control_points: Iterable[Iterable[Number]],
     ) -> None:
         degree = checked_degrees(degrees)
         vectors = checked_knots(knots_s, degree.s, "knots_s"), checked_knots(knots_t, degree.t, "knots_t")
@@ -74,7 +74,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             _points=None,
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         if self.profile is not None:
             return lifted, (self.profile[1], self.meshes, self.profile[0], self.stride)
         forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self.polynomials, self.denominators))
@@ -147,7 +147,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
 
     # ---- arithmetic
 
-    def constant(self, number: Any) -> TensorSpline:
+    def constant(self, number: Number) -> TensorSpline:
         """The constant of degree 0 × 0 on this rectangle."""
         a, b = self.meshes[0].domain
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
@@ -214,7 +214,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             (PRODUCT, self.provenance, other.provenance),
         )
 
-    def scaled(self, constant: Any) -> TensorSpline:
+    def scaled(self, constant: Number) -> TensorSpline:
         """The spline times an exact constant."""
         if self.profile is not None:
             return lifted(self.profile[1].scaled(constant), self.meshes, self.profile[0], self.stride)
@@ -257,7 +257,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
 
     # ---- the function
 
-    def __call__(self, s: Any, t: Any) -> mpq:
+    def __call__(self, s: Number, t: Number) -> mpq:
         """Exact value at two parameters; at a jump the limit from the right (from the left at the end).
 
         Raises `DomainError` outside the rectangle.
@@ -268,7 +268,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
         place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
         return tensor_bernstein.evaluated(self.polynomials[at], self.denominators[at], self.degree, self.stride, *place)
 
-    def at_t(self, t: Any) -> BSpline:
+    def at_t(self, t: Number) -> BSpline:
         """The iso-curve of constant t, a spline in s."""
         t, forms = rational(t), []
         for own in lines(self):
@@ -279,7 +279,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             )
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
 
-    def at_s(self, s: Any) -> BSpline:
+    def at_s(self, s: Number) -> BSpline:
         """The iso-curve of constant s, a spline in t."""
         return self.transposed().at_t(s)
 
@@ -345,11 +345,11 @@ class TensorSpline(Immutable, TensorParts, Operand):
         """The same function, its degrees lowered; `ReductionError` where that cannot be done exactly."""
         return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
 
-    def insert_knot(self, direction: int, t: Any, times: int = 1) -> TensorSpline:
+    def insert_knot(self, direction: int, t: Number, times: int = 1) -> TensorSpline:
         """The same function with a knot more in one direction."""
         return self.along(direction, lambda f: f.insert_knot(t, times))
 
-    def restrict(self, side_s: tuple[Any, Any], side_t: tuple[Any, Any]) -> TensorSpline:
+    def restrict(self, side_s: tuple[Number, Number], side_t: tuple[Number, Number]) -> TensorSpline:
         """The part over a smaller rectangle."""
         return self.along(0, lambda f: f.restrict(*side_s)).along(1, lambda f: f.restrict(*side_t))
 
@@ -370,12 +370,12 @@ _new, _tuple = object.__new__, tuple.__new__
 
 def make(
     degree: Degrees,
-    meshes: Any,
-    continuity: Any,
+    meshes: tuple[Mesh, Mesh],
+    continuity: Continuity,
     stride: int,
     polynomials: tuple[fmpz_poly, ...],
     denominators: tuple[fmpz, ...],
-    provenance: Any,
+    provenance: Provenance,
 ) -> TensorSpline:
     """The spline with these packed polynomials; the caller vouches for the continuity."""
     spline: Any = _new(TensorParts)
@@ -394,7 +394,11 @@ def make(
 
 
 def _restored(
-    degree: tuple[int, int], meshes: Any, continuity: Any, stride: int, forms: tuple[tuple[tuple[int, ...], int], ...]
+    degree: tuple[int, int],
+    meshes: tuple[Mesh, Mesh],
+    continuity: Continuity,
+    stride: int,
+    forms: tuple[tuple[tuple[int, ...], int], ...],
 ) -> TensorSpline:
     """What was pickled; its provenance is a new one."""
     polynomials, denominators = zip(*[(fmpz_poly(list(c)), fmpz(m)) for c, m in forms], strict=True)
@@ -426,7 +430,7 @@ def aligned(*splines: TensorSpline) -> list[TensorSpline]:
     return [_over(f, meshes) for f in splines]
 
 
-def _over(f: TensorSpline, meshes: Any) -> TensorSpline:
+def _over(f: TensorSpline, meshes: tuple[Mesh, Mesh]) -> TensorSpline:
     if f.meshes is meshes or all(m.breaks == n.breaks for m, n in zip(f.meshes, meshes, strict=True)):
         return f
     if f.profile is not None:
@@ -471,7 +475,7 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
 BISECTOR_ROOM = 4
 
 
-def surface_pair(first: Curve, second: Curve) -> Pair:
+def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSpline]:
     """Two curves as the argument of formulas whose values are splines in both parameters.
 
     >>> from exactspline.splines.examples import example

@@ -30,7 +30,7 @@ def as_packed(p: fmpz_mpoly, stride: int) -> fmpz_poly:
     return fmpz_poly(coefficients)
 
 
-def in_lowest_terms(value: Rational) -> Rational:
+def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     """The same quotient with numerator and denominator without a common factor, of the lowest degrees that hold on all
     patches.
 
@@ -78,11 +78,14 @@ def _lowest(forms: list[fmpz_mpoly]) -> tuple[list[fmpz_mpoly], Degrees]:
     return forms, Degrees(s, t)
 
 
-def _joined(value: Rational, w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly], Degrees]]) -> Rational:
+def _joined(
+    value: Rational[TensorSpline], w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly], Degrees]]
+) -> Rational[TensorSpline]:
     """The patches over one degree."""
     degree = Degrees(max(d.s for _, d in lowest), max(d.t for _, d in lowest))
     stride = tensor_bernstein.stride_for(degree.s)
-    rough = tuple((-1,) * (len(mesh) - 1) for mesh in w.meshes)
+    first, second = w.meshes
+    rough = (-1,) * (len(first) - 1), (-1,) * (len(second) - 1)
     columns = []
     for forms, own in lowest:
         lift = raiser(degree.s - own.s) * raiser(degree.t - own.t).inflate(stride)

@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
-from exactspline.exact import mpq
+from exactspline.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline, checked_degree, exact_points
 from exactspline.splines.knots import KnotVector, Mesh
@@ -17,7 +17,7 @@ Net = list[list[mpq]]
 Points = tuple[tuple[mpq, ...], ...]
 
 
-def checked_degrees(degrees: Any) -> Degrees:
+def checked_degrees(degrees: object) -> Degrees:
     """Two degrees as given by a user; `ShapeError` for anything else."""
     if not isinstance(degrees, (tuple, list)) or len(degrees) != 2:
         raise ShapeError(f"{shown(degrees)} are no two degrees", where="degrees", remedy="give one for s and one for t")
@@ -30,7 +30,7 @@ def checked_degrees(degrees: Any) -> Degrees:
     return Degrees(*checked)
 
 
-def checked_knots(knots: Iterable[Any], degree: int, name: str) -> KnotVector:
+def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector:
     """Knots as given by a user, the errors of `BSpline` with the name of the argument."""
     try:
         vector = KnotVector(knots)
@@ -40,7 +40,7 @@ def checked_knots(knots: Iterable[Any], degree: int, name: str) -> KnotVector:
     return vector
 
 
-def checked_net(net: Any, rows: int, columns: int) -> list[tuple[mpq, ...]]:
+def checked_net(net: object, rows: int, columns: int) -> list[tuple[mpq, ...]]:
     """Control points as given by a user: so many rows along s of so many points along t."""
     if not isinstance(net, Iterable):
         raise ShapeError(f"{shown(net)} is no net", where="control_points", remedy="give the control points in rows")

@@ -19,7 +19,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.refinement import over
 
 
-def lowest_wronskian(vector: Vector) -> BSpline:
+def lowest_wronskian(vector: Vector[BSpline]) -> BSpline:
     """The Wronskian of a vector of splines, at degree N(n − N + 1) for N components of degree n.
 
     >>> t = BSpline.bezier([0, "1/3", "2/3", 1])

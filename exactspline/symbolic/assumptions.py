@@ -49,7 +49,7 @@ class Assumption:
     def __str__(self) -> str:
         return self.name
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return assumption, (self.name,)
 
 

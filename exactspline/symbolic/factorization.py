@@ -12,9 +12,11 @@ from flint import fmpq_mpoly
 
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
-from exactspline.language.parts import split
+from exactspline.language.parts import Value, split
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, find, papers
@@ -63,7 +65,7 @@ class Factor(Displayed):
             top, bottom = (top * p**e, bottom) if e > 0 else (top, bottom * p ** (-e))
         return top, bottom
 
-    def on(self, curve: Any) -> tuple[Any, Any]:
+    def on(self, curve: Curve[T] | Pair[T]) -> tuple[T, T]:
         """Numerator and denominator in the reading of a concrete curve."""
         top, bottom = self.fraction()
         return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
@@ -74,7 +76,7 @@ def _power(name: str, exponent: int) -> str:
     return name if exponent == 1 else base + str(exponent).translate(SUPERSCRIPTS)
 
 
-def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Any:
+def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:
     """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the
     fraction reading: rational, or with w = 1.
 
@@ -87,7 +89,7 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
 
 
-def find_factor(left: Any, right: Any) -> Factor | None:
+def find_factor(left: Value, right: Value) -> Factor | None:
     """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional; the
     constant 0 where the left side alone vanishes.
 

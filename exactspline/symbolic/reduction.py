@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
+from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
 from exactspline.language.operand import Operand
@@ -179,7 +180,7 @@ class Part:
         """Whether it vanishes on every curve."""
         return all(c.is_zero for c in self.core)
 
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The part for a program."""
         found = self.true
         return {
@@ -207,11 +208,11 @@ class Part:
         names = [str(self.rooted)] if self.role != GENERATOR and self.rooted.powers else []
         return "·".join([*names, *([] if self.is_scalar else [self.core_name])]) or "1"
 
-    def on(self, curve: Any) -> Any:
+    def on(self, curve: Curve[T] | Pair[T]) -> T | Vector[T]:
         """The reduced form on a curve, in any reading; splines come at the true degree that the theorem guarantees, by
         exact division.
         """
-        values = [substitute(jet, curve) for jet in self.reduced]
+        values: list[Any] = [substitute(jet, curve) for jet in self.reduced]
         in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
         surplus = self.true.surplus if self.true and in_one_parameter else 0
         lowered = [
@@ -296,7 +297,7 @@ def _kind(formula: Any) -> Kind:
     return formula.kind if isinstance(formula, Formula) else CURVE
 
 
-def name_of_function(formula: Any) -> str:
+def name_of_function(formula: object) -> str:
     """The name of a formula or a function."""
     return formula.name if isinstance(formula, Formula) else str(getattr(formula, "__name__", formula))
 
@@ -435,6 +436,6 @@ def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, lis
         times, polynomials = times + 1, [quotient for quotient, _ in results]
 
 
-def rational_of(q: Any) -> mpq:
+def rational_of(q: fmpq) -> mpq:
     """A FLINT rational as an mpq."""
     return mpq(int(q.p), int(q.q))

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from exactspline.exact import mpq
+from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.jet import Jet
 
 
-def substitute(jet: Jet, curve: Any) -> Any:
+def substitute(jet: Jet, curve: Curve[T] | Pair[T]) -> T:
     """A jet polynomial on a concrete curve: the variables replaced by the derivatives of p and w.
 
     >>> from exactspline.splines.examples import example

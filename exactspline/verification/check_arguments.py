@@ -7,7 +7,8 @@ from typing import Any
 from exactspline.exact import mpq, text
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.vector import Vector
-from exactspline.splines.tensor import surface_pair
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.tensor import TensorSpline, surface_pair
 
 #: Segments of either curve that a pair is made of: more would show nothing new, and the patches grow with their square.
 SEGMENTS = 1
@@ -27,21 +28,21 @@ def point_beside(curve: Any) -> tuple[mpq, ...]:
     return tuple(point)
 
 
-def moved_copy(curve: Any) -> Curve:
+def moved_copy(curve: Any) -> Curve[BSpline]:
     """The curve with its coordinates exchanged cyclically and moved by the vector of its test point."""
     move = point_beside(curve)
     p = Vector(*[curve.p[(i + 1) % curve.dimension] + curve.w * move[i] for i in range(curve.dimension)])
     return Curve(p, curve.w, polynomial=curve.polynomial)
 
 
-def beginning(curve: Any, segments: int = SEGMENTS) -> Curve:
+def beginning(curve: Any, segments: int = SEGMENTS) -> Curve[BSpline]:
     """The first segments of a curve."""
     breaks = curve.w.breakpoints
     a, b = breaks[0], breaks[min(segments, len(breaks) - 1)]
     return Curve(Vector(*[x.restrict(a, b) for x in curve.p]), curve.w.restrict(a, b), polynomial=curve.polynomial)
 
 
-def pair_with(curve: Any, other: Any = None) -> Pair:
+def pair_with(curve: Any, other: Any = None) -> Pair[TensorSpline]:
     """The first segments of two curves, or of a curve and its moved copy."""
     return surface_pair(beginning(curve), beginning(moved_copy(curve) if other is None else other))
 

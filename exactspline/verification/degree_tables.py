@@ -21,6 +21,7 @@ from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, lowest_terms, true_degree_or_none
 from exactspline.symbolic.covariants import degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
@@ -212,8 +213,9 @@ def _generator_row(title: str, names: tuple[str, str, str], polynomial: bool) ->
     operands = DegreeReading().argument(CURVE, 3, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
-        value = reduction(lifted.name, 3, polynomial).main.on(witness(3, d, polynomial=polynomial))
-        degrees[d] = max(component.true_degree for component in value)
+        curve: Curve[BSpline] = witness(3, d, polynomial=polynomial)
+        value = reduction(lifted.name, 3, polynomial).main.on(curve)
+        degrees[d] = max(f.true_degree for f in (value if isinstance(value, Vector) else [value]))
     return GenericRow(
         title,
         str(naive(operands).generator.degree),

@@ -13,10 +13,10 @@ from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
 from exactspline.exact import mpq
-from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.values import RationalSurface
 
 EXPLICIT, DIRECT = "point_bisector_polynomial", "point_bisector_direct_z"
 TITLES = ("(a) explicit directrix approach", "(b) direct approach")
@@ -37,7 +37,7 @@ def figure_5() -> Drawn:
     return _compared(5, "a point (in grey) and an ellipse in its plane", *ELLIPSE)
 
 
-def _surfaces(name: str, point: Point, rulings: Any) -> list[tuple[RuledSurface, SurfaceMesh]]:
+def _surfaces(name: str, point: Point, rulings: Any) -> list[tuple[RationalSurface, SurfaceMesh]]:
     argument = example(name).with_point(point)
     found = [find(formula)(argument) for formula in (EXPLICIT, DIRECT)]
     return [(surface, ruled_mesh(surface, bounds)) for surface, bounds in zip(found, rulings, strict=True)]

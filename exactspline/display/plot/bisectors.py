@@ -28,6 +28,7 @@ from exactspline.exact import mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisectors import CurveBisector, PointBisector
 from exactspline.geometry.trimmed_bisector import TrimmedBisector
+from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
@@ -167,7 +168,7 @@ def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
 
 
 def _piece_rulings(one: LinePiece) -> list[Ruling | None]:
-    directrix, generator = one.surface.directrix, one.surface.generator.numerator
+    directrix, generator = one.surface.directrix, one.surface.generator.vector
     return [
         (directrix(u), tuple(g(u) for g in generator)) if directrix.denominator(u) else None
         for u in _between(one.low, one.high)
@@ -228,6 +229,7 @@ def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Any]
     plot_curve(curve, ax, control_polygon=False, knots=False)
     for piece in found.pieces:
         directrix, generator = piece.surface.directrix, piece.surface.generator
+        assert isinstance(directrix, Rational)
         rulings: list[Ruling | None] = []
         for u in _between(*piece.interval):
             w = directrix.denominator(u)

@@ -19,6 +19,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.values import SplineSurface
 
 #: Samples along the curve, in all and at least so many a segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 21
@@ -54,7 +55,7 @@ class SurfaceMesh:
         return found
 
 
-def ruled_mesh(surface: RuledSurface, rulings: tuple[Any, Any] = (-1, 1), box: Box | None = None) -> SurfaceMesh:
+def ruled_mesh(surface: SplineSurface, rulings: tuple[Any, Any] = (-1, 1), box: Box | None = None) -> SurfaceMesh:
     """The part of a ruled surface (in the spline reading) between two ruling parameters, cut at its poles; its net
     joins the polygons at both.
 
@@ -183,7 +184,7 @@ def _over(values: list[mpq], quotient: bool) -> Point | None:
     return tuple(x / w for x in xs) if w else None
 
 
-def _control_net(numerator: Vector, w: Any, box: Box) -> list[list[Point | None]]:
+def _control_net(numerator: Vector[BSpline], w: Any, box: Box) -> list[list[Point | None]]:
     """The control points of the common degrees and knots, row by row."""
     scalars = [*numerator, *([] if w is None else [w])]
     nets = [c.control_points for c in with_common_knots(scalars)]

@@ -25,9 +25,10 @@ from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import rational
 from exactspline.language.arguments import Curve
-from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor import surface_pair
+from exactspline.splines.values import SplineSurface
 
 #: Where the light comes from (a unit vector), and how dark a face is that looks away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
@@ -104,7 +105,7 @@ def _framed(ax: Any, points: Iterable[Point]) -> None:
 
 
 def plot_ruled_surface(
-    surface: RuledSurface,
+    surface: SplineSurface,
     rulings: tuple[Any, Any] = (-1, 1),
     ax: Any = None,
     *,
@@ -151,7 +152,7 @@ def plot_surface(
 
 
 def plot_bisector(
-    curve: Curve,
+    curve: Curve[BSpline],
     other: Any,
     ax: Any = None,
     *,
@@ -193,7 +194,7 @@ def plot_bisector(
     return plot_surface(value, ax, label=f"bisector: degree {degree.s} × {degree.t}", control_net=control_net, box=box)
 
 
-def _argument(curve: Curve, other: Any) -> tuple[str, str, Any]:
+def _argument(curve: Curve[BSpline], other: Any) -> tuple[str, str, Any]:
     """The kind of formula, the formula by default, and what it is handed."""
     if isinstance(other, Curve):
         if curve.dimension != 3 or other.dimension != 3:

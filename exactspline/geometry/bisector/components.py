@@ -9,14 +9,15 @@ from typing import Any
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.values import RationalSurface
 
 
 class Solutions(StrEnum):
@@ -108,10 +109,10 @@ class LinePiece:
     of: int
     low: Parameter
     high: Parameter
-    other: Parameter | Rational | None
-    surface: RuledSurface
+    other: Parameter | Rational[BSpline] | None
+    surface: RationalSurface
 
-    def pair(self, parameter: Any) -> tuple[Parameter | None, Parameter | None]:
+    def pair(self, parameter: Number) -> tuple[Parameter | None, Parameter | None]:
         """The two parameters that a parameter of the piece stands for."""
         u = self._inside(parameter)
         other = self.other(u) if isinstance(self.other, Rational) else self.other
@@ -185,7 +186,7 @@ class LineComponent:
         """The patch it lies on."""
         return self.system.sides
 
-    def partners(self, s: Any) -> list[Parameter]:
+    def partners(self, s: Number) -> list[Parameter]:
         """The parameters t of the pairs with a rational s, in order; `ShapeError` where all pairs have lines."""
         if self.equation is None:
             raise ShapeError("all pairs have lines", remedy="take any parameter")

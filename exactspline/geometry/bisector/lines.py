@@ -15,6 +15,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.splines.bernstein import substituted
+from exactspline.splines.values import RationalSurface
 
 ONE, PARAMETER = fmpz_poly([1]), fmpz_poly([0, 1])
 #: A parameter as a quotient of polynomials in the parameter of the lines.
@@ -47,7 +48,7 @@ def along(polynomials: Sequence[fmpz_mpoly], path: Path) -> list[fmpz_poly]:
     return found
 
 
-def lines_along(system: System, path: Path, interval: Interval, conditions: Conditions = ALL) -> RuledSurface | None:
+def lines_along(system: System, path: Path, interval: Interval, conditions: Conditions = ALL) -> RationalSurface | None:
     """The lines in which the planes meet along a path, as a ruled surface over an interval; None where the planes are
     parallel.
 
@@ -73,12 +74,12 @@ def lines_along(system: System, path: Path, interval: Interval, conditions: Cond
 
 
 def _ruled(
-    one: tuple[Vector, fmpz_poly],
-    other: tuple[Vector, fmpz_poly],
-    normal: Vector,
+    one: tuple[Vector[fmpz_poly], fmpz_poly],
+    other: tuple[Vector[fmpz_poly], fmpz_poly],
+    normal: Vector[fmpz_poly],
     foot: tuple[list[fmpz_poly], fmpz_poly, fmpz_poly],
     interval: Interval,
-) -> RuledSurface:
+) -> RationalSurface:
     (r, h), (q, k), (p, w, weight) = one, other, foot
     factor = common_divisor(normal)
     n = Vector(*[x // factor for x in normal])

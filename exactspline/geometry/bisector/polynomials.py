@@ -172,6 +172,7 @@ def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Paramete
         verdicts = [_vanishes(p, s, t) for p in polynomials if p]
         return False if False in verdicts else None if None in verdicts else True
     variable, value, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
+    assert not isinstance(value, Root)  # two roots are done
     parts = [q for p in polynomials if (q := at(p, variable, rational(value)))]
     if not parts:
         return True

@@ -22,7 +22,7 @@ PATIENCE = 240
 Found = tuple[list[Place], tuple[str, ...]]
 
 
-def divisor(v: Vector) -> fmpz_mpoly:
+def divisor(v: Vector[fmpz_mpoly]) -> fmpz_mpoly:
     """The greatest common divisor of the components."""
     found: fmpz_mpoly = v[0]
     for f in list(v)[1:]:

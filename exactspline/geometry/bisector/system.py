@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import lcm
-from typing import Any
 
 from flint import fmpz_mpoly, fmpz_poly
 
@@ -24,6 +23,7 @@ from exactspline.geometry.bisector.polynomials import (
     roots_in,
 )
 from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.splines.nurbs import Nurbs
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Piece:
     tangent: Three
     cusps: tuple[fmpz_poly, ...]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         # polynomials of FLINT do not pickle
         parts = [self.p, [self.w], self.tangent, self.cusps]
         return _piece, (self.interval, [[[int(x) for x in f.coeffs()] for f in part] for part in parts])
@@ -56,14 +56,14 @@ def _piece(interval: Interval, parts: list[list[list[int]]]) -> Piece:
     return Piece(interval, p, w, tangent, tuple(cusps))
 
 
-def piece(curve: Any, i: int) -> Piece:
+def piece(curve: Nurbs, i: int) -> Piece:
     """Segment i of a curve.
 
     >>> from exactspline.splines.examples import example
     >>> piece(example("twisted_cubic"), 0).tangent
     [1, 2*x, 3*x^2]
     """
-    interval = tuple(curve.breakpoints[i : i + 2])
+    interval = curve.breakpoints[i], curve.breakpoints[i + 1]
     parts = [of_segment(f, i) for f in (*curve.p, curve.w)]
     common = lcm(*[m for _, m in parts])
     *p, w = [f * (common // m) for f, m in parts]
@@ -84,7 +84,7 @@ class System:
     first: Piece
     second: Piece
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         # what was computed is computed again when it is asked for
         return System, (self.first, self.second)
 
@@ -94,17 +94,17 @@ class System:
         return self.first.interval, self.second.interval
 
     @cached_property
-    def a(self) -> Vector:
+    def a(self) -> Vector[fmpz_mpoly]:
         """The tangent of the first curve, nowhere zero on its side."""
         return Vector(*[lifted(f, 0) for f in self.first.tangent])
 
     @cached_property
-    def b(self) -> Vector:
+    def b(self) -> Vector[fmpz_mpoly]:
         """The tangent of the second curve, nowhere zero on its side."""
         return Vector(*[lifted(f, 1) for f in self.second.tangent])
 
     @cached_property
-    def chord(self) -> Vector:
+    def chord(self) -> Vector[fmpz_mpoly]:
         """``E = w p̄ − w̄ p``."""
         (p, w), (q, v) = (
             ([lifted(f, k) for f in own.p], lifted(own.w, k)) for k, own in enumerate((self.first, self.second))
@@ -143,12 +143,12 @@ class System:
         """The system with the curves exchanged."""
         return System(self.second, self.first)
 
-    def crosses(self) -> list[Vector]:
+    def crosses(self) -> list[Vector[fmpz_mpoly]]:
         """The cross products of the three normals, two at a time: all zero where they are parallel."""
         return [cross(self.a, self.chord), cross(self.a, self.b), cross(self.b, self.chord)]
 
 
-def divides(factor: fmpz_mpoly, v: Vector) -> bool:
+def divides(factor: fmpz_mpoly, v: Vector[fmpz_mpoly]) -> bool:
     """Whether a polynomial divides all components."""
     return all(not f or not divmod(f, factor)[1] for f in v)
 

@@ -68,3 +68,15 @@ def direct_x_of_directrix(c):
 def direct_y_of_directrix(c):
     """The second component of the directrix of the direct form that moves it."""
     return dot(c.axis_y, point_bisector_direct_y(c).directrix)
+
+
+@formula("§6.2, direct approach", on="point")
+def generator_x(c):
+    """The first component of ``D1 × (p − wQ)``."""
+    return point_bisector_generator_polynomial(c)[0]
+
+
+@formula("§6.2, direct approach", on="point")
+def generator_y(c):
+    """The second component of ``D1 × (p − wQ)``."""
+    return point_bisector_generator_polynomial(c)[1]

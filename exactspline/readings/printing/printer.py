@@ -5,8 +5,8 @@ together.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any
 
+from exactspline.exact import Number
 from exactspline.readings.tree import Node
 
 #: How tightly an operation binds; arguments that bind less get parentheses.
@@ -142,7 +142,7 @@ def index_text(index: int | slice) -> str:
     return f"{index.start}…{index.stop - 1}" if isinstance(index, slice) else str(index)
 
 
-def number(value: Any) -> tuple[str, int]:
+def number(value: Number) -> tuple[str, int]:
     """A constant: fractions bind like products."""
     text = str(value)
     return text, ATOM if text.isdigit() else PRODUCT

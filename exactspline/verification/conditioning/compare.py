@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq, text
@@ -102,7 +102,7 @@ def conditioning(curve: Any, name: str = "critical_curvature", *, doubles: bool 
         raise FormulaError(f"{name} is no zero set", remedy="choose zero_curvature or critical_curvature")
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
-    splines = {form: made.on(curve, form) for form in (*made.unlifted, MINIMAL)}
+    splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, MINIMAL)}
     found = {form: zeros(f) for form, f in splines.items()}
     minimal = found[MINIMAL]
     inside = [root for root in minimal if not root.at_knot]

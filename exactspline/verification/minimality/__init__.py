@@ -23,6 +23,7 @@ from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import divide_u_plus_v
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.lowest_terms import lowest_terms
 from exactspline.splines.nurbs import Nurbs
@@ -83,7 +84,7 @@ def _segments(made: Construction, piece: Piece, curve: Any) -> list[dict[str, An
     return found
 
 
-def _over_one(components: list[Any]) -> Rational:
+def _over_one(components: list[Any]) -> Rational[BSpline]:
     """A polynomial vector as a quotient, its components over one mesh."""
     components = with_common_knots(components)
     return Rational(Vector(*components), components[0].constant(1))

@@ -1,0 +1,20 @@
+"""Names for what formulas are handed and return where the operands are splines in one parameter."""
+
+from __future__ import annotations
+
+from exactspline.language.arguments import Curve
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.splines.bspline import BSpline
+
+#: A curve of splines: a `Nurbs`, or one made of other operands of the kind.
+SplineCurve = Curve[BSpline]
+#: The vectors of splines: polynomial, and over one denominator.
+SplineVector = Vector[BSpline] | Rational[BSpline]
+#: Ruled surfaces of such vectors.
+SplineSurface = RuledSurface[SplineVector]
+#: Those over denominators.
+RationalSurface = RuledSurface[Rational[BSpline]]
+#: What formulas return.
+SplineValue = BSpline | SplineVector | SplineSurface
