@@ -170,6 +170,15 @@ def test_a_periodic_brep_curve_is_smooth_across_its_seam():
     assert "periodic" in named.notes[0]
 
 
+@pytest.mark.parametrize(
+    "knots", ["0 0 1 0 2 0 3 0", "0 0 1 1 2 1 3 0", "0 9 1 1 2 1 3 9", "3 1 2 1 1 1 0 1", "0 1 0 1 0 1 0 1"]
+)
+def test_a_periodic_brep_curve_with_knots_that_are_none_is_named(knots):
+    reading = read(BREP.replace(b"0 1 1 1 2 1 3 1", knots.encode()))
+    assert BREP.count(b"0 1 1 1 2 1 3 1") == 1
+    assert reading.skipped[0].where == "Curve2ds 1"
+
+
 def test_brep_circles_are_circles_and_trimmed_curves_are_named():
     reading = read(BREP)
     circle = reading.curves[1]

@@ -81,8 +81,10 @@ def _spline(found: Collector, words: Tokens, dimension: int, where: str) -> None
     points, weights = _poles(words, count, dimension, rational)
     found.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
-    if degree > found.limits.degree or any(times > degree + 1 for _, times in pairs):
-        found.skip("B-spline curve", where, f"degree {degree}, multiplicities to {max(times for _, times in pairs)}")
+    if degree > found.limits.degree or any(not 1 <= times <= degree + 1 for _, times in pairs):
+        found.skip(
+            "B-spline curve", where, f"multiplicities beyond 1 to {degree + 1}, or a degree above {found.limits.degree}"
+        )
         return
     found.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
