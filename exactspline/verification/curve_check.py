@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
 from typing import Any
 
 from flint import fmpz_poly
 
 from exactspline.exact import mpq, text
-from exactspline.language.arguments import Curve
+from exactspline.language.arguments import Curve, Operands
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
@@ -92,7 +91,7 @@ def spline_table(d1: int = 2, d2: int = 3) -> Any:
         return BSpline(d, knots, [number() for _ in range(len(knots) - d - 1)])
 
     one, two = [spline(d1, [1, 2]) for _ in range(5)], [spline(d2, ["1/2", 2, 2]) for _ in range(5)]
-    return SimpleNamespace(
+    return Operands(
         p1=one[0],
         w1=one[1],
         v1=Vector(*one[2:]),
