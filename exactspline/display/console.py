@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterable
 from io import StringIO
-from typing import IO, Any
+from typing import IO
 
 from rich.console import Console, RenderableType
 from rich.text import Text
@@ -90,6 +90,6 @@ def plain(made: RenderableType, columns: int = 160) -> str:
     return "\n".join(line.rstrip() for line in out.file.getvalue().splitlines())  # type: ignore[attr-defined]
 
 
-def show_error(error: Any) -> None:
+def show_error(error: object) -> None:
     """One line on standard error."""
     Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(f"error: {error}", markup=False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from time import perf_counter
 
 from exactspline.errors import ExactSplineError
@@ -44,20 +45,20 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> lis
     calls: list[Task] = []
     if curves is None:
         curves = [example(name) for name in example_names()]
-        calls += [lambda claim=claim: proved(claim, proofs) for claim in chosen]  # type: ignore[misc]
-        calls += [
-            lambda claim=claim: checked(claim, Evaluation(spline_table()), TABLE, proofs)  # type: ignore[misc]
-            for claim in chosen
-            if claim.curve == ArgumentKind.TABLE
-        ]
+        calls += [partial(proved, claim, proofs) for claim in chosen]
+        calls += [partial(_checked_on_table, claim, proofs) for claim in chosen if claim.curve == ArgumentKind.TABLE]
     for curve in curves:
         own = Evaluation(curve)
         calls += [
-            lambda claim=claim, own=own: checked(claim, own, own.curve.name or UNNAMED, proofs)  # type: ignore[misc]
+            partial(checked, claim, own, own.curve.name or UNNAMED, proofs)
             for claim in chosen
             if claim.speaks_of(curve.dimension, curve.polynomial)
         ]
     return calls
+
+
+def _checked_on_table(claim: Claim, proofs: Proofs) -> Row:
+    return checked(claim, Evaluation(spline_table()), TABLE, proofs)
 
 
 class Proofs:

@@ -20,7 +20,7 @@ from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
 
 
-def schema() -> dict[str, Any]:
+def schema() -> dict[str, object]:
     """The JSON Schema of the format.
 
     >>> schema()["title"]
