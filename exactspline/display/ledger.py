@@ -7,11 +7,11 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
 from exactspline.papers import paper
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import name_of, numbered
@@ -160,7 +160,7 @@ ARGUMENTS = {
 }
 
 
-def reasons(claims: Iterable[Claim], curve: Any) -> str:
+def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
     """Why claims say nothing of a curve, counted.
 
     >>> from exactspline.verification.claims import select
