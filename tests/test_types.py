@@ -105,9 +105,9 @@ def loose_names(tree: ast.Module) -> set[str]:
         named = (
             node.targets[0] if isinstance(node, ast.Assign) else node.target if isinstance(node, ast.AnnAssign) else 0
         )
-        if isinstance(named, ast.Name) and isinstance(node.value, (ast.Name, ast.Subscript, ast.BinOp)):
-            if mentions(node.value, found):
-                found.add(named.id)
+        alias = isinstance(named, ast.Name) and isinstance(node.value, (ast.Name, ast.Subscript, ast.BinOp))
+        if alias and mentions(node.value, found):
+            found.add(named.id)
     return found
 
 
