@@ -17,7 +17,7 @@ from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import ArgumentKind
 
 #: What formulas are handed on one curve: the curve, beside it a point or a second curve, or operands of Table 1.
-Handed = Evaluated | SimpleNamespace
+Handed = Evaluated
 
 
 class Evaluation:
