@@ -104,7 +104,7 @@ def test_own_files_follow_the_published_schema():
     jsonschema.Draft202012Validator.check_schema(schema())
     for name in example_names():
         jsonschema.validate(json.loads(encoded([example(name)], "json")[0]), schema())
-    jsonschema.validate(json.loads(encoded(CURVES, "json")[0]), schema())
+    jsonschema.validate(json.loads(encoded([*CURVES, CONTROL_VECTOR], "json")[0]), schema())
 
 
 @pytest.mark.parametrize("broken", [
@@ -119,6 +119,13 @@ def test_what_the_reader_refuses_is_refused(broken):
     if "1/0" not in broken:
         with pytest.raises(jsonschema.ValidationError):
             jsonschema.validate(json.loads(broken), schema())
+
+
+@pytest.mark.parametrize("number", ["1e+-9", "1e", "1e1000", "0x1p9999", "1/0", "٣", "", "1 2", "--1", "1e9e9"])
+def test_what_is_no_number_or_beyond_the_limits_is_no_coordinate(number):
+    data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [number, 1]]}
+    reading = read(json.dumps(data).encode(), "json")
+    assert (len(reading.curves), len(reading.skipped)) == (0, 1)
 
 
 def test_homogeneous_and_cartesian_points_are_told_apart():
@@ -161,6 +168,15 @@ def test_a_periodic_brep_curve_is_smooth_across_its_seam():
     ends = [[component.d()(t, side) for component in (*curve.p, curve.w)] for t, side in ((a, "right"), (b, "left"))]
     assert ends[0] == ends[1]
     assert "periodic" in named.notes[0]
+
+
+@pytest.mark.parametrize(
+    "knots", ["0 0 1 0 2 0 3 0", "0 0 1 1 2 1 3 0", "0 9 1 1 2 1 3 9", "3 1 2 1 1 1 0 1", "0 1 0 1 0 1 0 1"]
+)
+def test_a_periodic_brep_curve_with_knots_that_are_none_is_named(knots):
+    reading = read(BREP.replace(b"0 1 1 1 2 1 3 1", knots.encode()))
+    assert BREP.count(b"0 1 1 1 2 1 3 1") == 1
+    assert reading.skipped[0].where == "Curve2ds 1"
 
 
 def test_brep_circles_are_circles_and_trimmed_curves_are_named():

@@ -281,3 +281,13 @@ def test_certain_answers_in_front_change_nothing(curve, point, monkeypatch):
     assert [(p.kind, p.low, p.high, p.foot) for p in result.pieces] == [
         (p.kind, p.low, p.high, p.foot) for p in exact.pieces
     ]
+
+
+@pytest.mark.parametrize("weights", [None, (2, 3), (-1, -1)])
+def test_a_curve_that_is_one_point_has_the_line_between(weights):
+    """The points as far from Q as from that point: all of the perpendicular bisector."""
+    found = trimmed_bisector(Nurbs(1, [0, 0, 1, 1], [(4, 4), (4, 4)], weights=weights), (2, 0))
+    (piece,) = found.pieces
+    assert (piece.low, piece.high) == (-1, 1)
+    assert piece(0) == (3, 2)
+    assert all((x - 2) ** 2 + y**2 == (x - 4) ** 2 + (y - 4) ** 2 for x, y in (piece(mpq(k, 7)) for k in range(-6, 7)))

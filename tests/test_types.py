@@ -102,12 +102,12 @@ def loose_names(tree: ast.Module) -> set[str]:
     """Any, and the names of types that are made of it in this module."""
     found = {"Any"}
     for node in tree.body:
-        named = (
-            node.targets[0] if isinstance(node, ast.Assign) else node.target if isinstance(node, ast.AnnAssign) else 0
-        )
-        if isinstance(named, ast.Name) and isinstance(node.value, (ast.Name, ast.Subscript, ast.BinOp)):
-            if mentions(node.value, found):
-                found.add(named.id)
+        if not isinstance(node, (ast.Assign, ast.AnnAssign)):
+            continue
+        named = node.targets[0] if isinstance(node, ast.Assign) else node.target
+        is_type = isinstance(node.value, (ast.Name, ast.Subscript, ast.BinOp))
+        if isinstance(named, ast.Name) and is_type and mentions(node.value, found):
+            found.add(named.id)
     return found
 
 

@@ -353,7 +353,8 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     ones are named as missing.
     """
     a, b = curve.domain
-    found = [] if curve.closed else [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)]
+    has_ends = not curve.closed or find("D1")(curve).is_zero  # a curve that is one point is closed, and all end
+    found = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
     found += [(PieceKind.CORNER, joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
     for feature in singular_points(curve):
         feature.root.minimal_polynomial()

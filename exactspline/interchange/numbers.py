@@ -10,7 +10,7 @@ from exactspline.errors import NumberError, shown
 from exactspline.exact import isqrt, mpq, rational
 from exactspline.interchange.limits import Limits
 
-_DECIMAL = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
+_DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
 
 

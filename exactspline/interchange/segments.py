@@ -83,6 +83,8 @@ def conic_arc(form: Sequence[mpq], start: Point, end: Point) -> list[Segment]:
     """
     a, b, c, d, e, f = form
     matrix = ((2 * a, b, d), (b, 2 * c, e), (d, e, 2 * f))
+    if not sum((x * y for x, y in zip(matrix[0], _crossed(*matrix[1:]), strict=True)), start=mpq(0)):
+        raise ShapeError("the conic is a pair of lines, a point or nothing", remedy="its determinant must not vanish")
     if any(_paired(matrix, (*point, mpq(1)), (*point, mpq(1))) for point in (start, end)):
         raise ShapeError("an end point is not exactly on the conic", remedy="the equation must hold exactly there")
     ellipse = b * b < 4 * a * c

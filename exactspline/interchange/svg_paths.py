@@ -15,7 +15,7 @@ from exactspline.interchange.segments import Segment, arc_around_origin, mapped,
 
 Point = tuple[mpq, mpq]
 
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _GAP = re.compile(r"[ \t\r\n\f]*,?[ \t\r\n\f]*")
 _SPACE = re.compile(r"[ \t\r\n\f]*")
 #: How many numbers each command takes.

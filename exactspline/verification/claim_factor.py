@@ -28,7 +28,9 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
     for part in text.split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
-            raise ClaimError(f"the factor {text!r} cannot be read", where=part, remedy='write for example "2 w^29 f2"')
+            raise ClaimError(
+                f"the factor {text!r} cannot be read", where=part, remedy='write for example "-2 w^29 f2" or "w^-4"'
+            )
         if not match[1][0].isalpha() and re.fullmatch(r"-?0+(/\d+)?|-?\d+/0+", match[1]):
             raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="leave zero out")
         found.append((match[1], int(match[2] or 1)))
@@ -46,11 +48,15 @@ def factor_of_text(
     Raises `ClaimError` when it cannot be read.
     """
     known = curve.operands()
-    one = known["w"]
+    one = next(known[name] for name in ("w", "w1") if name in known)
     top = bottom = one.constant(1)
     for name, exponent in factor_parts(text):
         value = (
-            known[name] if name in WEIGHTS else find(name)(curve) if name[0].isalpha() else one.constant(rational(name))
+            known[name]
+            if name in WEIGHTS and name in known
+            else find(name)(curve)
+            if name[0].isalpha()
+            else one.constant(rational(name))
         )
         if exponent > 0:
             top = top * value**exponent

@@ -6,15 +6,14 @@ Formulas are given themselves or by name.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import common_kind
+from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
@@ -22,7 +21,7 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import Factor, find_factor
 from exactspline.symbolic.reduction import Reduction, reduce
-from exactspline.verification.claim_factor import factor_of_text
+from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 
 Named = Formula | str
 
@@ -62,13 +61,17 @@ class Check:
     holds: bool
     #: A parameter at which the sides differ, None where they are equal.
     witness: mpq | None
+    #: Whether both sides vanish on all of the curve: then any factor holds.
+    vacuous: bool = False
 
     def __bool__(self) -> bool:
         return self.holds
 
     def __str__(self) -> str:
         statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
-        return f"{statement} on this curve" if self.holds else f"not {statement} at the parameter {self.witness}"
+        if not self.holds:
+            return f"not {statement} at the parameter {self.witness}"
+        return f"{statement} on this curve" + (", where both are 0 and any factor holds" if self.vacuous else "")
 
 
 def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
@@ -95,7 +98,9 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
         )
     n = common[0] if dimension is None else dimension
     kind = common_kind(f.kind for f in sides)
-    named = [find(name) for name in re.findall(r"[A-Za-z]\w*", factor) if name not in ("w", "W")]
+    _check_kinds(kind, sides, n)
+    named = [find(name) for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS]
+    _check_kinds(kind, named, n)
     curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
     quotient = find_factor(sides[0](curve), sides[1](curve))
     top, bottom = factor_of_text(factor, curve)
@@ -115,10 +120,16 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
-    Raises `FormulaError` for an unknown formula, two that have not as many components, and one that does not exist on
-    all of the curve.
+    Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, two that have
+    not as many components, and one that does not exist on all of the curve.
     """
     sides = _formulas(left, right)
+    for f in sides:
+        if curve.dimension not in f.kind.dimensions or not CURVE.takes(f.kind, curve.dimension):
+            raise FormulaError(
+                f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
+                remedy="compare formulas of a curve like this one",
+            )
     (ps, k), (qs, m) = (split(f(curve)) for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
@@ -132,7 +143,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
         difference = bottom * (p if m is None else p * m) - top * (q if k is None else q * k)
         if not difference.is_zero:
             return Check(sides[0].name, sides[1].name, factor, False, _where_not_zero(difference))
-    return Check(sides[0].name, sides[1].name, factor, True, None)
+    vacuous = all(x.is_zero for x in (*ps, *qs))
+    return Check(sides[0].name, sides[1].name, factor, True, None, vacuous)
 
 
 def reduction(
@@ -147,6 +159,16 @@ def reduction(
     Raises `FormulaError` for an unknown formula, `ShapeError` where it does not fit the dimension.
     """
     return reduce(find(formula) if isinstance(formula, str) else formula, dimension=dimension, polynomial=polynomial)
+
+
+def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> None:
+    """Refuse what has no value on the argument on which the others are compared."""
+    for f in formulas:
+        if not kind.takes(f.kind, dimension):
+            raise FormulaError(
+                f"{f.name} is a formula of the kind {f.kind.name}, which has no value on the kind {kind.name}",
+                remedy="compare formulas of one kind of argument",
+            )
 
 
 def _formulas(*given: Named) -> tuple[Formula, ...]:

@@ -17,8 +17,8 @@ PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict
 VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
 #: How `witness` begins where a curve is none of those of which the claim speaks.
 OUTSIDE = "the claim says nothing of this curve: "
-#: What is said beside a statement about the generic curve where one curve is looked at.
-AT_MOST_HERE = " (on one curve: at most)"
+#: Why a curve of lower degree decides nothing about the generic one.
+LOWER_HERE = "the degree is lower on it, as it may be on special curves"
 
 
 class ContradictionError(ExactSplineError):
@@ -104,7 +104,7 @@ def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float
         claim.status,
         claim.kind,
         claim.source,
-        _statement(claim, curve, f),
+        _statement(claim),
         claim.assumed,
         list(f.assumptions),
         reading,
@@ -120,13 +120,8 @@ def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float
     )
 
 
-def _statement(claim: Claim, curve: str, finding: Finding) -> str:
-    weaker = curve and finding.relation == Relation.AT_MOST and claim.relation_claimed == Relation.EQUAL
-    return (
-        claim.statement
-        + (" (as it must read)" if claim.status == Status.MEANT else "")
-        + (AT_MOST_HERE if weaker else "")
-    )
+def _statement(claim: Claim) -> str:
+    return claim.statement + (" (as it must read)" if claim.status == Status.MEANT else "")
 
 
 def _expected(claim: Claim, curve: str, finding: Finding, is_example: bool) -> str:

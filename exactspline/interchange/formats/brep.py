@@ -14,11 +14,12 @@ from exactspline.errors import CurveFileError
 from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.numbers import NumberText, nearest_double
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import cartesian
+from exactspline.splines.nurbs import Nurbs
 
 LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, BEZIER, BSPLINE, TRIMMED, OFFSET = range(1, 10)
 NAMES = {LINE: "line", PARABOLA: "parabola", HYPERBOLA: "hyperbola", TRIMMED: "trimmed curve", OFFSET: "offset curve"}
@@ -80,8 +81,10 @@ def _spline(found: Collector, words: Tokens, dimension: int, where: str) -> None
     points, weights = _poles(words, count, dimension, rational)
     found.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
-    if degree > found.limits.degree or any(times > degree + 1 for _, times in pairs):
-        found.skip("B-spline curve", where, f"degree {degree}, multiplicities to {max(times for _, times in pairs)}")
+    if degree > found.limits.degree or any(not 1 <= times <= degree + 1 for _, times in pairs):
+        found.skip(
+            "B-spline curve", where, f"multiplicities beyond 1 to {degree + 1}, or a degree above {found.limits.degree}"
+        )
         return
     found.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
@@ -130,7 +133,9 @@ def _ellipse(found: Collector, words: Tokens, dimension: int, where: str, kind: 
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as sections without a shape: plane ones under ``Curve2ds``, space ones under ``Curves``."""
+    """Space curves under ``Curves``, each with an edge and its vertices in a compound; plane curves, which are edges
+    only on a surface, under ``Curve2ds`` alone.
+    """
     plane = [named.curve for named in curves if named.curve.dimension == 2]
     space = [named.curve for named in curves if named.curve.dimension == 3]
     if len(plane) + len(space) != len(curves):
@@ -139,27 +144,36 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     for title, group in (("Curve2ds", plane), ("Curves", space)):
         lines.append(f"{title} {len(group)}")
         for curve in group:
-            rational = not curve.polynomial
-            rows = [
-                " ".join(map(numbers, [*point, *([weight] if rational else [])]))
-                for point, weight in zip(cartesian(curve), curve.weights, strict=True)
-            ]
-            pairs = zip(curve.knots.breakpoints, curve.knots.multiplicities, strict=True)
-            knots = " ".join(f"{numbers(knot)} {times}" for knot, times in pairs)
-            counts = f"{curve.degree} {len(rows)} {len(curve.knots.breakpoints)}"
-            lines += [f"{BSPLINE} {int(rational)} 0  {counts}  {'  '.join(rows)} ", f" {knots}"]
-    lines += [
-        "Polygon3D 0",
-        "PolygonOnTriangulations 0",
-        "Surfaces 0",
-        "Triangulations 0",
-        "",
-        "TShapes 0",
-        "",
-        "*",
-        "",
+            lines += _written(curve, numbers)
+    lines += ["Polygon3D 0", "PolygonOnTriangulations 0", "Surfaces 0", "Triangulations 0", ""]
+    return "\n".join([*lines, *_shapes(space), ""]).encode()
+
+
+def _written(curve: Nurbs, numbers: NumberText) -> list[str]:
+    rational = not curve.polynomial
+    rows = [
+        " ".join(map(numbers, [*point, *([weight] if rational else [])]))
+        for point, weight in zip(cartesian(curve), curve.weights, strict=True)
     ]
-    return "\n".join(lines).encode()
+    pairs = zip(curve.knots.breakpoints, curve.knots.multiplicities, strict=True)
+    knots = " ".join(f"{numbers(knot)} {times}" for knot, times in pairs)
+    counts = f"{curve.degree} {len(rows)} {len(curve.knots.breakpoints)}"
+    return [f"{BSPLINE} {int(rational)} 0  {counts}  {'  '.join(rows)} ", f" {knots}"]
+
+
+def _shapes(curves: Sequence[Nurbs]) -> list[str]:
+    """Two vertices and an edge a curve, in one compound; a shape is named by its place counted from the end."""
+    total = 3 * len(curves) + 1
+    lines = [f"TShapes {total}"]
+    for i, curve in enumerate(curves):
+        a, b = (nearest_double(t) for t in curve.domain)
+        for point in (curve(curve.domain[0]), curve(curve.domain[1], "left")):
+            coordinates = " ".join(repr(nearest_double(x)) for x in point)
+            lines += ["Ve", "1e-07", coordinates, "0 0", "", "0101101", "*"]
+        lines += ["Ed", " 1e-07 1 1 0", f"1  {i + 1} 0 {a!r} {b!r}", "0", "", "0101000"]
+        lines.append(f"+{total - 3 * i} 0 -{total - 3 * i - 1} 0 *")
+    edges = " ".join(f"+{total - 3 * i - 2} 0" for i in range(len(curves)))
+    return [*lines, "Co", "", "1100000", f"{edges} *".strip(), "", "+1 0 "]
 
 
 FORMAT = Format("brep", "Open CASCADE BRep text", (".brep", ".brp"), looks_like, read, write)

@@ -7,6 +7,7 @@ decimals or text such as "1/3".
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from importlib import resources
 from typing import Any
@@ -17,7 +18,10 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.splines.control_points import Direction
 from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
+
+_EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
 
 
 def schema() -> dict[str, object]:
@@ -68,7 +72,7 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
         where,
         whole(str(entry["degree"])),
         _row(found, entry["knots"]),
-        [_row(found, row) for row in _list(entry["control_points"])],
+        [_point(found, row) for row in _list(entry["control_points"])],
         None if entry.get("weights") is None else _row(found, entry["weights"]),
         name=str(entry.get("name") or "") or found.source.name,
     )
@@ -85,13 +89,20 @@ def _row(found: Collector, values: Any) -> list[mpq]:
     return [_number(value, found) for value in values]
 
 
+def _point(found: Collector, row: Any) -> Sequence[mpq]:
+    """A point is a list, a direction (of weight zero) an object."""
+    if isinstance(row, dict) and set(row) == {"vector"}:
+        return Direction(*_row(found, row["vector"]))
+    return _row(found, row)
+
+
 def _number(value: Any, found: Collector) -> mpq:
     if not isinstance(value, str):
         raise NumberError("a coordinate that is no number", remedy='write 3, 0.1 or "1/3"')
     mark, most = ("p", 4 * found.limits.exponent) if "x" in value.lower() else ("e", found.limits.exponent)
     exponent = value.lower().partition(mark)[2].strip()
     # a few characters of exponent would fill the memory
-    if exponent and (len(exponent) > 7 or not exponent.lstrip("+-").isdecimal() or abs(int(exponent)) > most):
+    if exponent and (not _EXPONENT.fullmatch(exponent) or abs(int(exponent)) > most):
         raise NumberError(f"the exponent {exponent[:20]!r}", remedy=f"exponents to {most} are read")
     if len(value) > 50 * found.limits.digits:
         raise NumberError(f"a number of {len(value)} characters", remedy="read with a larger limit of digits")

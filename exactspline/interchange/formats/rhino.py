@@ -1,4 +1,5 @@
-"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded.
+"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded; it works in a process of its
+own.
 
 NURBS curves, lines and polylines are read, of polycurves every segment, of arcs the full circles, exactly for the
 plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are put back,
@@ -7,19 +8,27 @@ and change nothing, as no point of the domain depends on them. Edges of Breps an
 
 from __future__ import annotations
 
+import json
+import os
+import subprocess
+import sys
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import from_float, mpq
+from exactspline.exact import mpq, rational
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.writing import homogeneous, in_space
+
+#: How long the library may work on one archive.
+SECONDS = 30
+MISSING = "the first and the last knot, which openNURBS leaves out, repeat their neighbours"
 
 
 def looks_like(head: bytes) -> bool:
@@ -37,69 +46,59 @@ def _rhino() -> Any:
 
 def read(source: Source) -> Reading:
     """The curves of a file."""
-    found, rhino = Collector("3dm", source), _rhino()
-    # a damaged archive raises whatever its bytes happen to hit
-    try:
-        model = rhino.File3dm.FromByteArray(source.data)
-        objects = list(model.Objects) if model else None
-    except Exception as error:
-        raise CurveFileError(f"cannot be read ({type(error).__name__})", remedy="repair the file") from None
-    if objects is None:
-        raise CurveFileError("is no archive that can be read", remedy="repair the file")
-    for number, entry in enumerate(objects, 1):
+    found = Collector("3dm", source)
+    _rhino()
+    for entry in _entries(source):
+        where, kind = entry["where"], entry["kind"]
         try:
-            geometry, name = entry.Geometry, str(entry.Attributes.Name or "")
-        except Exception as error:
-            found.skip("object", f"object {number}", f"it is damaged ({type(error).__name__})")
-            continue
-        _object(found, rhino, geometry, f"object {number}", name)
+            if "plane" in entry:
+                _circle(found, entry)
+            elif "points" in entry:
+                _spline(found, entry)
+            else:
+                found.skip(kind, where, "no curve that is read")
+        except ExactSplineError as error:
+            found.skip(kind, where, str(error))
     return found.reading()
 
 
-def _object(found: Collector, rhino: Any, geometry: Any, where: str, name: str) -> None:
-    kind = type(geometry).__name__
-    if isinstance(geometry, rhino.PolyCurve):
-        for i in range(min(geometry.SegmentCount, found.limits.objects)):
-            _object(found, rhino, geometry.SegmentCurve(i), f"{where}, segment {i + 1}", name)
-        return
+def _entries(source: Source) -> list[dict[str, Any]]:
+    """What the library sees, from a process of its own."""
+    command = [sys.executable, "-m", "exactspline.interchange.rhino_process"]
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
-        if isinstance(geometry, rhino.ArcCurve):
-            _circle(found, geometry, where, name)
-        elif isinstance(geometry, (rhino.NurbsCurve, rhino.LineCurve, rhino.PolylineCurve)):
-            _spline(found, geometry if kind == "NurbsCurve" else geometry.ToNurbsCurve(), kind, where, name)
-        else:
-            found.skip(kind, where, "no curve that is read")
-    except ExactSplineError as error:
-        found.skip(kind, where, str(error))
+        done = subprocess.run(
+            command, input=source.data, capture_output=True, timeout=SECONDS, check=True, env=environment
+        )
+        entries: list[dict[str, Any]] = json.loads(done.stdout)
+    except subprocess.TimeoutExpired:
+        raise CurveFileError(f"keeps rhino3dm busy for {SECONDS} seconds", remedy="repair the file") from None
+    except (subprocess.CalledProcessError, ValueError):
+        raise CurveFileError("is no archive that rhino3dm can read", remedy="repair the file") from None
+    return entries
 
 
-def _spline(found: Collector, curve: Any, kind: str, where: str, name: str) -> None:
-    if curve is None:
-        raise CurveFileError("has no NURBS form", remedy="repair the object")
-    inner = [from_float(knot) for knot in curve.Knots]
-    found.count(len(inner))
+def _spline(found: Collector, entry: dict[str, Any]) -> None:
+    inner, rows = [rational(knot) for knot in entry["knots"]], [[rational(x) for x in row] for row in entry["points"]]
     if not inner:
         raise CurveFileError("no knots", remedy="repair the object")
-    rows = [tuple(map(from_float, (p.X, p.Y, p.Z, p.W))) for p in (curve.Points[i] for i in range(len(curve.Points)))]
-    knots = [inner[0], *inner, inner[-1]]
-    notes = ["the first and the last knot, which openNURBS leaves out, repeat their neighbours"]
-    if curve.IsRational:
-        found.add(kind, where, int(curve.Degree), knots, rows, homogeneous=True, name=name, notes=notes)
-    else:
-        found.add(kind, where, int(curve.Degree), knots, [row[:3] for row in rows], name=name, notes=notes)
+    knots, notes = [inner[0], *inner, inner[-1]], [MISSING]
+    kind, where, name, homogeneous_points = entry["kind"], entry["where"], entry["name"], entry["rational"]
+    points = rows if homogeneous_points else [row[:3] for row in rows]
+    degree = entry["degree"]
+    found.add(kind, where, degree, knots, points, homogeneous=homogeneous_points, name=name, notes=notes)
 
 
-def _circle(found: Collector, arc: Any, where: str, name: str) -> None:
-    if not arc.IsCompleteCircle:
+def _circle(found: Collector, entry: dict[str, Any]) -> None:
+    if not entry["complete"]:
         raise CurveFileError("an arc with irrational ends", remedy="store it as a NURBS curve")
-    plane, radius = arc.Arc.Plane, from_float(arc.Radius)
-    rows = [
-        [from_float(getattr(axis, letter)) for axis in (plane.XAxis, plane.YAxis, plane.Origin)] for letter in "XYZ"
-    ]
-    frame = Affine([[radius * x, radius * y, centre] for x, y, centre in rows])
+    [radius] = map(rational, entry["radius"])
+    rows = [map(rational, row) for row in entry["plane"]]
+    frame = Affine([[radius * x, radius * y, centre] for x, y, centre in zip(*rows, strict=True)])
     one = (mpq(1), mpq(0))
     degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
     note = "a whole circle, exact for the plane as written; its angle was the parameter"
+    where, name = entry["where"], entry["name"]
     found.add("ArcCurve", where, degree, knots, points, homogeneous=True, name=name, notes=[note])
 
 

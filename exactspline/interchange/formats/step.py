@@ -101,6 +101,8 @@ def _curve(file: _File, entity: dict[str, list[Value]], where: str) -> None:
     if len(base) < 5 or not isinstance(base[0], str) or (kind == WITH_KNOTS and len(own) < 2):
         raise CurveFileError("attributes are missing", remedy="complete the instance")
     degree = whole(base[0])
+    if not 0 <= degree <= file.limits.degree:
+        raise CurveFileError(f"degree {degree}", remedy=f"at most {file.limits.degree} is read")
     points = [file.point(reference) for reference in file.texts(base[1])]
     knots = _listed(file, own) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
     weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
@@ -162,8 +164,22 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
             f"(GEOMETRIC_REPRESENTATION_CONTEXT({dimension}) GLOBAL_UNIT_ASSIGNED_CONTEXT(({','.join(units)})) "
             "REPRESENTATION_CONTEXT('',''))"
         )
-        add(f"SHAPE_REPRESENTATION('',({collected}),{context})")
+        shape = add(f"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',({collected}),{context})")
+        _product(shape, add)
     return (_HEADER + "\n".join(lines) + "\nENDSEC;\nEND-ISO-10303-21;\n").encode()
+
+
+def _product(shape: str, add: Callable[[str], str]) -> None:
+    """The part that has this shape, without which other programs see no shape at all."""
+    application = add("APPLICATION_CONTEXT('automotive design')")
+    add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
+    context = add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
+    product = add(f"PRODUCT('curves','curves','',({context}))")
+    formation = add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
+    stage = add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")
+    definition = add(f"PRODUCT_DEFINITION('design','',{formation},{stage})")
+    defined = add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
+    add(f"SHAPE_DEFINITION_REPRESENTATION({defined},{shape})")
 
 
 _UNITS = (

@@ -21,7 +21,7 @@ from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
 from exactspline.verification.notation import degree_latex, symbol
-from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import LOWER_HERE, OUTSIDE, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Counting, Measure, Parameter, Relation
 
 #: What a claim measures, as LaTeX.
@@ -109,17 +109,19 @@ class DegreeClaim(Claim):
         return replace(found, claimed=self.claims, relation=self.relation)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """The degree of the splines at hand. What is claimed of the generic curve is a bound on this one."""
+        """The degree of the splines at hand. A curve of higher degree refutes what is claimed of the generic one; a
+        curve of lower degree may be a special one, and decides nothing.
+        """
         claimed = self._claimed(argument)
-        relation = Relation.AT_MOST if self.measure.is_generic else self.relation
-        text = f"{RELATIONS[relation][1]}{claimed}"
+        text = f"{RELATIONS[self.relation][1]}{claimed}"
         computed = self._computed(argument)
         if computed < 0 and self.measure.is_generic:
             return vacuous(text, "0")
-        holds = relation.holds(computed, claimed)
-        lower = " (lower on this curve)" if self.measure.is_generic and computed < claimed else ""
+        if self.measure.is_generic and self.relation == Relation.EQUAL and computed < claimed:
+            return Finding(UNDECIDED, text, str(computed), witness=f"{OUTSIDE}{LOWER_HERE}", relation=self.relation)
+        holds = self.relation.holds(computed, claimed)
         told = "" if holds else f"{computed}, not {text}"
-        return Finding(VERIFIED if holds else REFUTED, text, f"{computed}{lower}", witness=told, relation=relation)
+        return Finding(VERIFIED if holds else REFUTED, text, str(computed), witness=told, relation=self.relation)
 
     def _claimed(self, argument: Any) -> int:
         degree = parse(self.claimed)

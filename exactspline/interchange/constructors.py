@@ -1,0 +1,74 @@
+"""Exact circles, ellipses and conic arcs as rational quadratics with rational weights."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from exactspline.errors import ShapeError
+from exactspline.exact import Number, mpq, rational
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
+from exactspline.splines.nurbs import Nurbs
+
+ONE = (mpq(1), mpq(0))
+
+
+def circle(centre: Iterable[Number], radius: Number) -> Nurbs:
+    """The whole circle in the plane, counter-clockwise from its rightmost point, four segments.
+
+    >>> x, y = circle((1, 0), "5/2")("1/3")
+    >>> (x - 1) ** 2 + y**2
+    mpq(25,4)
+
+    Raises `ShapeError` where the radius is not positive.
+    """
+    r = rational(radius)
+    if r <= 0:
+        raise ShapeError(f"the radius {r}", where="radius", remedy="it must be positive")
+    return ellipse(centre, (r, 0), (0, r))
+
+
+def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) -> Nurbs:
+    """The whole ellipse ``centre + cos t u + sin t v`` in the plane or in space.
+
+    >>> ellipse((0, 0, 1), (2, 0, 0), (0, 1, 1))(1)
+    (mpq(0,1), mpq(1,1), mpq(2,1))
+    """
+    rows = list(zip(_point(u), _point(v), _point(centre), strict=True))
+    return _curve(mapped(arc_around_origin(ONE, ONE), Affine(rows)), "ellipse")
+
+
+def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
+    """The circular arc in the plane, counter-clockwise from `start` to `end` (the whole circle when they agree).
+
+    >>> quarter = arc((0, 0), (3, 4), (-4, 3))
+    >>> quarter.degree, quarter.weights
+    (2, (mpq(2,1), mpq(1,1), mpq(1,1)))
+
+    Raises `ShapeError` where they are not exactly on one circle.
+    """
+    x, y = _point(centre)
+    u, v = ((p[0] - x, p[1] - y) for p in (_point(start), _point(end)))
+    return _curve(mapped(arc_around_origin(u, v), Affine([[1, 0, x], [0, 1, y]])), "arc")
+
+
+def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
+    """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0, given by its six coefficients: on an ellipse
+    counter-clockwise, on a parabola or a hyperbola along the branch of both ends.
+
+    >>> conic([0, 1, 0, 0, 0, -1], (1, 1), (4, "1/4"))("1/2")
+    (mpq(28,13), mpq(13,28))
+
+    Raises `ShapeError` where an end is not exactly on the conic, or no such arc exists.
+    """
+    if len(form) != 6:
+        raise ShapeError(f"{len(form)} coefficients", where="form", remedy="give A, B, C, D, E, F")
+    return _curve(conic_arc([rational(c) for c in form], _point(start), _point(end)), "conic")
+
+
+def _point(values: Iterable[Number]) -> tuple[mpq, ...]:
+    return tuple(rational(value) for value in values)
+
+
+def _curve(segments: Sequence[Segment], name: str) -> Nurbs:
+    return Nurbs.from_homogeneous(*joined(segments), name=name)

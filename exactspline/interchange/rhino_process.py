@@ -1,0 +1,68 @@
+"""What rhino3dm sees in an archive, as JSON on standard output: run as a process of its own, since on a damaged archive
+the library may crash, take gigabytes, or not come back.
+
+Doubles are written as C99 hexadecimal floats, exactly.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+#: Bytes of memory the process may take.
+MEMORY = 2 << 30
+
+
+def _hex(*values: float) -> list[str]:
+    return [float(value).hex() for value in values]
+
+
+def _described(rhino: Any, geometry: Any, where: str, name: str) -> list[dict[str, Any]]:
+    entry: dict[str, Any] = {"kind": type(geometry).__name__, "where": where, "name": name}
+    if isinstance(geometry, rhino.PolyCurve):
+        segments = [(i, geometry.SegmentCurve(i)) for i in range(geometry.SegmentCount)]
+        return [row for i, part in segments for row in _described(rhino, part, f"{where}, segment {i + 1}", name)]
+    if isinstance(geometry, rhino.ArcCurve):
+        plane = geometry.Arc.Plane
+        vectors = [_hex(v.X, v.Y, v.Z) for v in (plane.XAxis, plane.YAxis, plane.Origin)]
+        return [
+            entry | {"complete": bool(geometry.IsCompleteCircle), "radius": _hex(geometry.Radius), "plane": vectors}
+        ]
+    if not isinstance(geometry, (rhino.NurbsCurve, rhino.LineCurve, rhino.PolylineCurve)):
+        return [entry]
+    curve = geometry if isinstance(geometry, rhino.NurbsCurve) else geometry.ToNurbsCurve()
+    if curve is None:
+        return [entry]
+    points = [curve.Points[i] for i in range(len(curve.Points))]
+    return [
+        entry
+        | {
+            "degree": int(curve.Degree),
+            "rational": bool(curve.IsRational),
+            "knots": _hex(*curve.Knots),
+            "points": [_hex(p.X, p.Y, p.Z, p.W) for p in points],
+        }
+    ]
+
+
+def main() -> None:
+    """Read an archive from standard input."""
+    import rhino3dm
+
+    try:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    except (ImportError, ValueError, OSError):
+        # no such limits on this system: the time is bounded all the same
+        pass
+    model = rhino3dm.File3dm.FromByteArray(sys.stdin.buffer.read())
+    rows = []
+    for number, entry in enumerate(model.Objects, 1):
+        rows += _described(rhino3dm, entry.Geometry, f"object {number}", str(entry.Attributes.Name or ""))
+    json.dump(rows, sys.stdout)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,58 @@
+"""`prove` and `verify` of the front door: nothing false holds, 0 = 0 is told, and what cannot be compared is refused in
+plain words.
+"""
+
+import pytest
+
+import exactspline as xs
+from exactspline.papers import all_formulas
+
+LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
+#: One formula of each kind of argument.
+OF_EACH_KIND = list({f.kind.name: f.name for f in all_formulas().values()}.values())
+
+
+def test_zero_equal_to_zero_is_told():
+    """Both sides vanish on a line, so that a false factor holds there too: the answer says why."""
+    for factor in ("w", "17"):
+        check = xs.verify("f1", "f2", LINE, factor)
+        assert check.holds
+        assert check.vacuous
+        assert "both are 0" in str(check)
+    proper = xs.verify("f1", "f2", xs.example("circle"), "w")
+    assert proper.holds
+    assert not proper.vacuous
+    assert "0" not in str(proper)
+
+
+@pytest.mark.parametrize("left", OF_EACH_KIND)
+@pytest.mark.parametrize("right", OF_EACH_KIND)
+def test_formulas_of_any_two_kinds_are_compared_or_refused(left, right):
+    """Whichever two are given, the answer is a verdict or an `ExactSplineError`; none of these is another one."""
+    try:
+        holds = xs.prove(left, right).holds
+    except xs.ExactSplineError:
+        holds = None
+    assert holds is not (left != right)
+
+
+def test_a_formula_is_itself():
+    assert all(xs.prove(name, name) for name in ("T1", "D1", "f2", "torsion", "second_normal", "plane_bisector"))
+
+
+@pytest.mark.parametrize("factor", ["W", "second_normal", "T1"])
+def test_a_factor_that_the_curve_does_not_have_is_refused(factor):
+    with pytest.raises(xs.ExactSplineError):
+        xs.prove("f1", "f2", factor)
+
+
+@pytest.mark.parametrize("name", ["torsion", "second_normal", "T1", "plane_bisector"])
+def test_a_formula_of_other_curves_is_refused_by_name(name):
+    with pytest.raises(xs.ExactSplineError, match=f"{name} is a formula of the kind"):
+        xs.verify(name, name, xs.example("circle"))
+
+
+@pytest.mark.parametrize("factor", ["2", "-1", "w^2", "w^-1", "f2", "1/2 w"])
+def test_a_wrong_factor_is_neither_proved_nor_verified(factor):
+    assert not xs.prove("f1", "f2", factor)
+    assert not xs.verify("f1", "f2", xs.example("rational_cubic"), factor)
