@@ -74,7 +74,7 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
         if i:
             console.console().print()
         _print(c, data)
-    if not out.quiet:
+    if inspected and not out.quiet:
         console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
 from typing import Any
 
 from flint import fmpz_poly
 
 from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve
+from exactspline.language.arguments import Curve, Operands
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
@@ -77,7 +76,7 @@ def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
     return p, p.degree()
 
 
-def spline_table(d1: int = 2, d2: int = 3) -> SimpleNamespace:
+def spline_table(d1: int = 2, d2: int = 3) -> Operands:
     """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive
     denominators.
     """
@@ -93,7 +92,7 @@ def spline_table(d1: int = 2, d2: int = 3) -> SimpleNamespace:
         return BSpline(d, knots, [number() for _ in range(len(knots) - d - 1)])
 
     one, two = [spline(d1, [1, 2]) for _ in range(5)], [spline(d2, ["1/2", 2, 2]) for _ in range(5)]
-    return SimpleNamespace(
+    return Operands(
         p1=one[0],
         w1=one[1],
         v1=Vector(*one[2:]),

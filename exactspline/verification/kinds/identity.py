@@ -24,6 +24,8 @@ from exactspline.verification.vocabulary import ArgumentKind
 def stated_factor(claim: Claim, name: str, value: str) -> str:
     """A factor whose names are formulas that can be handed what the claim speaks of."""
     for part, _ in factor_parts(value):
+        if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
+            raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
         if part == "W" and claim.curve != ArgumentKind.PAIR:
             raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
         if part[0].isalpha() and part not in WEIGHTS:
