@@ -14,14 +14,24 @@ from exactspline.cli.common import check_output
 def convert(
     source: Annotated[str, typer.Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")],
     target: Annotated[str, typer.Argument(metavar="OUT", help="A file, or - for standard output.")],
-    from_format: Annotated[str, typer.Option("--from", help="The format of IN; by default told by its content.")] = "",
-    to_format: Annotated[str, typer.Option("--to", help="The format of OUT; by default told by its suffix.")] = "",
+    from_format: Annotated[
+        str, typer.Option("--from", metavar="FORMAT", help="The format of IN; by default told by its content.")
+    ] = "",
+    to_format: Annotated[
+        str, typer.Option("--to", metavar="FORMAT", help="The format of OUT; by default told by its suffix.")
+    ] = "",
     rounding: Annotated[
         bool, typer.Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")
     ] = False,
-    only: Annotated[list[str] | None, typer.Option("--only", help="The name of a curve to take; repeatable.")] = None,
-    degree: Annotated[int | None, typer.Option("--degree", help="For files of control points alone.")] = None,
-    knots: Annotated[str, typer.Option("--knots", help="For files of control points alone: all knots.")] = "",
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")
+    ] = None,
+    degree: Annotated[
+        int | None, typer.Option("--degree", metavar="N", help="For files of control points alone.")
+    ] = None,
+    knots: Annotated[
+        str, typer.Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
+    ] = "",
 ) -> None:
     """Convert curves between formats without rounding; what is not read is named on standard error."""
     from exactspline.errors import CurveFileError

@@ -74,7 +74,7 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
         if i:
             console.console().print()
         _print(c, data)
-    if not out.quiet:
+    if inspected and not out.quiet:
         console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
 
@@ -217,7 +217,7 @@ def _approaches(rows: list[dict[str, Any]]) -> Any:
     return made
 
 
-def _proofs(c: Any, found: Any) -> list[dict[str, Any]]:
+def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
     """The certificates of all that was solved."""
     from exactspline.geometry.inspection import solved
 

@@ -127,7 +127,7 @@ class _Ledger:
     ) -> None:
         self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
 
-    def data(self) -> list[dict[str, Any]]:
+    def data(self) -> list[dict[str, object]]:
         """Every row, with a key of its own."""
         from exactspline.display.ledger import keyed
 
@@ -246,4 +246,5 @@ class _Ledger:
                     shown.print()
                     shown.print(ledger(wrong, "Refuted on this curve", self.digits, exact=self.exact))
             if silent := [claim for claim in self.claims if not claim.speaks_of(c.dimension, c.polynomial)]:
-                console.lines(shown, f"{len(silent)} claims say nothing of this curve: {reasons(silent, c)}")
+                told = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"
+                console.lines(shown, f"{told} nothing of this curve: {reasons(silent, c)}")

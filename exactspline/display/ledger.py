@@ -7,11 +7,11 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
 from exactspline.papers import paper
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import name_of, numbered
@@ -62,7 +62,9 @@ def section(claim: Claim) -> str:
 def found(row: Row) -> str:
     """What was found, in one phrase: an identity as ``left = factor · right``."""
     claim = claim_of(row)
-    if word(row) in (VACUOUS, INAPPLICABLE):
+    if word(row) == INAPPLICABLE:
+        return f"{row.computed or 'nothing'}: {row.witness.removeprefix(OUTSIDE)}"
+    if word(row) == VACUOUS:
         return "nothing to decide here"
     if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
         left, right = name_of(claim, claim.left), name_of(claim, claim.right)
@@ -149,7 +151,16 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
     return found
 
 
-def reasons(claims: Iterable[Claim], curve: Any) -> str:
+#: What claims of these kinds of arguments speak of; of other kinds, of curves of that kind.
+ARGUMENTS = {
+    "pair": "two space curves",
+    "point": "a point and a space curve",
+    "plane point": "a point and a plane curve",
+    "framed": "curves with their frames",
+}
+
+
+def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
     """Why claims say nothing of a curve, counted.
 
     >>> from exactspline.verification.claims import select
@@ -162,7 +173,7 @@ def reasons(claims: Iterable[Claim], curve: Any) -> str:
         if claim.curve == "table":
             counts["of Table 1"] += 1
         elif claim.curve not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension, "")):
-            counts[f"of {claim.curve} curves"] += 1
+            counts[f"of {ARGUMENTS.get(claim.curve, f'{claim.curve} curves')}"] += 1
         else:
             counts[f"of {claim.of} curves"] += 1
     return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))

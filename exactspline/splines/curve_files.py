@@ -179,7 +179,8 @@ def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
         raise CurveFileError("is no interval", where="interval", remedy="write [low, high]")
-    return tuple(_end(piece.get(key), key, t) for key, t in zip(("low", "high"), interval or domain))  # type: ignore[return-value]
+    low, high = interval or domain
+    return _end(piece.get("low"), "low", low), _end(piece.get("high"), "high", high)
 
 
 def _end(end: Any, key: str, otherwise: Any) -> mpq:
@@ -208,12 +209,14 @@ class _Decimal(str):
 
 def _number(value: Any) -> Any:
     """Text for a JSON number, so that no digit is lost; everything else is left to the gate to judge."""
-    return str(value) if isinstance(value, _Decimal) else value
+    return "null" if value is None else str(value) if isinstance(value, _Decimal) else value
 
 
 def _parsed(text: str) -> Any:
     try:
-        return json.loads(text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse)
+        return json.loads(
+            text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=_once_each
+        )
     except RecursionError:
         raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
     except json.JSONDecodeError as error:
@@ -222,6 +225,16 @@ def _parsed(text: str) -> Any:
             where=f"line {error.lineno}, column {error.colno}",
             remedy="correct the text there",
         ) from None
+
+
+def _once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
+    """The fields of an object; one that is written twice has no value that could be meant."""
+    found = dict(fields)
+    if len(found) < len(fields):
+        names = [name for name, _ in fields]
+        twice = next(name for i, name in enumerate(names) if name in names[:i])
+        raise CurveFileError(f"the field {twice!r} is written twice", remedy="keep one of them")
+    return found
 
 
 def _refuse(word: str) -> NoReturn:
