@@ -80,6 +80,13 @@ def test_common_roots_are_the_degrees_at_which_all_coefficients_vanish(roots, al
     assert common_roots(p * (2 * d - 1)) == expected
 
 
+def test_common_roots_tell_powers_of_one_variable_apart():
+    context = fmpq_mpoly_ctx.get(["d", "x"], Ordering.degrevlex)
+    d, x = context.gens()
+    assert common_roots((d - 3) * x + (d - 5) * x**2) == ()
+    assert common_roots((d - 3) * x + (d - 3) * (d - 5) * x**2) == (3,)
+
+
 @pytest.mark.parametrize(
     ("one", "other", "dimension"),
     [("f2", "f2", 2), ("f2", "D1_squared", 2), ("vertices_lifted", "f2", 2), ("torsion_zeros_lifted", "D1_squared", 3)],

@@ -42,7 +42,7 @@ def of_identity(c):
     """What is not zero is not twice itself; w is not 1 on a rational curve; k² ≠ 1."""
     yield replace(c, factor=f"2 {c.factor}"), EVERYWHERE
     yield replace(c, factor=f"-1 {c.factor}"), EVERYWHERE
-    if c.of != "polynomial":
+    if c.of != "polynomial" and c.curve != "table":
         yield replace(c, factor=f"w {c.factor}"), IN_GENERAL
     if not is_value_one(c.factor):
         yield replace(c, left=c.right, right=c.left), IN_GENERAL

@@ -80,3 +80,9 @@ def generator_x(c):
 def generator_y(c):
     """The second component of ``D1 × (p − wQ)``."""
     return point_bisector_generator_polynomial(c)[1]
+
+
+@formula("eq. (31)", on="point")
+def through_point_height_by_determinant(c):
+    """``[Q γ′ γ]``: what ``Q·(γ′ × (γ − Q))`` comes to."""
+    return det(c.point, c.gamma.d(1), c.gamma)
