@@ -21,8 +21,8 @@ from mutation.mutants import Mutant, drawn
 
 RESULTS = MAP.parent / "results.jsonl"
 SURVIVORS = ROOT / "mutation" / "survivors.toml"
-#: Verdicts that are no failure: refuted, an error, a run that does not end, or no change at all.
-HARMLESS = ("killed", "broken", "timeout", "equivalent")
+#: Verdicts that are no failure: refuted, or no change at all. A run that did not end, or broke, says nothing.
+HARMLESS = ("killed", "equivalent")
 
 
 def read(path: Path) -> dict[str, dict[str, Any]]:
@@ -112,11 +112,11 @@ def report(chosen: list[Mutant], known: dict[str, dict[str, Any]]) -> int:
         real = len(mine) - counts["equivalent"]
         told = sum(known[m.name]["verdict"] == "survived" and stable(m.name) in why for m in mine)
         words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
-        score = 100 * (real - counts["survived"]) / real if real else 100
+        score = 100 * counts["killed"] / real if real else 100
         print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {score:.1f} %")
     left = [m.name for m in judged if known[m.name]["verdict"] not in HARMLESS and stable(m.name) not in why]
     for name in left:
-        print(f"survived: {name} ({known[name].get('by', '')})")
+        print(f"{known[name]['verdict']}: {name} ({known[name].get('by', '')})")
     if len(judged) < len(chosen):
         print(f"{len(chosen) - len(judged)} mutants are left: run it again")
     return 1 if left else 0

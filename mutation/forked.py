@@ -45,9 +45,14 @@ def forked(
             file.seek(0)
             text = file.read()
             file.close()
-            result = json.loads(text) if text else {"verdict": "timeout" if not done else "broken", "by": str(status)}
+            result = json.loads(text) if text else _silent(done, status)
             yield task, {**result, "seconds": round(monotonic() - start, 2)}
         sleep(0.005)
+
+
+def _silent(done: int, status: int) -> Result:
+    """The result of a process that left none: it took too long, or it crashed."""
+    return {"verdict": "killed", "by": f"crash, status {status}"} if done else {"verdict": "timeout"}
 
 
 def _child(task: Any, work: Callable[[Any], Result], file: Any) -> None:

@@ -99,5 +99,5 @@ def test_every_corner_of_a_glyph_has_a_row(file, monkeypatch):
         cosine = sum(x * y for x, y in zip(before, behind, strict=True))
         squares = sum(x * x for x in before) * sum(x * x for x in behind)
         turns = cosine < 0 or cosine**2 * 10**10 < squares * (10**10 - 1)
-        if turns or (joint.angle is not None and joint.angle.sine.squared * 10**8 > 1):
+        if turns or (joint.angle is not None and joint.angle.sine**2 * 10**8 > 1):
             assert (joint.angle is not None) == turns

@@ -17,7 +17,6 @@ from exactspline.splines.examples import example
 from exactspline.symbolic.covariants import product_of, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification.claims import all_claims
-from exactspline.verification.curve_check import check
 from exactspline.verification.verdict import VACUOUS
 
 coefficients = st.lists(st.integers(-9, 9), min_size=4, max_size=8).filter(lambda c: c[-1])
@@ -40,7 +39,8 @@ def test_an_expansion_has_the_leading_coefficients_of_the_polynomial(a, b, order
         known |= {f"{name}{i}": value for i, value in enumerate(leading(p, d, terms))}
 
     def told(expansion):
-        return [t.subs(known).leading_coefficient() if t.subs(known) else fmpq(0) for t in expansion.terms]
+        (coefficients_told,) = expansion.parts.values()
+        return [t.subs(known).leading_coefficient() if t.subs(known) else fmpq(0) for t in coefficients_told]
 
     def differentiated(p, n):
         for _ in range(n):
@@ -132,7 +132,7 @@ def test_what_exists_nowhere_on_a_curve_is_told_to_be_missing_also_of_ruled_surf
     line, found = example("space_line"), set()
     for claim in all_claims():
         if claim.kind == "same surface" and "focal_surface" in claim.named and claim.speaks_of(3, line.polynomial):
-            finding = check(claim, line)
+            finding = claim.check(line)
             assert finding.verdict == "UNDECIDED"
             assert finding.witness == VACUOUS
             assert "does not exist" in finding.computed

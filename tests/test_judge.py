@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.papers import find, paper
@@ -34,7 +35,7 @@ def also(monkeypatch):
 
     def add(name, function, kind):
         function.__name__ = name
-        made = Formula(function, "a test", kind, "")
+        made = Formula(function, "a test", kind_of(kind), "")
         monkeypatch.setitem(paper("lifted").formulas, name, made)
         return name
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, Any
+from typing import Annotated, TypeVar
 
 import typer
 
 from exactspline.cli.output import is_quiet
 from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.splines.nurbs import Nurbs
 
 __all__ = [
     "CURVE_HELP",
@@ -23,6 +24,8 @@ __all__ = [
     "loaded",
     "tracked",
 ]
+V = TypeVar("V")
+
 CURVE_HELP = "A curve file (JSON), the name of an example curve, or - for standard input."
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
@@ -36,7 +39,7 @@ Digits = Annotated[
 Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
 
-def load_curve(name: str) -> Any:
+def load_curve(name: str) -> Nurbs:
     """An example curve by its name, a curve file by its path, or the curve on standard input (``-``)."""
     from exactspline.splines.curve_files import MAX_BYTES
     from exactspline.splines.examples import curve_from_text, load
@@ -55,7 +58,7 @@ def load_curve(name: str) -> Any:
         raise error.at("standard input") from None
 
 
-def loaded(names: Iterable[str]) -> tuple[list[Any], bool]:
+def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     """The curves that can be read, and whether all could: one bad curve is reported and the rest goes on."""
     from exactspline.display.console import show_error
 
@@ -69,14 +72,14 @@ def loaded(names: Iterable[str]) -> tuple[list[Any], bool]:
     return curves, good
 
 
-def also_in_their_planes(curves: list[Any]) -> list[Any]:
+def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     """The curves, each space curve in a coordinate plane followed by itself as a plane curve."""
     from exactspline.geometry.planarity import with_plane_curves
 
     return with_plane_curves(curves)
 
 
-def tracked(calls: Sequence[Callable[..., Any]], label: str) -> list[Any]:
+def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
     """The results of the calls, with a progress bar on a terminal."""
     if is_quiet() or not sys.stderr.isatty():
         return [call() for call in calls]
@@ -86,7 +89,7 @@ def tracked(calls: Sequence[Callable[..., Any]], label: str) -> list[Any]:
     return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
 
 
-def described(c: Any) -> str:
+def described(c: Nurbs) -> str:
     """A curve in one line; equal weights are told to be polynomial."""
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""

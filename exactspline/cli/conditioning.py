@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -37,7 +38,7 @@ def conditioning(
     from exactspline.verification.conditioning.search import search_witnesses
 
     chosen, good = loaded(curve or (() if search else WITNESSES))
-    found = tracked([lambda c=c: compared(c, construction) for c in chosen], "comparing")
+    found = tracked([partial(compared, c, construction) for c in chosen], "comparing")
     (tallies,) = tracked([lambda: search_witnesses(seed, search)], "searching") if search else ([],)
     pairs = list(zip(chosen, found, strict=True))
     out.give(
@@ -122,7 +123,7 @@ def _search_table(tallies: list[Any]) -> Sheet:
     return made
 
 
-def _data(each: Any) -> dict[str, Any]:
+def _data(each: Any) -> dict[str, object]:
     return {
         "curve": each.curve,
         "construction": each.construction,
@@ -138,7 +139,7 @@ def _data(each: Any) -> dict[str, Any]:
     }
 
 
-def _form_data(f: Any) -> dict[str, Any]:
+def _form_data(f: Any) -> dict[str, object]:
     return {
         "form": f.form,
         "degree": f.degree,
@@ -151,7 +152,7 @@ def _form_data(f: Any) -> dict[str, Any]:
     }
 
 
-def _tally_data(t: Any) -> dict[str, Any]:
+def _tally_data(t: Any) -> dict[str, object]:
     from exactspline.splines.curve_files import curve_data
 
     counts = {

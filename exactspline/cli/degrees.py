@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
 import typer
@@ -87,7 +88,9 @@ def _certify(names: list[str] | None) -> None:
         tasks = [
             (name, d, polynomial) for name in all_constructions() for polynomial in (False, True) for d in WITNESSES
         ]
-        found = tracked([lambda t=t: attained(t[0], t[1], polynomial=t[2]) for t in tasks], "witnesses")
+        found = tracked(
+            [partial(attained, name, d, polynomial=polynomial) for name, d, polynomial in tasks], "witnesses"
+        )
         keys = [f"{name} of a {'polynomial' if p else 'rational'} curve of degree {d}" for name, d, p in tasks]
         print_json(document("witnesses", [{"key": key} | vars(a) for key, a in zip(keys, found, strict=True)]))
         raise typer.Exit(0 if all(a.agrees for a in found) else 1)
@@ -95,7 +98,7 @@ def _certify(names: list[str] | None) -> None:
     rows = []
     for c in chosen:
         for made in constructions_for(c.dimension):
-            head = {"key": f"{c.name}: {made.name}", "curve": c.name, "construction": made.name}
+            head: dict[str, object] = {"key": f"{c.name}: {made.name}", "curve": c.name, "construction": made.name}
             try:
                 rows.append(head | {"certificate": certificate(made.name, c), "missing": ""})
             except ShapeError as error:

@@ -217,7 +217,7 @@ def _approaches(rows: list[dict[str, Any]]) -> Any:
     return made
 
 
-def _proofs(c: Any, found: Any) -> list[dict[str, Any]]:
+def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
     """The certificates of all that was solved."""
     from exactspline.geometry.inspection import solved
 

@@ -8,7 +8,7 @@ import inspect
 import io
 import json
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
@@ -56,7 +56,7 @@ class Output:
     def give(
         self,
         schema: str,
-        rows: Callable[[], Iterable[dict[str, Any]]],
+        rows: Callable[[], Iterable[Mapping[str, object]]],
         sheets: Callable[[], Sequence[Sheet]],
         people: Callable[[], None] | None = None,
         by: str = "",
@@ -91,12 +91,12 @@ class Output:
             console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags, *more])
 
 
-def document(schema: str, rows: Iterable[dict[str, Any]]) -> dict[str, Any]:
+def document(schema: str, rows: Iterable[Mapping[str, object]]) -> dict[str, object]:
     """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version."""
     return {"schema": f"exactspline/{schema}", "version": VERSION, "rows": list(rows)}
 
 
-def print_json(data: Any) -> None:
+def print_json(data: object) -> None:
     """JSON on standard output."""
     sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")
 
@@ -130,7 +130,7 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=hint)
         for name, hint in _FLAGS.items()
     ]
-    run.__signature__ = inspect.Signature([*own, *shared])  # type: ignore[attr-defined]
+    run.__signature__ = inspect.Signature([*own, *shared])  # type: ignore[attr-defined]  # what typer reads
     run.__annotations__ = {p.name: p.annotation for p in [*own, *shared]}
     return run
 

@@ -127,7 +127,7 @@ class _Ledger:
     ) -> None:
         self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
 
-    def data(self) -> list[dict[str, Any]]:
+    def data(self) -> list[dict[str, object]]:
         """Every row, with a key of its own."""
         from exactspline.display.ledger import keyed
 

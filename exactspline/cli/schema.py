@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -25,16 +25,16 @@ def schema(
     print_json(schema_of(name))
 
 
-def schemas() -> dict[str, dict[str, Any]]:
+def schemas() -> dict[str, dict[str, dict[str, object]]]:
     """The fields of a row by the name of the schema."""
     from importlib import resources
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
-    found: dict[str, dict[str, Any]] = json.loads(text)
+    found: dict[str, dict[str, dict[str, object]]] = json.loads(text)
     return found
 
 
-def schema_of(name: str) -> dict[str, Any]:
+def schema_of(name: str) -> dict[str, object]:
     """The JSON Schema of a document: its schema, its version, its rows, each with a key of its own.
 
     >>> schema_of("glossary")["properties"]["rows"]["items"]["required"]

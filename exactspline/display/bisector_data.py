@@ -31,7 +31,7 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.values import SplineVector
 
-Data = dict[str, Any]
+Data = dict[str, object]
 NAMES = "st"
 
 
@@ -147,7 +147,7 @@ def _plane_data(plane: PlaneComponent, digits: int) -> Data:
 
 
 def _pair_data(pair: SinglePair, digits: int) -> Data:
-    head = {
+    head: Data = {
         "s": parameter_data(pair.s, digits),
         "t": parameter_data(pair.t, digits),
         "solutions": str(pair.solutions),

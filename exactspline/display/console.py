@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterable
 from io import StringIO
-from typing import IO, Any
+from typing import IO
 
 from rich.console import Console, RenderableType
 from rich.text import Text
@@ -85,11 +85,11 @@ def legend(out: Console, words: Iterable[str]) -> None:
 
 def plain(made: RenderableType, columns: int = 160) -> str:
     """What a console would show, as text, for where there is no terminal."""
-    out = Console(highlight=False, width=columns, color_system=None, file=StringIO(), force_jupyter=False)
-    out.print(made)
-    return "\n".join(line.rstrip() for line in out.file.getvalue().splitlines())  # type: ignore[attr-defined]
+    written = StringIO()
+    Console(highlight=False, width=columns, color_system=None, file=written, force_jupyter=False).print(made)
+    return "\n".join(line.rstrip() for line in written.getvalue().splitlines())
 
 
-def show_error(error: Any) -> None:
+def show_error(error: object) -> None:
     """One line on standard error."""
     Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(f"error: {error}", markup=False)

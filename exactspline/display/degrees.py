@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from exactspline.display.sheet import Sheet
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.degree_tables import DegreeRow, GenericRow
 
 NOTHING, ZERO = "–", "zero"
 
 
-def degree_sheet(curve: Any, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
+def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
     """What the constructions or formulas cost on a curve.
 
     >>> from exactspline.splines.examples import example

@@ -30,12 +30,12 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 
 @singledispatch
-def mathematics(x: Any) -> str | None:
+def mathematics(x: object) -> str | None:
     """LaTeX without dollars, None for what has none."""
     return None
 
 
-def latex(x: Any) -> str | None:
+def latex(x: object) -> str | None:
     r"""LaTeX for a notebook, None for what has none.
 
     >>> from exactspline.papers import find

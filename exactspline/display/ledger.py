@@ -7,11 +7,11 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
 from exactspline.papers import paper
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import name_of, numbered
@@ -62,7 +62,9 @@ def section(claim: Claim) -> str:
 def found(row: Row) -> str:
     """What was found, in one phrase: an identity as ``left = factor · right``."""
     claim = claim_of(row)
-    if word(row) in (VACUOUS, INAPPLICABLE):
+    if word(row) == INAPPLICABLE:
+        return f"{row.computed or 'nothing'}: {row.witness.removeprefix(OUTSIDE)}"
+    if word(row) == VACUOUS:
         return "nothing to decide here"
     if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
         left, right = name_of(claim, claim.left), name_of(claim, claim.right)
@@ -158,7 +160,7 @@ ARGUMENTS = {
 }
 
 
-def reasons(claims: Iterable[Claim], curve: Any) -> str:
+def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
     """Why claims say nothing of a curve, counted.
 
     >>> from exactspline.verification.claims import select

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import singledispatch
 from html import escape
 from io import BytesIO
@@ -32,7 +33,7 @@ RESOLUTION = 80
 
 
 @singledispatch
-def html(x: Any) -> str | None:
+def html(x: object) -> str | None:
     """HTML for a notebook, None for what has none (then LaTeX or text is shown)."""
     return None
 
@@ -49,7 +50,7 @@ def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     )
 
 
-def numbers(values: Any) -> str:
+def numbers(values: Iterable[mpq]) -> str:
     """The first exact numbers of a list, long ones cut."""
     values = list(values)
     parts = [decimals(text(x)) for x in values[:SHOWN]]
@@ -214,7 +215,7 @@ def _(s: Statement) -> str:
     return facts(f"{c.id}, {c.source}", lines)
 
 
-def short(x: Any) -> str:
+def short(x: object) -> str:
     """One line for IPython: the exact text, or a description where that would be long.
 
     >>> short(BSpline.bezier([0, 1])), short(BSpline.bezier([0] * 50))

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 from exactspline.display.sheet import Sheet
 from exactspline.symbolic.reduction import Reduction
 
 
-def reduction_rows(found: Iterable[Reduction]) -> list[dict[str, Any]]:
+def reduction_rows(found: Iterable[Reduction]) -> list[dict[str, object]]:
     """A row a part (a ruled surface has two), for programs."""
     return [
         {"key": f"{r.name} in R{r.dimension}, {part.role}", "formula": r.name, "dimension": r.dimension}

@@ -13,16 +13,18 @@ from exactspline.geometry.derived import Derived
 from exactspline.geometry.enclosures import curvature_value, torsion_value
 from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import CurvePiece, Feature
+from exactspline.geometry.kinds import CurvePiece, Feature, Interval
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surd import Surd, significant
+from exactspline.splines.values import SplineVector
 
 
-def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, Any]:
+def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
     """A feature as data for programs: the parameter exactly, as an interval and to so many digits; κ there where
     γ′ ≠ 0, in space also τ; and the angle of a corner.
     """
@@ -60,7 +62,7 @@ def exactly(number: mpq | Surd) -> str:
     return str(number).replace("−", "-")
 
 
-def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, Any]:
+def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
     """A joint as data for programs: its kind and order of geometric continuity, the angle of a corner, the width of a
     gap, and the curvatures of both sides where they differ, exactly and to so many digits.
     """
@@ -95,7 +97,7 @@ def decimal_of(root: Root, digits: int) -> str:
         )
 
 
-def value_of(quantity: Callable[[Nurbs, Root, int, str], Any], curve: Nurbs, root: Root, digits: int) -> str:
+def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, root: Root, digits: int) -> str:
     """κ or τ at a root to so many significant digits, 0 where it is exactly 0; at a joint the limits from both sides
     where they differ; the reason where it cannot be told.
     """
@@ -119,7 +121,7 @@ def value_of(quantity: Callable[[Nurbs, Root, int, str], Any], curve: Nurbs, roo
 
 def inspection_data(
     curve: Nurbs, found: Inspection, digits: int, tick: Callable[[], None] = lambda: None
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """All of it as data for programs; `tick` is called after every feature.
 
     A piece is the list of its intervals: two where it runs across the seam of a closed curve.
@@ -155,7 +157,7 @@ def groups_of(curve: Nurbs) -> tuple[str, ...]:
     return ("singular_points", "inflections", "critical", *(("torsion",) if curve.dimension == 3 else ()))
 
 
-def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
+def derived_data(derived: Derived, curve: str) -> dict[str, object]:
     """A derived object as JSON data: control points as exact text, piece by piece.
 
     A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``.
@@ -170,9 +172,9 @@ def derived_data(derived: Derived, curve: str) -> dict[str, Any]:
     }
 
 
-def piece_data(interval: Any, value: Any) -> dict[str, Any]:
+def piece_data(interval: Interval, value: BSpline | SplineVector) -> dict[str, object]:
     """A spline, a vector of them or a `Rational` over an interval, by its control points."""
-    head = {"interval": [str(t) for t in interval]}
+    head: dict[str, object] = {"interval": [str(t) for t in interval]}
     if isinstance(value, Rational):
         numerator, denominator = value.elevated()
         components = [*(numerator if isinstance(numerator, Vector) else [numerator]), denominator]
@@ -188,7 +190,7 @@ def piece_data(interval: Any, value: Any) -> dict[str, Any]:
     }
 
 
-def _net(components: list[Any], field: str) -> dict[str, Any]:
+def _net(components: list[Any], field: str) -> dict[str, object]:
     """Control points of several splines over the knots that carry them all."""
     raised = with_common_knots(components)
     knots = raised[0].knots

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
-from typing import Any
 
 from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
 from exactspline.display.plot.functions import greville_abscissae
 from exactspline.exact import mpq
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
 
 #: Size in pixels, margin, samples in all and at least so many a segment.
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
@@ -22,7 +23,7 @@ POLYGON_ABOVE_GRAPH = 20
 VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
 
 
-def curve_picture(curve: Any) -> str:
+def curve_picture(curve: Nurbs) -> str:
     """A curve in the plane or (in a fixed view) in space, with its control polygon; empty for other dimensions.
 
     >>> from exactspline.splines.examples import example
@@ -36,7 +37,7 @@ def curve_picture(curve: Any) -> str:
     return _svg(runs, polygons(curve.knots.knots, curve.degree, control), equal=True)
 
 
-def graph_picture(f: Any) -> str:
+def graph_picture(f: BSpline) -> str:
     """The graph of a scalar spline with its control polygon, if the polygon is not out of all proportion; empty for a
     degree below 0.
     """

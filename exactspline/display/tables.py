@@ -13,6 +13,7 @@ from exactspline.display.sheet import Sheet
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
+from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
@@ -112,7 +113,7 @@ def remark(row: Row) -> str:
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} … ({len(text)} characters)"
 
 
-def verdicts(*ids: str, curves: Iterable[Any] = (), without: Sequence[str] = ()) -> Verdicts:
+def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:
     """Claims decided anew, but those of certain kinds: for all curves, or on the curves given.
 
     >>> verdicts("C4.1a")["verdict"]
@@ -125,7 +126,7 @@ def verdicts(*ids: str, curves: Iterable[Any] = (), without: Sequence[str] = ())
     return Verdicts(audit(claims, curves) if curves else map(proved, claims))
 
 
-def degree_table(curve: Any) -> Grid:
+def degree_table(curve: Nurbs) -> Grid:
     """The constructions of a curve in every form: degrees, control points, time.
 
     >>> from exactspline.splines.examples import example
@@ -161,7 +162,7 @@ def degree_table(curve: Any) -> Grid:
     )
 
 
-def measured(curve: Any, *names: str) -> Grid:
+def measured(curve: Nurbs, *names: str) -> Grid:
     """Formulas on a curve (without names: all that speak of it): nominal, represented and true degree, control points.
 
     >>> from exactspline.splines.examples import example
@@ -242,7 +243,7 @@ def _printed(s: Statement) -> tuple[str, ...]:
     return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 
-def approaches_table(curve: Any) -> Grid:
+def approaches_table(curve: Nurbs) -> Grid:
     """The approaches to critical curvature side by side on one curve.
 
     >>> from exactspline.splines.examples import example

@@ -55,7 +55,7 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
         return CurvaturePiece(
             interval, 0, None, "‖γ′‖² is no constant times a square: the curve is no Pythagorean hodograph here"
         )
-    (n, up), (m, down) = roots  # type: ignore[misc]
+    (n, up), (m, down) = roots  # type: ignore[misc]  # None is not among them
     if _vanishes(m):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))

@@ -109,7 +109,7 @@ class Adjoined(FieldOperand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Adjoined) and self.plain == other.plain and self.rooted == other.rooted
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
     def __repr__(self) -> str:
         return f"{self.plain!r} + {self.rooted!r} √({self.square!r})"

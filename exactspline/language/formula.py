@@ -29,7 +29,7 @@ class Formula(Displayed):
         """The name of the kind of its argument."""
         return self.kind.name
 
-    def __call__(self, c: Any) -> Any:
+    def __call__(self, c: object) -> Any:
         """The formula in the reading of `c`."""
         return c.calls(self) if isinstance(c, Argument) else self.function(c)
 

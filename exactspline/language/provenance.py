@@ -14,7 +14,7 @@ from typing import Any
 from exactspline.exact import mpq
 
 #: A leaf is an int; everything else a tuple of the operation and what it was applied to.
-Provenance = Any
+Provenance = int | tuple[object, ...]
 #: A constant, and the factors by their numbers, sorted.
 Canonical = tuple[mpq, tuple[int, ...]]
 

@@ -100,7 +100,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
         return self.product.value
 
     @property
-    def is_vector(self) -> bool:  # type: ignore[override]
+    def is_vector(self) -> bool:  # type: ignore[override]  # a value of a class elsewhere, here of the object
         """Whether the numerator is a vector."""
         return isinstance(self.numerator, Vector)
 

@@ -51,7 +51,7 @@ class Degree(Operand, PartlyOrdered):
     __slots__ = ("counted", "provenance", "still", "terms")
 
     def __init__(
-        self, terms: Iterable[Term], provenance: Provenance = None, *, still: bool = False, counted: str = "s"
+        self, terms: Iterable[Term], provenance: Provenance | None = None, *, still: bool = False, counted: str = "s"
     ) -> None:
         terms = set(terms)
         self.still, self.counted = still, counted

@@ -40,7 +40,7 @@ class FactoredJet(Operand):
     __slots__ = ("powers", "provenance", "ring", "unit")
     degree = 0
 
-    def __init__(self, ring: JetRing, unit: fmpq, powers: Powers, provenance: Provenance = None) -> None:
+    def __init__(self, ring: JetRing, unit: fmpq, powers: Powers, provenance: Provenance | None = None) -> None:
         self.ring, self.unit, self.powers = ring, unit, powers
         self.provenance = leaf() if provenance is None else provenance
 
@@ -124,7 +124,7 @@ class FactoredJet(Operand):
         same: bool = multiplied(self.ring, left) * self.unit == multiplied(self.ring, right) * other.unit
         return same
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
     def __repr__(self) -> str:
         return repr(Jet(self.ring, self.expanded()))

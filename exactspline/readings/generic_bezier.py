@@ -41,7 +41,7 @@ class Generic(Operand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Generic) and self.coefficients == other.coefficients
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
     def constant(self, value: Constant) -> Generic:
         """A constant of degree 0."""

@@ -67,7 +67,7 @@ class Jet(Operand):
 
     __slots__ = ("polynomial", "provenance", "ring")
 
-    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, provenance: Provenance = None) -> None:
+    def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, provenance: Provenance | None = None) -> None:
         self.ring, self.polynomial, self.provenance = ring, polynomial, leaf() if provenance is None else provenance
 
     def constant(self, value: Constant) -> Jet:

@@ -101,7 +101,7 @@ class JetFraction(FieldOperand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, JetFraction) and self.top * other.bottom == other.top * self.bottom
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"

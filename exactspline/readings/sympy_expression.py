@@ -94,7 +94,7 @@ class SympyExpression(FieldOperand):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, SympyExpression) and vanishes(self.expression - other.expression)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
     def __repr__(self) -> str:
         return str(self.expression)

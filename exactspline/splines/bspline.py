@@ -109,7 +109,12 @@ class BSpline(Immutable, _Parts, Operand):
 
     @classmethod
     def from_forms(
-        cls, degree: int, mesh: Mesh, continuity: tuple[int, ...], forms: Iterable[Form], provenance: Provenance = None
+        cls,
+        degree: int,
+        mesh: Mesh,
+        continuity: tuple[int, ...],
+        forms: Iterable[Form],
+        provenance: Provenance | None = None,
     ) -> BSpline:
         """The spline with these forms; the caller vouches for the continuity."""
         polynomials, denominators = zip(*forms, strict=True)

@@ -179,7 +179,8 @@ def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
         raise CurveFileError("is no interval", where="interval", remedy="write [low, high]")
-    return tuple(_end(piece.get(key), key, t) for key, t in zip(("low", "high"), interval or domain))  # type: ignore[return-value]
+    low, high = interval or domain
+    return _end(piece.get("low"), "low", low), _end(piece.get("high"), "high", high)
 
 
 def _end(end: Any, key: str, otherwise: Any) -> mpq:

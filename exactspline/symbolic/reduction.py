@@ -252,7 +252,7 @@ class Reduction:
 
 
 def reduce(
-    formula: Formula | Callable[[Any], Any], *, dimension: int | None = None, polynomial: bool = False
+    formula: Formula | Callable[..., object], *, dimension: int | None = None, polynomial: bool = False
 ) -> Reduction:
     """The reduction of a formula, or of any function that takes a curve and returns a scalar, a vector, a quotient or a
     ruled surface.

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from exactspline.exact import mpq, text
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 
 #: Segments of either curve that a pair is made of: more would show nothing new, and the patches grow with their square.
 SEGMENTS = 1
 
 
-def point_beside(curve: Any) -> tuple[mpq, ...]:
+def point_beside(curve: Nurbs) -> tuple[mpq, ...]:
     """A point beside the curve: the mean of its control points, moved by unequal parts of their extent.
 
     >>> from exactspline.splines.examples import example
@@ -28,26 +28,26 @@ def point_beside(curve: Any) -> tuple[mpq, ...]:
     return tuple(point)
 
 
-def moved_copy(curve: Any) -> Curve[BSpline]:
+def moved_copy(curve: Nurbs) -> Curve[BSpline]:
     """The curve with its coordinates exchanged cyclically and moved by the vector of its test point."""
     move = point_beside(curve)
     p = Vector(*[curve.p[(i + 1) % curve.dimension] + curve.w * move[i] for i in range(curve.dimension)])
     return Curve(p, curve.w, polynomial=curve.polynomial)
 
 
-def beginning(curve: Any, segments: int = SEGMENTS) -> Curve[BSpline]:
+def beginning(curve: Curve[BSpline], segments: int = SEGMENTS) -> Curve[BSpline]:
     """The first segments of a curve."""
     breaks = curve.w.breakpoints
     a, b = breaks[0], breaks[min(segments, len(breaks) - 1)]
     return Curve(Vector(*[x.restrict(a, b) for x in curve.p]), curve.w.restrict(a, b), polynomial=curve.polynomial)
 
 
-def pair_with(curve: Any, other: Any = None) -> Pair[TensorSpline]:
+def pair_with(curve: Nurbs, other: Curve[BSpline] | None = None) -> Pair[TensorSpline]:
     """The first segments of two curves, or of a curve and its moved copy."""
     return surface_pair(beginning(curve), beginning(moved_copy(curve) if other is None else other))
 
 
-def argument(kind: str, curve: Any) -> tuple[Any, str]:
+def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
     """What formulas of a kind are handed on one curve, and what is said of it beside the curve."""
     if kind == "pair":
         return pair_with(curve), ", first segment, with its moved copy"

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import Field, dataclass, field, fields
-from typing import Any, ClassVar
+from enum import StrEnum
+from typing import ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.rational import Rational
@@ -17,8 +19,9 @@ from exactspline.language.services import Displayed
 from exactspline.papers import paper as paper_named
 from exactspline.readings.degree import parse
 from exactspline.splines.examples import example, example_names
+from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import Assumption, assumption
-from exactspline.verification.evaluation import Evaluation, evaluation
+from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -31,18 +34,21 @@ from exactspline.verification.verdict import (
 )
 from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, nearest, word
 
+E = TypeVar("E", bound=StrEnum)
+V = TypeVar("V")
 
-def read(check: Callable[[Claim, str, Any], Any]) -> dict[str, Any]:
+
+def read(check: Callable[[Claim, str, V], object]) -> dict[str, object]:
     """What makes a field of a claim more than free text: `check` reads its value, or raises `ClaimError`."""
     return {"check": check}
 
 
-def one_of(kind: Any) -> Callable[[Claim, str, Any], Any]:
+def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
     """A word of an enumeration."""
     return lambda claim, name, value: word(kind, value, name)
 
 
-def formula_name(claim: Claim, name: str, value: Any) -> str:
+def formula_name(claim: Claim, name: str, value: str) -> str:
     """The name of a formula that can be handed what the claim speaks of."""
     formula = claim.find(value)
     if formula.curve not in claim.kinds_of(name):
@@ -54,24 +60,24 @@ def formula_name(claim: Claim, name: str, value: Any) -> str:
     return str(value)
 
 
-def formula_names(claim: Claim, name: str, value: Any) -> tuple[str, ...]:
+def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
     """Several of them."""
     return tuple(formula_name(claim, name, each) for each in value)
 
 
-def example_name(claim: Claim, name: str, value: Any) -> str:
+def example_name(claim: Claim, name: str, value: str) -> str:
     """The name of an example curve of which the claim speaks; empty for none."""
     if value and value not in example_names():
         raise ClaimError(f"no example curve is called {value!r}", where=name, remedy=nearest(value, [*example_names()]))
     return str(value)
 
 
-def example_list(claim: Claim, name: str, value: Any) -> tuple[str, ...]:
+def example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
     """Several of them."""
     return tuple(example_name(claim, name, each) for each in value)
 
 
-def assumption_list(claim: Claim, name: str, value: Any) -> tuple[Assumption, ...]:
+def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
     """Assumptions by their names, each about what the claim speaks of."""
     found = tuple(each if isinstance(each, Assumption) else assumption(each) for each in value)
     for each in found:
@@ -84,7 +90,7 @@ def assumption_list(claim: Claim, name: str, value: Any) -> tuple[Assumption, ..
     return found
 
 
-def degree_text(claim: Claim, name: str, value: Any) -> str:
+def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
     names = {"d1", "d2"} if claim.curve == ArgumentKind.TABLE else {"d"}
     if unknown := parse(value).names - names:
@@ -96,10 +102,10 @@ def degree_text(claim: Claim, name: str, value: Any) -> str:
     return str(value)
 
 
-def count_from(least: int) -> Callable[[Claim, str, Any], int]:
+def count_from(least: int) -> Callable[[Claim, str, object], int]:
     """A whole number, at least so large."""
 
-    def check(claim: Claim, name: str, value: Any) -> int:
+    def check(claim: Claim, name: str, value: object) -> int:
         if not isinstance(value, int) or value < least:
             raise ClaimError(f"{value!r} is no number ≥ {least}", where=name, remedy="write a whole number")
         return value
@@ -107,7 +113,7 @@ def count_from(least: int) -> Callable[[Claim, str, Any], int]:
     return check
 
 
-def identifier(claim: Claim, name: str, value: Any) -> str:
+def identifier(claim: Claim, name: str, value: str) -> str:
     """A key: the id of the claim without spaces, a hyphen, and a short name."""
     begin = re.sub(r"[ .]+", "", claim.id)
     if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
@@ -236,7 +242,7 @@ class Claim(Displayed):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """What holds for all curves of a dimension, with w = 1 or with any w."""
 
-    def check(self, curve: Any) -> Finding:
+    def check(self, curve: Nurbs | Operands | Evaluation) -> Finding:
         """What one curve (or the `Evaluation` of one) says of it."""
         own = evaluation(curve)
         argument = own.handed(self.curve)
@@ -248,10 +254,10 @@ class Claim(Displayed):
         return finding
 
     @abstractmethod
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """What holds on one curve, as the argument of its formulas."""
 
-    def missing(self, argument: Any) -> str:
+    def missing(self, argument: Handed) -> str:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when
         all exist.
         """
@@ -314,6 +320,6 @@ def contradict(claim: Claim, proof: Finding, example_finding: Finding) -> None:
         )
 
 
-def entries(kind: type[Claim]) -> dict[str, Field[Any]]:
+def entries(kind: type[Claim]) -> dict[str, Field[object]]:
     """The fields of a kind of claims that its entry may have."""
     return {f.name: f for f in fields(kind) if f.name != "paper"}

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
 
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
+from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
+from exactspline.language.operand import Operand
 from exactspline.papers import find as find_anywhere
 
 #: The names of the denominators, those of the curve and of the second one.
@@ -38,7 +39,9 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
     return found
 
 
-def factor_of_text(text: str, curve: Any, find: Callable[[str], Formula] = find_anywhere) -> tuple[Any, Any]:
+def factor_of_text(
+    text: str, curve: Evaluated, find: Callable[[str], Formula] = find_anywhere
+) -> tuple[Operand, Operand]:
     """A factor as a claim states it, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the
     curve. `find` gives the formulas in it.
 

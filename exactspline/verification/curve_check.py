@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
 from typing import Any
 
 from flint import fmpz_poly
 
 from exactspline.exact import mpq, text
-from exactspline.language.arguments import Curve
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Curve, Operands
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
@@ -17,7 +17,7 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.verification.evaluation import between, segment
 
 
-def where_it_differs(difference: Any) -> str:
+def where_it_differs(difference: BSpline | TensorSpline) -> str:
     """A parameter (two, of a spline in two) at which a spline that is not zero does not vanish, and its value there."""
     if isinstance(difference, TensorSpline):
         (a, b), (c, d) = difference.domain
@@ -33,7 +33,7 @@ def where_it_differs(difference: Any) -> str:
     return "nowhere"
 
 
-def printed_factor(factor: str, curve: Any) -> str:
+def printed_factor(factor: str, curve: Evaluated) -> str:
     """The factor on this curve: powers of w are 1 where the curve is polynomial."""
     only_w = all(part.split("^")[0] in ("w", "W") for part in factor.split())
     polynomial = all(c.polynomial for c in curve.together() if isinstance(c, Curve))
@@ -76,7 +76,7 @@ def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
     return p, p.degree()
 
 
-def spline_table(d1: int = 2, d2: int = 3) -> Any:
+def spline_table(d1: int = 2, d2: int = 3) -> Operands:
     """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive
     denominators.
     """
@@ -92,7 +92,7 @@ def spline_table(d1: int = 2, d2: int = 3) -> Any:
         return BSpline(d, knots, [number() for _ in range(len(knots) - d - 1)])
 
     one, two = [spline(d1, [1, 2]) for _ in range(5)], [spline(d2, ["1/2", 2, 2]) for _ in range(5)]
-    return SimpleNamespace(
+    return Operands(
         p1=one[0],
         w1=one[1],
         v1=Vector(*one[2:]),

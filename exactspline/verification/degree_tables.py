@@ -23,6 +23,7 @@ from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, lowest_terms, true_degree_or_none
+from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.covariants import degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute
@@ -52,7 +53,7 @@ class DegreeRow:
     grading: str = "–"
     seconds: float = 0
 
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The row for a program."""
         return vars(self)
 
@@ -63,12 +64,12 @@ def minimum(name: str, dimension: int, polynomial: bool) -> Degree:
     return symbolic_minimum(construction(name), dimension, polynomial=polynomial)
 
 
-def construction_table(curve: Any) -> list[Callable[[], DegreeRow]]:
+def construction_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
     """The rows for the constructions of a curve in every variant, as calls."""
     return [partial(_row, c, variant, curve) for c in constructions_for(curve.dimension) for variant in c.all_variants]
 
 
-def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
+def _row(c: Construction, variant: str, curve: Nurbs) -> DegreeRow:
     formula = c.formula(variant)
     lowest = minimum(c.name, curve.dimension, curve.polynomial)
     if variant == MINIMAL:
@@ -106,7 +107,7 @@ def _row(c: Construction, variant: str, curve: Any) -> DegreeRow:
     )
 
 
-def _in_pieces(c: Construction, variant: str, nominal: str, curve: Any, seconds: float) -> DegreeRow:
+def _in_pieces(c: Construction, variant: str, nominal: str, curve: Nurbs, seconds: float) -> DegreeRow:
     """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
     lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == MINIMAL else "–"
     try:
@@ -269,7 +270,7 @@ class _Fixed:
         return self.values[order]
 
 
-def _bisected(kind: str, curve: Any) -> Any:
+def _bisected(kind: str, curve: Nurbs) -> Any:
     """A curve with what it is bisected with: a point, or the derivatives of a second curve at one parameter; primes,
     for want of accidents.
     """
@@ -282,12 +283,12 @@ def _bisected(kind: str, curve: Any) -> Any:
     return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
 
 
-def formula_table(curve: Any) -> list[Callable[[], DegreeRow]]:
+def formula_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
     """The rows for every formula that speaks of such a curve, as calls."""
     return [partial(_formula_row, f.name, curve) for f in measurable(curve.dimension)]
 
 
-def _formula_row(name: str, curve: Any) -> DegreeRow:
+def _formula_row(name: str, curve: Nurbs) -> DegreeRow:
     formula = find(name)
     start = perf_counter()
     m = measure(formula, curve)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from typing import Any
 
 from exactspline.language.services import Displayed
 from exactspline.papers import papers
@@ -54,7 +53,7 @@ class Erratum(Displayed):
         """The id of the claim to which the first of its statements belongs."""
         return self.statements[0].id
 
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The error for a program."""
         return {"key": f"{self.paper}: {self.error}"} | asdict(self)
 

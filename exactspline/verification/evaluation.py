@@ -5,13 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from exactspline.exact import text
+from exactspline.exact import mpq, text
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Operands
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import ArgumentKind
+
+#: What formulas are handed on one curve: the curve, beside it a point or a second curve, or operands of Table 1.
+Handed = Evaluated
 
 
 class Evaluation:
@@ -24,18 +30,18 @@ class Evaluation:
     (True, False)
     """
 
-    def __init__(self, curve: Any) -> None:
-        self.curve = curve
-        self._handed: dict[str, tuple[Any, str]] = {}
+    def __init__(self, curve: Nurbs | Operands) -> None:
+        self.curve: Any = curve
+        self._handed: dict[str, tuple[Evaluated, str]] = {}
         self._failing: dict[tuple[str, str], str] = {}
 
-    def _argument(self, kind: str) -> tuple[Any, str]:
+    def _argument(self, kind: str) -> tuple[Evaluated, str]:
         if kind not in self._handed:
             made, beside = argument(kind, self.curve)
             self._handed[kind] = made.remembering(), beside
         return self._handed[kind]
 
-    def handed(self, kind: str) -> Any:
+    def handed(self, kind: str) -> Handed:
         """What formulas of a kind are handed; it remembers their values."""
         return self.curve if kind == ArgumentKind.TABLE else self._argument(kind)[0]
 
@@ -54,12 +60,12 @@ class Evaluation:
         return ""
 
 
-def evaluation(curve: Any) -> Evaluation:
+def evaluation(curve: Nurbs | Operands | Evaluation) -> Evaluation:
     """The evaluation of a curve; one that is given is kept."""
     return curve if isinstance(curve, Evaluation) else Evaluation(curve)
 
 
-def _fails(each: Assumption, handed: Any) -> str:
+def _fails(each: Assumption, handed: object) -> str:
     value = each.polynomial(handed)
     if isinstance(value, TensorSpline):
         if not each.everywhere:
@@ -92,7 +98,7 @@ def zero_of(f: BSpline) -> str:
     return ""
 
 
-def between(a: Any, b: Any, found: Any) -> str:
+def between(a: mpq, b: mpq, found: tuple[mpq, mpq]) -> str:
     """The place of a zero of a segment [a, b], as text."""
     s, t = (a + (b - a) * x for x in found)
     return f"at the parameter {text(s)}" if s == t else f"between the parameters {text(s)} and {text(t)}"

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from time import perf_counter
-from typing import Any
 
 from exactspline.errors import ExactSplineError
 from exactspline.splines.examples import example, example_names
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, contradict
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
@@ -19,7 +20,7 @@ TABLE = "splines of degrees 2 and 3 over different knots"
 Task = Callable[[], Row]
 
 
-def audit(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> Iterator[Row]:
+def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Iterator[Row]:
     """The rows of the ledger, one by one.
 
     Without curves: every claim decided for all curves, and then checked on every example curve it speaks of. With
@@ -35,7 +36,7 @@ def audit(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> Itera
         yield task()
 
 
-def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[Task]:
+def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> list[Task]:
     """The checks to be made, as calls that give a row each: so that progress can be shown.
 
     Every curve is evaluated by an object of this run, so that runs in several threads can share curves.
@@ -44,20 +45,20 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Any] | None = None) -> list[
     calls: list[Task] = []
     if curves is None:
         curves = [example(name) for name in example_names()]
-        calls += [lambda claim=claim: proved(claim, proofs) for claim in chosen]  # type: ignore[misc]
-        calls += [
-            lambda claim=claim: checked(claim, Evaluation(spline_table()), TABLE, proofs)  # type: ignore[misc]
-            for claim in chosen
-            if claim.curve == ArgumentKind.TABLE
-        ]
+        calls += [partial(proved, claim, proofs) for claim in chosen]
+        calls += [partial(_checked_on_table, claim, proofs) for claim in chosen if claim.curve == ArgumentKind.TABLE]
     for curve in curves:
         own = Evaluation(curve)
         calls += [
-            lambda claim=claim, own=own: checked(claim, own, own.curve.name or UNNAMED, proofs)  # type: ignore[misc]
+            partial(checked, claim, own, own.curve.name or UNNAMED, proofs)
             for claim in chosen
             if claim.speaks_of(curve.dimension, curve.polynomial)
         ]
     return calls
+
+
+def _checked_on_table(claim: Claim, proofs: Proofs) -> Row:
+    return checked(claim, Evaluation(spline_table()), TABLE, proofs)
 
 
 class Proofs:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE
@@ -11,6 +10,7 @@ from exactspline.language.parts import joined
 from exactspline.papers import all_formulas
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.splines.lowest_terms import control_point_count, true_degree_or_none
+from exactspline.splines.nurbs import Nurbs
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Measure:
     control_points: int
 
 
-def measure(formula: Formula, curve: Any) -> Measure:
+def measure(formula: Formula, curve: Nurbs) -> Measure:
     """The degrees and the number of control points of a formula on a curve.
 
     >>> from exactspline.splines.examples import example

@@ -148,7 +148,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
 
 
 def reduction(
-    formula: Named | Callable[[Any], Any], *, dimension: int | None = None, polynomial: bool = False
+    formula: Named | Callable[..., object], *, dimension: int | None = None, polynomial: bool = False
 ) -> Reduction:
     """What cancels in a formula, for all curves, and the lowest degree that is left (see
     `exactspline.symbolic.reduction`).

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
@@ -64,10 +63,10 @@ class Statement(Displayed):
         """Whether the verdict is the one on record."""
         return self.finding.verdict == self.claim.expected
 
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The statement for a program."""
         c, f = self.claim, self.finding
-        head = {
+        head: dict[str, object] = {
             "id": c.id,
             "source": c.source,
             "kind": c.kind,
@@ -81,7 +80,7 @@ class Statement(Displayed):
             "latex": self.latex,
         }
         sides = [vars(side) for side in self.sides]
-        verdict = {
+        verdict: dict[str, object] = {
             "claimed": f.claimed,
             "computed": f.computed,
             "factor": f.factor,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import ExactSplineError
 from exactspline.language.services import Displayed
@@ -85,7 +85,7 @@ class Row(Displayed):
         """Whether the verdict is the one on record."""
         return self.verdict in self.expected.split(" or ")
 
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The row for a program."""
         return asdict(self)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 from enum import StrEnum
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from exactspline.errors import ClaimError
 
@@ -135,7 +135,7 @@ class Counter(StrEnum):
     TRUE_CONTINUITY = "true continuity"
 
 
-def word(kind: type[E], value: Any, what: str) -> E:
+def word(kind: type[E], value: object, what: str) -> E:
     """The member of an enumeration that a word names.
 
     >>> word(Relation, "≤", "relation").name

@@ -4,7 +4,7 @@ inside both.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
@@ -17,6 +17,9 @@ from exactspline.papers import find
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.values import RationalSurface
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 EXPLICIT, DIRECT = "point_bisector_polynomial", "point_bisector_direct_z"
 TITLES = ("(a) explicit directrix approach", "(b) direct approach")
@@ -43,11 +46,11 @@ def _surfaces(name: str, point: Point, rulings: Any) -> list[tuple[RationalSurfa
     return [(surface, ruled_mesh(surface, bounds)) for surface, bounds in zip(found, rulings, strict=True)]
 
 
-def _frame(figure: Any, i: int, name: str, mesh: SurfaceMesh, point: Point, title: str, *, net: bool) -> Any:
+def _frame(figure: Figure, i: int, name: str, mesh: SurfaceMesh, point: Point, title: str, *, net: bool) -> Any:
     ax = plot_curve(example(name), figure.add_subplot(1, 2, i + 1, projection="3d"), control_polygon=False, knots=False)
     plot_mesh(mesh, ax, label="bisector", control_net=net, net_color=GREEN)
     mark_points(ax, [point], "point")
-    ax.view_init(*VIEW)
+    cast(Any, ax).view_init(*VIEW)  # axes in space
     ax.set_title(title)
     return ax
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from textwrap import wrap
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from exactspline.display.plot.canvas import GREEN, ORANGE, PURPLE, SILVER, VERMILLION, legend_below, new_figure
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
@@ -13,12 +13,19 @@ from exactspline.exact import mpq
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.features import curvature_extrema
 from exactspline.geometry.zero_forms import zero_form
+from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.values import SplineVector
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.legend import Legend
 
 #: Characters of a caption that go into an inch.
 DENSITY = 16
@@ -36,14 +43,14 @@ class Drawn(NamedTuple):
     scenes: tuple[Scene, ...] = ()
 
 
-def captioned(figure: Any, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
+def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
     """The figure with its caption underneath."""
     text = f"Fig. {number}. {caption}"
     figure.supxlabel("\n".join(wrap(text, int(DENSITY * figure.get_figwidth()))), fontsize="small", x=0.02, ha="left")
     return Drawn(figure, text, scenes)
 
 
-def cost(value: Any) -> str:
+def cost(value: BSpline | SplineVector) -> str:
     """What a representation costs, counted on it.
 
     >>> cost(find("g2")(example("ellipse")))
@@ -56,7 +63,8 @@ def figure_1() -> Drawn:
     """Critical points of the curvature of a polynomial curve, by squaring and directly."""
     curve = example("six_segment_cubic")
     figure = new_figure(9, 13)
-    top, middle, bottom = (figure.add_subplot(axes) for axes in figure.add_gridspec(3, 1, height_ratios=[2.2, 1, 1]))
+    grid = figure.add_gridspec(3, 1, height_ratios=[2.2, 1, 1])
+    top, middle, bottom = (figure.add_subplot(grid[i]) for i in range(3))
     extrema = curvature_extrema(curve)
     inner, jumps = [f.root for f in extrema if not f.by_jump], [f.root for f in extrema if f.by_jump]
     plot_evolute(curve, plot_curve(curve, top, knots=False))
@@ -90,7 +98,7 @@ def figure_1() -> Drawn:
     return captioned(figure, 1, " ".join(parts))
 
 
-def _graph(f: BSpline, zeros: Any, ax: Any, title: str, polygon: str = SILVER, mark: str = GREEN) -> str:
+def _graph(f: BSpline, zeros: Any, ax: Axes, title: str, polygon: str = SILVER, mark: str = GREEN) -> str:
     """A graph scaled by a power of ten and trimmed, with its polygon and its roots; the power as text."""
     a, b = f.domain
     values = sorted(abs(f(a + (b - a) * mpq(k, 200))) for k in range(201))
@@ -110,7 +118,8 @@ def figure_2() -> Drawn:
     """Critical points of the curvature of a rational curve, by squaring and by eq. (11)."""
     curve = example("ellipse")
     figure = new_figure(13, 6)
-    left, right = (figure.add_subplot(axes) for axes in figure.add_gridspec(1, 2))
+    grid = figure.add_gridspec(1, 2)
+    left, right = (figure.add_subplot(grid[i]) for i in range(2))
     squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
     reduced, reduced_zeros = zero_form(curve, "critical_curvature", "paper")
     powers = [
@@ -120,7 +129,7 @@ def figure_2() -> Drawn:
     inset = right.inset_axes((0.02, 0.66, 0.27, 0.32))
     plot_curve(curve, inset, knots=False, polygon_color=GREEN)
     plot_features(curve, reduced_zeros, inset, color=VERMILLION, size=5)
-    inset.get_legend().remove()
+    cast("Legend", inset.get_legend()).remove()
     inset.set_axis_off()
     smooth = {min(f.continuity_at(t) for t in f.breakpoints[1:-1]) for f in (squared, reduced)}
     stored = {min(f.continuity) for f in (squared, reduced)}
@@ -158,6 +167,7 @@ def figure_3() -> Drawn:
     made, costs = construction("evolute"), []
     for i, variant in enumerate(made.unlifted):
         value = made.on(curve, variant)
+        assert isinstance(value, Rational)
         ax = plot_curve(curve, figure.add_subplot(1, 2, i + 1), control_polygon=False, knots=False)
         plot_quotient(value, ax, label="evolute", color=ORANGE, polygon_color=GREEN)
         costs.append(cost(value))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
@@ -16,8 +17,11 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
-def plot(thing: Any, ax: Any = None, **how: Any) -> Any:
+
+def plot(thing: object, ax: Axes | None = None, **how: Any) -> Axes:
     """Draw a curve, a function, a zero set, a derived curve or a surface into matplotlib's axes (None: those of a new
     figure), which are returned. `how` as for the function of `exactspline.display.plot` that draws such things.
 
@@ -38,7 +42,9 @@ def plot(thing: Any, ax: Any = None, **how: Any) -> Any:
         return plot_ruled_surface(thing, ax=ax, **how)
     parts = thing.numerator if isinstance(thing, Rational) else thing
     if isinstance(parts, Vector):
-        draw = plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient
+        draw: Callable[..., Axes] = (
+            plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient
+        )
         return draw(thing, ax, **how)
     raise ShapeError(
         f"a {type(thing).__name__} has no picture of its own",

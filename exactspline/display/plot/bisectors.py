@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from flint import arb
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -24,7 +26,7 @@ from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
-from exactspline.exact import mpq, rational
+from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisectors import CurveBisector, PointBisector
 from exactspline.geometry.trimmed_bisector import TrimmedBisector
@@ -32,6 +34,9 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 #: A point of a line, and its direction.
 Ruling = tuple[Point, Point]
@@ -42,7 +47,7 @@ RULINGS, ALONG, SAMPLES = 64, 12, 200
 DIGITS = 20
 
 
-def plot_curve_bisector(found: CurveBisector, ax: Any = None, *, box: Box | None = None) -> Any:
+def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Box | None = None) -> Axes:
     """The bisector of two curves: its surface, the lines along curves of pairs, and the lines and planes of single
     pairs, in a box around both curves.
 
@@ -88,19 +93,20 @@ def _unit_around(point: Point) -> Box:
     return tuple(mpq(x - 1) for x in point), tuple(mpq(x + 1) for x in point)
 
 
-def _plot(ax: Any, mesh: SurfaceMesh, label: str, color: str) -> None:
+def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
     """A surface, unless nothing of it is in the box."""
     if mesh.faces:
         plot_mesh(mesh, ax, label=label, color=color, control_net=False)
 
 
-def _legend_once(ax: Any) -> None:
+def _legend_once(ax: Axes) -> None:
     """The legend, with what has one label in it once."""
     seen: set[str] = set()
     for artist in [*ax.lines, *ax.collections]:
-        if artist.get_label() in seen:
-            artist.set_label(f"_{artist.get_label()}")
-        seen.add(artist.get_label())
+        label = str(artist.get_label())
+        if label in seen:
+            artist.set_label(f"_{label}")
+        seen.add(str(artist.get_label()))
     legend_below(ax)
 
 
@@ -190,12 +196,12 @@ def _middle(flat: Any) -> Ruling | None:
     return point, direction
 
 
-def _rational(x: Any) -> mpq:
+def _rational(x: arb) -> mpq:
     mantissa, exponent = x.mid().man_exp()
     return mpq(int(mantissa) * mpq(2) ** int(exponent))
 
 
-def _plot_pair(ax: Any, pair: SinglePair, box: Box) -> None:
+def _plot_pair(ax: Axes, pair: SinglePair, box: Box) -> None:
     if pair.solutions is Solutions.SPACE:
         return
     flat = pair.exact
@@ -222,7 +228,7 @@ def _root(x: mpq) -> mpq:
     return mpq(1 << (max(int(x).bit_length(), 1) // 2))
 
 
-def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Any], ax: Any = None) -> Any:
+def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Number], ax: Axes | None = None) -> Axes:
     """The ruled bisector of a point and a space curve, in a box around both."""
     ax, place = axes_for(ax, 3), tuple(map(rational, point))
     box = _box_of([curve], [place])
@@ -243,7 +249,9 @@ def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Any]
     return ax
 
 
-def plot_trimmed_bisector(found: TrimmedBisector, curve: Nurbs, point: Sequence[Any], ax: Any = None) -> Any:
+def plot_trimmed_bisector(
+    found: TrimmedBisector, curve: Nurbs, point: Sequence[Number], ax: Axes | None = None
+) -> Axes:
     """The true bisector of a point and a plane curve: arcs, and the straight pieces of ends and corners.
 
     >>> from exactspline import Nurbs

@@ -7,16 +7,23 @@ too.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import import_module
 from itertools import groupby, pairwise
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import ExactSplineError
-from exactspline.exact import mpq, rational
+from exactspline.exact import Number, mpq, rational
+from exactspline.geometry.kinds import Feature
+from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 BLACK, GREY, SILVER = "#000000", "#7A7A7A", "#C4C4C4"
 BLUE, SKY, GREEN, ORANGE, VERMILLION, PURPLE = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7"
@@ -32,6 +39,8 @@ SUFFIXES = (".svg", ".png")
 Point = tuple[mpq, ...]
 Run = list[Point]
 
+V = TypeVar("V")
+
 
 class PlotError(ExactSplineError):
     """A picture that cannot be drawn or written.
@@ -41,14 +50,15 @@ class PlotError(ExactSplineError):
     """
 
 
-def new_figure(width: float = 7, height: float = 5) -> Any:
+def new_figure(width: float = 7, height: float = 5) -> Figure:
     """An empty ``matplotlib.figure.Figure`` of so many inches, belonging to no window; `PlotError` without
     matplotlib.
     """
-    return library("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
+    made: Figure = library("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
+    return made
 
 
-def library(module: str) -> Any:
+def library(module: str) -> ModuleType:
     """A module of matplotlib; `PlotError` where it is not installed."""
     try:
         return import_module(module)
@@ -58,7 +68,7 @@ def library(module: str) -> Any:
         ) from None
 
 
-def axes_for(ax: Any, dimension: int = 2) -> Any:
+def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
     """The axes given, or those of a new figure; `PlotError` when they do not fit the dimension."""
     if dimension not in (2, 3):
         raise PlotError(f"a curve in R{dimension}", remedy="curves in the plane and in space can be drawn")
@@ -73,7 +83,7 @@ def axes_for(ax: Any, dimension: int = 2) -> Any:
     return ax
 
 
-def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) -> None:
+def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) -> None:
     """Exact points as a line or as dots: the one place where they become floats."""
     columns = list(zip(*points, strict=True))
     if any(abs(x) > LARGEST for column in columns for x in column):
@@ -81,7 +91,7 @@ def draw(ax: Any, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) 
     ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **how)
 
 
-def legend_below(ax: Any, columns: int = 3) -> None:
+def legend_below(ax: Axes, columns: int = 3) -> None:
     """A legend under the axes, where it hides nothing."""
     handles, labels = ax.get_legend_handles_labels()
     below = library("matplotlib.transforms").offset_copy(
@@ -91,7 +101,7 @@ def legend_below(ax: Any, columns: int = 3) -> None:
     ax.legend(handles, labels, ncols=columns, fontsize="small", frameon=False, **place)
 
 
-def sampled(f: Any, breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, Any]]]:
+def sampled(f: Callable[..., V], breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, V]]]:
     """Parameters and exact values segment by segment, both ends included, their limits taken from within."""
     count = max(8, min(SAMPLES, ALL_SAMPLES // (len(breaks) - 1)))
     for a, b in pairwise(breaks):
@@ -99,14 +109,14 @@ def sampled(f: Any, breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, Any]]]:
         yield [*[(t, f(t)) for t in inner], (b, f(b, "left"))]
 
 
-def parameter(t: Any, domain: tuple[mpq, mpq]) -> mpq:
+def parameter(t: Number | Root | Feature, domain: tuple[mpq, mpq]) -> mpq:
     """An exact parameter: the number itself, or the middle of a root's interval, narrow beside the domain."""
-    t = getattr(t, "parameter", t)
-    if hasattr(t, "refine"):
-        low, high = t.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
+    place: Any = getattr(t, "parameter", t)
+    if hasattr(place, "refine"):
+        low, high = place.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
         middle: mpq = (low + high) / 2
         return middle
-    return rational(t)
+    return rational(place)
 
 
 def joined(points: Iterable[Point | None]) -> list[Run]:
@@ -123,7 +133,7 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
     return joined(spread)
 
 
-def draw_polygons(ax: Any, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
+def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
     """Legs (by default light grey), straight in the data (so bent by a scale that is not linear), and the control
     points but the hidden ones.
     """
@@ -147,7 +157,7 @@ def shown_name(curve: Nurbs) -> str:
     return curve.name.replace("$", r"\$").lstrip("_") or "curve"
 
 
-def save(figure_or_ax: Any, path: str | os.PathLike[str]) -> None:
+def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
     """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is there whole
     or not at all.
 
@@ -159,7 +169,7 @@ def save(figure_or_ax: Any, path: str | os.PathLike[str]) -> None:
         raise PlotError(
             "is neither SVG nor PNG", where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}"
         )
-    figure = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
+    figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
     metadata = {"Date": None} if suffix == ".svg" else {}
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -24,9 +24,14 @@ from exactspline.display.plot.functions import draw_roots, marked, plot_function
 from exactspline.exact import iroot, mpq
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
+from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 #: Colour and line of one form after the other.
 LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, (0, (5, 1, 1, 1, 1, 1))))
@@ -34,7 +39,7 @@ LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, 
 SAMPLES = 400
 
 
-def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, Any]], *, evolute: bool = False) -> Any:
+def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
     """One picture: on the left the curve with the parameters of every panel marked, on the right each function with its
     control polygon.
 
@@ -68,8 +73,8 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, Any]], *, 
 
 
 def plot_approaches(
-    curve: Nurbs, ax: Any = None, *, name: str = "critical_curvature", forms: Sequence[str] = ()
-) -> Any:
+    curve: Nurbs, ax: Axes | None = None, *, name: str = "critical_curvature", forms: Sequence[str] = ()
+) -> Axes:
     """The forms in which a zero set can be computed, in one picture: each divided by its largest value and shown by its
     signed cube root.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -25,11 +25,17 @@ from exactspline.display.plot.canvas import (
     shown_name,
 )
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
-from exactspline.exact import mpq
+from exactspline.exact import Number, mpq
 from exactspline.geometry.derived import derive
+from exactspline.geometry.kinds import Feature
 from exactspline.language.rational import Rational
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 #: How far an evolute is shown outside the box around its curve, in lengths of the box's longer side.
 REACH = mpq(1, 2)
@@ -37,13 +43,13 @@ REACH = mpq(1, 2)
 
 def plot_curve(
     curve: Nurbs,
-    ax: Any = None,
+    ax: Axes | None = None,
     *,
     control_polygon: bool = True,
     knots: bool = True,
     label: str | None = None,
     polygon_color: str = SILVER,
-) -> Any:
+) -> Axes:
     """A curve in the plane or in space: its segments in alternating shades, its control polygon, and its knots as dots
     on the curve.
 
@@ -75,14 +81,14 @@ def plot_curve(
 
 def plot_features(
     curve: Nurbs,
-    points: Iterable[Any],
-    ax: Any,
+    points: Iterable[Feature | Root | Number],
+    ax: Axes | None,
     *,
     marker: str = "D",
     label: str = "",
     color: str = GREEN,
     size: float = 7,
-) -> Any:
+) -> Axes:
     """Mark parameters on a curve: exact numbers, certified roots, or anything that carries one of them as its
     `parameter`.
 
@@ -110,7 +116,7 @@ def plot_features(
     return ax
 
 
-def plot_evolute(curve: Nurbs, ax: Any = None, *, label: str = "evolute", color: str = VERMILLION) -> Any:
+def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute", color: str = VERMILLION) -> Axes:
     """The evolute of a plane curve, in the pieces in which it exists, none joined across a pole; the axes show what is
     near the curve.
 
@@ -142,7 +148,7 @@ def plot_evolute(curve: Nurbs, ax: Any = None, *, label: str = "evolute", color:
     return ax
 
 
-def runs_between_poles(value: Any, box: Box) -> list[Run]:
+def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
     """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and where the box is
     left.
     """
@@ -158,15 +164,15 @@ def runs_between_poles(value: Any, box: Box) -> list[Run]:
 
 
 def plot_quotient(
-    value: Any,
-    ax: Any = None,
+    value: Rational[BSpline],
+    ax: Axes | None = None,
     *,
     control_polygon: bool = True,
     label: str = "curve",
     color: str = VERMILLION,
     polygon_color: str = SILVER,
     box: Box | None = None,
-) -> Any:
+) -> Axes:
     """A derived curve as it was computed, a vector of splines or a vector `Rational`, with the control polygon of this
     very representation.
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from exactspline.display.plot.canvas import PlotError, Point
 from exactspline.exact import mpq
 from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.values import SplineVector
 
 #: What is shown: where all but a tenth of the points lie on either side, and as much again (in lengths of its longest
 #: side) around it.
@@ -62,10 +63,11 @@ def kept(point: Point | None, box: Box) -> Point | None:
     return point if point is not None and inside(point, box) else None
 
 
-def homogeneous(value: Any) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
+def homogeneous(value: SplineVector) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
     """Homogeneous control points ``(w x, …, w)`` of a vector or quotient over the knots that carry all components, the
     knots, and the degree.
     """
     numerator, w = value.elevated() if isinstance(value, Rational) else (value, value[0].constant(1))
+    assert isinstance(numerator, Vector)
     raised = with_common_knots([*numerator, w])
     return list(zip(*[c.control_points for c in raised], strict=True)), raised[0].knots.knots, raised[0].degree

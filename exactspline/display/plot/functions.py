@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from math import floor, log10
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -27,7 +27,12 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.errors import ShapeError, shown
 from exactspline.exact import mpq
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 #: A control polygon so many times higher than its graph, or a graph so many times higher than its median, gets no
 #: linear scale.
@@ -52,14 +57,14 @@ def greville_abscissae(f: BSpline) -> list[mpq]:
 
 def plot_function(
     f: BSpline,
-    ax: Any = None,
+    ax: Axes | None = None,
     *,
     control_polygon: bool = True,
-    roots: Any = None,
+    roots: ZeroSet | Sequence[Root] | None = None,
     scale: str | None = None,
     label: str | None = None,
     polygon_color: str = SILVER,
-) -> Any:
+) -> Axes:
     """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
 
     `roots` are parameters (as in `plot_features`) or a whole `ZeroSet`, whose jumps and intervals are marked too. Where
@@ -122,7 +127,7 @@ def _power(values: Iterable[mpq]) -> int:
     return ((int(largest.numerator).bit_length() - int(largest.denominator).bit_length()) * 30103 + 50000) // 100000
 
 
-def _scale(ax: Any, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | None) -> None:
+def _scale(ax: Axes, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | None) -> None:
     """Set the scale of the value axis, chosen by the sizes of graph and control points where none is asked for."""
     sizes = sorted(abs(y) for y in graph if y) or [mpq(1)]
     top, highest = sizes[-1], max([sizes[-1], *map(abs, polygon)])
@@ -146,7 +151,9 @@ def _scale(ax: Any, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | N
         ax.yaxis.set_major_locator(library("matplotlib.ticker").FixedLocator([0, *ticks]))
 
 
-def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root") -> None:
+def draw_roots(
+    ax: Axes, roots: ZeroSet | Sequence[Root], domain: tuple[mpq, mpq], marker: str, color: str, name: str = "root"
+) -> None:
     """Roots on the zero line; of a `ZeroSet` also its jumps through zero, hollow, and its intervals, thick."""
     single, jumps = marked(roots)
     for points, what, face, edge in (
@@ -172,12 +179,12 @@ def draw_roots(ax: Any, roots: Any, domain: tuple[mpq, mpq], marker: str, color:
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
 
 
-def marked(roots: Any) -> tuple[list[Any], list[Any]]:
+def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
     """What is marked as a root, and what as a jump through zero."""
     return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
 
 
-def plot_roots(roots: Any, ax: Any = None, *, color: str = GREEN) -> Any:
+def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color: str = GREEN) -> Axes:
     """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
     no other, the root a dot.
 

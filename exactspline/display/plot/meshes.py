@@ -10,7 +10,7 @@ from typing import Any
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, rational
+from exactspline.exact import Number, mpq, rational
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -55,7 +55,7 @@ class SurfaceMesh:
         return found
 
 
-def ruled_mesh(surface: SplineSurface, rulings: tuple[Any, Any] = (-1, 1), box: Box | None = None) -> SurfaceMesh:
+def ruled_mesh(surface: SplineSurface, rulings: tuple[Number, Number] = (-1, 1), box: Box | None = None) -> SurfaceMesh:
     """The part of a ruled surface (in the spline reading) between two ruling parameters, cut at its poles; its net
     joins the polygons at both.
 
@@ -132,7 +132,7 @@ def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int
     return runs + legs, 2 * len(rows), sum(p is None for edge in edges for p in edge)
 
 
-def tensor_mesh(surface: Any, box: Box | None = None) -> SurfaceMesh:
+def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box | None = None) -> SurfaceMesh:
     """A surface in two parameters, a `Vector` of three `TensorSpline` or a quotient of such, with its control net.
 
     Where its denominator vanishes it goes to infinity: what is far from most of it is left out (or what lies outside
@@ -184,7 +184,7 @@ def _over(values: list[mpq], quotient: bool) -> Point | None:
     return tuple(x / w for x in xs) if w else None
 
 
-def _control_net(numerator: Vector[BSpline], w: Any, box: Box) -> list[list[Point | None]]:
+def _control_net(numerator: Vector[TensorSpline], w: TensorSpline | None, box: Box) -> list[list[Point | None]]:
     """The control points of the common degrees and knots, row by row."""
     scalars = [*numerator, *([] if w is None else [w])]
     nets = [c.control_points for c in with_common_knots(scalars)]

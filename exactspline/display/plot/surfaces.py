@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from math import hypot
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -23,12 +23,18 @@ from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import rational
+from exactspline.exact import Number, rational
 from exactspline.language.arguments import Curve
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.tensor import surface_pair
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.splines.values import SplineSurface
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 #: Where the light comes from (a unit vector), and how dark a face is that looks away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
@@ -36,19 +42,20 @@ LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
 
 def plot_mesh(
     mesh: SurfaceMesh,
-    ax: Any = None,
+    ax: Axes | None = None,
     *,
     label: str = "surface",
     color: str = SKY,
     control_net: bool = True,
     net_color: str = GREY,
-) -> Any:
+) -> Axes:
     """A surface given by its points: shaded faces, and its control net with the number of points in the legend.
 
     Raises `PlotError` without matplotlib, for axes in the plane, where nothing is left to draw, and for numbers beyond
     1e100.
     """
     ax = axes_for(ax, 3)
+    space: Any = ax  # matplotlib's axes in space have no types
     faces = mesh.faces
     if not faces:
         raise PlotError(
@@ -62,9 +69,9 @@ def plot_mesh(
     shades = [_shaded(corner, library("matplotlib.colors").to_rgb(color)) for corner in corners]
     made = collection(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, rasterized=True, zorder=1)
     made.set_label(label)
-    ax.add_collection3d(made)
+    space.add_collection3d(made)
     # curves, nets and points stay visible through the surface
-    ax.computed_zorder = False
+    space.computed_zorder = False
     if control_net and mesh.net:
         for run in mesh.net:
             draw(ax, run, color=net_color, linewidth=0.6, label="_net", zorder=2)
@@ -106,15 +113,15 @@ def _framed(ax: Any, points: Iterable[Point]) -> None:
 
 def plot_ruled_surface(
     surface: SplineSurface,
-    rulings: tuple[Any, Any] = (-1, 1),
-    ax: Any = None,
+    rulings: tuple[Number, Number] = (-1, 1),
+    ax: Axes | None = None,
     *,
     label: str = "ruled surface",
     color: str = SKY,
     control_net: bool = True,
     net_color: str = GREY,
     box: Box | None = None,
-) -> Any:
+) -> Axes:
     """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
 
     Where its denominator has a zero the surface goes to infinity: it is cut there, and what is far from most of it is
@@ -134,8 +141,13 @@ def plot_ruled_surface(
 
 
 def plot_surface(
-    surface: Any, ax: Any = None, *, label: str = "surface", control_net: bool = True, box: Box | None = None
-) -> Any:
+    surface: Vector[TensorSpline] | Rational[TensorSpline],
+    ax: Axes | None = None,
+    *,
+    label: str = "surface",
+    control_net: bool = True,
+    box: Box | None = None,
+) -> Axes:
     """A tensor-product surface: shaded, with its control net; cut where it goes to infinity.
 
     >>> from exactspline import Vector
@@ -153,14 +165,14 @@ def plot_surface(
 
 def plot_bisector(
     curve: Curve[BSpline],
-    other: Any,
-    ax: Any = None,
+    other: Nurbs | Iterable[Number],
+    ax: Axes | None = None,
     *,
     variant: str = "",
-    rulings: tuple[Any, Any] = (-1, 1),
+    rulings: tuple[Number, Number] = (-1, 1),
     control_net: bool = True,
     box: Box | None = None,
-) -> Any:
+) -> Axes:
     """The bisector of a curve and a point (coordinates) or another curve, in the sense of §6: equal critical distances,
     untrimmed.
 
@@ -212,7 +224,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[str, str, Any]:
     return kind, default, curve.with_point(point)
 
 
-def mark_points(ax: Any, points: Iterable[Point], label: str, color: str = GREY) -> Any:
+def mark_points(ax: Axes, points: Iterable[Point], label: str, color: str = GREY) -> Axes:
     """Single points, such as the one that a bisector belongs to."""
     draw(ax, points, "o", color=color, markersize=7, markeredgecolor=BLACK, label=label, zorder=7)
     legend_below(ax)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
@@ -13,6 +13,9 @@ from exactspline.interchange.numbers import nearest_double
 from exactspline.interchange.segments import joined, polynomial
 from exactspline.interchange.writing import pen_segments
 from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from fontTools.pens.basePen import AbstractPen
 
 Point = tuple[mpq, ...]
 Contour = tuple[int, list[mpq], list[Point]]
@@ -43,7 +46,7 @@ class ContourPen:
         """The contours as curves."""
         return [Nurbs(degree, knots, points) for degree, knots, points in self.contours]
 
-    def _point(self, point: Sequence[Any]) -> Point:
+    def _point(self, point: Sequence[object]) -> Point:
         self._count += 1
         if self._count > self._most:
             raise ShapeError(f"more than {self._most} points", remedy="read with larger limits")
@@ -51,22 +54,22 @@ class ContourPen:
         a, b, c, d, u, v = self.placed
         return (a * x + c * y + u, b * x + d * y + v)
 
-    def moveTo(self, point: Sequence[Any]) -> None:
+    def moveTo(self, point: Sequence[object]) -> None:
         """Begin a contour."""
         self._end()
         self._start = self._point(point)
 
-    def lineTo(self, point: Sequence[Any]) -> None:
+    def lineTo(self, point: Sequence[object]) -> None:
         """A line."""
         self._runs.append(("line", [self._point(point)]))
 
-    def curveTo(self, *points: Sequence[Any]) -> None:
+    def curveTo(self, *points: Sequence[object]) -> None:
         """A cubic; raises `ShapeError` for other numbers of points."""
         if len(points) != 3:
             raise ShapeError(f"a cubic of {len(points)} points", remedy="give three")
         self._runs.append(("cubic", [self._point(point) for point in points]))
 
-    def qCurveTo(self, *points: Sequence[Any] | None) -> None:
+    def qCurveTo(self, *points: Sequence[object] | None) -> None:
         """A run of off-curve points and its end; None as the end closes a contour without on-curve points."""
         off = [self._point(point) for point in points if point is not None]
         if points[-1] is None:
@@ -132,7 +135,7 @@ def _beziers(start: Point, runs: Sequence[tuple[str, list[Point]]]) -> Contour:
     return degree, knots, [point[:-1] for point in points]
 
 
-def draw(curve: Nurbs, pen: Any) -> None:
+def draw(curve: Nurbs, pen: AbstractPen) -> None:
     """Draw a polynomial plane curve of degree 1 to 3 on a fontTools pen, coordinates as integers where they are, else
     as correctly rounded doubles.
 

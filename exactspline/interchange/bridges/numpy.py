@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
+from exactspline.exact import Number
 from exactspline.interchange.bridges.values import doubles, exact
 from exactspline.splines.nurbs import Nurbs
 
@@ -29,7 +30,7 @@ def to_arrays(curve: Nurbs) -> Arrays:
     return Arrays(curve.degree, np.array(doubles(curve.knots)), points, np.array(doubles(curve.weights)))
 
 
-def points_at(curve: Nurbs, parameters: Iterable[Any]) -> np.ndarray:
+def points_at(curve: Nurbs, parameters: Iterable[Number]) -> np.ndarray:
     """The points at the exact values of floating-point parameters, each coordinate correctly rounded, in the shape
     (number, dimension).
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from numbers import Integral
-from typing import Any
+from typing import Any, cast
 
 from exactspline.errors import NumberError, shown
 from exactspline.exact import mpq
 from exactspline.interchange.numbers import nearest_double
 
 
-def exact(value: Any) -> mpq:
+def exact(value: object) -> mpq:
     """The exact value of an integer or a floating-point number of Python or numpy, of any width.
 
     >>> exact(3), exact(0.5)
@@ -22,13 +22,13 @@ def exact(value: Any) -> mpq:
     if isinstance(value, Integral):
         return mpq(int(value))
     try:
-        numerator, denominator = value.as_integer_ratio()
+        numerator, denominator = cast(Any, value).as_integer_ratio()
     except (AttributeError, ValueError, OverflowError, TypeError):
         raise NumberError(f"{shown(value)} is no finite number", remedy="pass integers or floats") from None
     return mpq(int(numerator), int(denominator))
 
 
-def exact_rows(rows: Iterable[Iterable[Any]]) -> list[list[mpq]]:
+def exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:
     """The exact values of rows of numbers."""
     return [[exact(value) for value in row] for row in rows]
 

@@ -42,7 +42,7 @@ def read(source: Source) -> Reading:
     return found.reading()
 
 
-def _entries(data: Any) -> Iterator[Any]:
+def _entries(data: object) -> Iterator[Any]:
     shape = data.get("shape", data) if isinstance(data, dict) else None
     if not isinstance(shape, dict):
         raise CurveFileError("has no shape", remedy='geomdl writes {"shape": {"type": "curve", "data": […]}}')

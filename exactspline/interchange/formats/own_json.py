@@ -24,7 +24,7 @@ from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curv
 _EXPONENT = re.compile(r"[+-]?\d{1,7}", re.ASCII)
 
 
-def schema() -> dict[str, Any]:
+def schema() -> dict[str, object]:
     """The JSON Schema of the format.
 
     >>> schema()["title"]

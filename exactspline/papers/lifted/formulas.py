@@ -244,3 +244,51 @@ def lifted_directrix_in_tangent_plane(c):
 def lifted_directrix_height(c):
     """The third component of the directrix of the direct form."""
     return dot(c.axis_z, point_bisector_direct_lifted(c).directrix)
+
+
+@formula("lifted", on="plane")
+def osculating_circle_coefficient(c):
+    """The coefficient of ``‖x‖²`` in the osculating circle: zero where it is a line."""
+    return osculating_circle(c)[0]
+
+
+@formula("lifted", on="space")
+def osculating_sphere_coefficient(c):
+    """The coefficient of ``‖x‖²`` in the osculating sphere: zero where it is a plane."""
+    return osculating_sphere(c)[0]
+
+
+@formula("lifted", on="space")
+def circle_sphere_coefficient(c):
+    """The coefficient of ``‖x‖²`` in the sphere whose great circle osculates."""
+    return circle_sphere(c)[0]
+
+
+@formula("lifted", on="pair")
+def bisector_sphere_coefficient(c):
+    """The coefficient of ``‖x‖²`` in the sphere that touches two curves."""
+    return bisector_sphere(c)[0]
+
+
+@formula("lifted", on="space")
+def binormal_lifted_squared(c):
+    """``‖Π‖²`` for the normal of the osculating plane."""
+    return norm2(binormal_lifted(c))
+
+
+@formula("lifted", on="point")
+def point_bisector_lifted_directrix(c):
+    """The directrix in the plane of the tangent and Q."""
+    return point_bisector_lifted(c).directrix
+
+
+@formula("lifted", on="point")
+def point_bisector_lifted_generator(c):
+    """The normal of that plane."""
+    return point_bisector_lifted(c).generator
+
+
+@formula("lifted", on="point")
+def point_bisector_direct_lifted_directrix(c):
+    """The directrix in the plane z = 0."""
+    return point_bisector_direct_lifted(c).directrix

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq, text
@@ -12,6 +12,7 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bernstein import Form, value
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.condition_number import DIGITS, Interval, condition_number, local, quotient
 from exactspline.verification.conditioning.double_precision import Double, double_precision_root
 
@@ -84,7 +85,7 @@ class Conditioning:
         return f"the reduced form is worse conditioned at {signs.count(1)} {of}, better at {signs.count(-1)}{tail}"
 
 
-def conditioning(curve: Any, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
+def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
     """The condition of every zero of a zero-set construction in every form.
 
     Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or a interval of

@@ -12,7 +12,7 @@ from exactspline.readings.bernstein_term import BernsteinTermReading, every_coef
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Curves
@@ -82,7 +82,7 @@ class Coefficients(Claim):
                     return Finding(REFUTED, NONE, f"coefficient {i} of degree {d}", witness=told)
         return Finding(VERIFIED, NONE, f"none vanishes for d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}")
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """No control point is zero."""
         value = self.find(self.formula)(argument)
         components = list(value) if isinstance(value, Vector) else [value]

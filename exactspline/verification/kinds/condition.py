@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq, text
@@ -14,7 +14,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.examples import example
 from exactspline.verification.claim import Claim, example_name, formula_name, read
 from exactspline.verification.conditioning.condition_number import Interval, condition_number
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 
@@ -67,7 +67,7 @@ class Condition(Claim):
         """The same for every case."""
         return self.prove()[1]
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Where enclosures do not tell two condition numbers apart nothing is decided."""
         f, g = (split(self.find(name)(argument))[0][0] for name in (self.left, self.right))
         theirs = list(zeros(g, periodic=own.curve.closed))

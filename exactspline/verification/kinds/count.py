@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.geometry.features import curvature_extrema
@@ -14,7 +14,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claim import Claim, example_name, formula_name, read
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Counter, word
@@ -37,7 +37,7 @@ def counts(claimed: str) -> list[tuple[int, Counter]]:
     return found
 
 
-def counted(claim: Claim, name: str, value: Any) -> str:
+def counted(claim: Claim, name: str, value: str) -> str:
     """Numbers with what they count."""
     counts(value)
     return str(value)
@@ -85,7 +85,7 @@ class Count(Claim):
         """The same for every case."""
         return self.prove()[1]
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only what is claimed is computed."""
         value = self.find(self.formula)(argument)
         value = joined(value)

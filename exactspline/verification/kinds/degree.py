@@ -17,7 +17,7 @@ from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lines import Degrees
 from exactspline.verification.claim import Claim, count_from, degree_text, formula_name, one_of, read
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
 from exactspline.verification.notation import degree_latex, symbol
@@ -108,7 +108,7 @@ class DegreeClaim(Claim):
         found = decide(self, dimension, polynomial)
         return replace(found, claimed=self.claims, relation=self.relation)
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The degree of the splines at hand. A curve of higher degree refutes what is claimed of the generic one; a
         curve of lower degree may be a special one, and decides nothing.
         """
@@ -133,7 +133,7 @@ class DegreeClaim(Claim):
         d = max(max(p.degree) if isinstance(p.degree, Degrees) else p.degree for p in curve.p)
         return degree.at(dict.fromkeys(degree.names, int(d)))
 
-    def _computed(self, argument: Any) -> int:
+    def _computed(self, argument: Handed) -> int:
         if self.measure == Measure.REDUCED:
             return max(self._own(p.true_degree) for p in split(self._reduced(argument))[0])
         value = self.find(self.formula)(argument)

@@ -51,7 +51,7 @@ def _grading(true: Any) -> str:
 def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
     formula = claim.find(claim.formula)
     if claim.curve == ArgumentKind.TABLE:
-        handed = degree_table()
+        handed: object = degree_table()
     else:
         counting = "part by part" if claim.counting == "part by part" else ""
         handed = DegreeReading(parameter=str(claim.parameter), counting=counting).argument(

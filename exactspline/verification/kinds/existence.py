@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.language.parts import split
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding, vacuous
 
@@ -43,7 +43,7 @@ class Existence(Claim):
         told = f"{self.formula} is a quotient of polynomials in the curve"
         return Finding(REFUTED if rational else UNDECIDED, NOT, "rational", witness=told)
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The rational form on this curve."""
         value = self.find(self.formula)(argument)
         _, denominator = split(value)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
+from exactspline.language.argument import Evaluated
 from exactspline.language.parts import split
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.rational_jet import JetFraction
@@ -13,16 +14,18 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.curve_check import printed_factor, where_it_differs
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.notation import factor_latex, symbol
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
 
-def stated_factor(claim: Claim, name: str, value: Any) -> str:
+def stated_factor(claim: Claim, name: str, value: str) -> str:
     """A factor whose names are formulas that can be handed what the claim speaks of."""
     for part, _ in factor_parts(value):
+        if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
+            raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
         if part == "W" and claim.curve != ArgumentKind.PAIR:
             raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
         if part[0].isalpha() and part not in WEIGHTS:
@@ -84,9 +87,10 @@ class Identity(Claim):
         top, bottom = (_over(ring, part) for part in found)
         return bool(stated == JetFraction(ring, top, bottom))
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
         (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
+        assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
         top, bottom = factor_of_text(self.factor, argument, self.find)
         factor = printed_factor(self.factor, argument)
         if all(x.is_zero for x in (*ps, *qs)):
@@ -159,7 +163,7 @@ class Vanishing(Claim):
         witness = self.refuted_on_examples().witness or "the jet polynomial is not zero"
         return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness)
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """All components are the zero spline."""
         for p in split(self.find(self.left)(argument))[0]:
             if not p.is_zero:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.parts import split
 from exactspline.splines.bernstein import is_square_class
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -63,7 +63,7 @@ class SquareClass(Claim):
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
         return Finding(verdict, "a square", told, quotient, refuted.witness or told)
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment both are squares up to a constant, or neither is; where one is 0 nothing is said."""
         (n, m), (p, q) = [
             (numerators[0], w)

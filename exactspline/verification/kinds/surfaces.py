@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.geometry.ruled_surfaces import differences
-from exactspline.language.arguments import embedded
+from exactspline.language.arguments import Curve, embedded
 from exactspline.language.parts import split
 from exactspline.language.ruled import RuledSurface
 from exactspline.readings.differential_order import order_of
@@ -16,7 +16,7 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import harmful
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, ContradictionError, Finding, vacuous
@@ -78,7 +78,7 @@ class SameSurface(Claim):
         factor = f"ζ = {moved}{stretch} λ".replace("1 λ", "λ")
         return Finding(PROVED, ONE, ONE + where, factor, assumptions=tuple(dict.fromkeys([*used, *others])))
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
         a, b = self.find(self.left)(argument), self.find(self.right)(argument)
         generators = [split(surface.generator)[0] for surface in (a, b)]
@@ -135,7 +135,7 @@ class IsoCurve(Claim):
         """Both names."""
         return rf"{symbol(self.left)} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {symbol(self.right)}"
 
-    def missing(self, argument: Any) -> str:
+    def missing(self, argument: Handed) -> str:
         """Nothing is asked beforehand: the right side is handed the curve in space."""
         return ""
 
@@ -151,8 +151,9 @@ class IsoCurve(Claim):
             return Finding(PROVED, ZETA, ZETA)
         return Finding(REFUTED, ZETA, "another curve", witness=self.refuted_on_examples().witness or "not identical")
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The plane curve and the directrix, compared as quotients."""
+        assert isinstance(argument, Curve)  # with its point
         plane, space = self.find(self.left)(argument), self.find(self.right)(embedded(argument)).directrix
         below = [denominator for _, denominator in map(split, (plane, space)) if denominator is not None]
         if not all(p for denominator in below for p in denominator.polynomials):

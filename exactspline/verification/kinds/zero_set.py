@@ -12,7 +12,7 @@ from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_names, one_of, read
 from exactspline.verification.curve_check import common_zeros, extra_zero
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of, harmful
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -72,7 +72,7 @@ class ZeroSet(Claim):
             return Finding(REFUTED, ONE, "different zero sets", witness=refuted.witness)
         return Finding(UNDECIDED, ONE, "", names)
 
-    def examine(self, argument: Any, own: Evaluation) -> Finding:
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment, what is left of each numerator after removing the other's factors has no zero."""
         values = [(name, self.find(name)(argument)) for name in self.formulas]
         if self.measure == ZeroSetOf.VALUES:

@@ -37,7 +37,7 @@ SMALL_PRIMES = tuple(p for p in range(101, 2000) if all(p % q for q in range(2, 
 LARGEST = 60
 
 
-def certificate(name: str, curve: Any) -> dict[str, Any]:
+def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     """The certificate of a construction on a curve, as JSON data.
 
     >>> from exactspline.splines.examples import example
@@ -57,7 +57,7 @@ def certificate(name: str, curve: Any) -> dict[str, Any]:
     return {"format": FORMAT, "construction": name, "curve": curve.name, "kind": kind, "segments": segments}
 
 
-def _segments(made: Construction, piece: Piece, curve: Any) -> list[dict[str, Any]]:
+def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, Any]]:
     value = piece.value
     if not made.zero_set:
         if not isinstance(value, Rational):
@@ -94,7 +94,7 @@ def _coefficients(c: fmpz_poly, n: int) -> list[str]:
     return [str(c[i]) for i in range(n + 1)]
 
 
-def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, Any]:
+def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, object]:
     prime, cofactors = _bezout(forms, [n] * len(forms))
     return {
         "interval": interval,
@@ -105,7 +105,7 @@ def _quotient(interval: list[str], forms: list[fmpz_poly], n: int) -> dict[str, 
     }
 
 
-def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[str, Any]:
+def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[str, object]:
     prime, cofactors = _bezout([c, w], [n, w.degree()])
     segment = {
         "interval": interval,
