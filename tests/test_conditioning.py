@@ -308,10 +308,11 @@ def test_the_command_shows_both_witnesses():
 def test_the_command_writes_json():
     done = run("rational_cubic_s", "--construction", "zero_curvature", "--search", "1", "--seed", "3", "--json")
     data = json.loads(done.stdout)
-    (zero,) = data["curves"][0]["zeros"]
+    told = {what: [row["data"] for row in data["rows"] if row["what"] == what] for what in ("curve", "search")}
+    (zero,) = told["curve"][0]["zeros"]
     assert [f["form"] for f in zero["forms"]] == ["naive", "paper", "minimal"]
     assert all(mpq(a) <= mpq(b) for a, b in (f["condition"] for f in zero["forms"]))
-    assert {t["family"] for t in data["search"]} <= {
+    assert {t["family"] for t in told["search"]} <= {
         "positive weights",
         "a weight near zero",
         "a denominator near zero",

@@ -165,7 +165,7 @@ def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.splines.examples import example
-    >>> reasons(select(["C4.1c", "T1"]), example("twisted_cubic"))
+    >>> reasons(select(["C4.1c", "T10"]), example("twisted_cubic"))
     '1 of Table 1, 3 of plane curves'
     """
     counts: Counter[str] = Counter()

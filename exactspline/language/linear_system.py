@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from exactspline.language.operand import OwnVectors
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross, perp
 
@@ -30,7 +31,7 @@ def level(normal: Any, height: Any) -> tuple[Any, Any]:
 
     Only quotients have one; anything else stays as it is.
     """
-    if isinstance(normal, Rational):
+    if isinstance(normal, (Rational, OwnVectors)):
         return normal.levelled(height)
     if isinstance(height, Rational):
         second, first = height.levelled(normal)

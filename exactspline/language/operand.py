@@ -237,6 +237,10 @@ class OwnVectors(OwnProducts):
     def ruled(self, generator: Any) -> Any:
         """The ruled surface with this directrix."""
 
+    @abstractmethod
+    def levelled(self, height: Any) -> tuple[Any, Any]:
+        """This normal and its height brought to one denominator."""
+
 
 class PartlyOrdered(ABC):
     """A degree that is no single number: two of them have a maximum, which may be neither."""

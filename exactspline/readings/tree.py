@@ -13,6 +13,7 @@ from exactspline.errors import FormulaError
 from exactspline.language.argument import Argument
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
+from exactspline.language.linear_system import level
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
@@ -117,6 +118,11 @@ class Node(Operand, OwnVectors):
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""
         return Node("ruled", (self, generator))
+
+    def levelled(self, height: Any) -> tuple[Node, Node]:
+        """The nodes of this normal and its height, brought to one denominator."""
+        row = (self, height if isinstance(height, Node) else self.constant(height))
+        return Node("level", row, 0, vector=self.is_vector), Node("level", row, 1)
 
     @property
     def generator(self) -> Node:
@@ -245,6 +251,8 @@ def _apply(n: Node, args: list[Any], c: Any) -> Any:
         return args[0] ** n.value
     if n.op == "[]":
         return args[0][n.value]
+    if n.op == "level":
+        return level(args[0], args[1])[n.value]
     return _PRODUCTS[n.op](*args)
 
 

@@ -86,7 +86,7 @@ class ValuesAlong:
 
         >>> from exactspline import Nurbs
         >>> [str(x) for x in Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).unit_tangent(0)]
-        ['(1/5)√5', '(2/5)√5']
+        ['√5/5', '2√5/5']
 
         Raises `DomainError` where γ′ = 0.
         """
@@ -121,7 +121,7 @@ class ValuesAlong:
         >>> from exactspline import Nurbs
         >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
         >>> parabola.curvature(0), str(parabola.curvature("1/2"))
-        (mpq(2,1), '(1/2)√2')
+        (mpq(2,1), '√2/2')
 
         Raises `DomainError` where γ′ = 0 and outside the domain, `ShapeError` unless in the plane or in space.
         """

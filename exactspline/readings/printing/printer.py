@@ -24,6 +24,9 @@ class Printer(ABC):
         """The text of a node and how tightly it binds."""
         if n.op in ("leaf", "number", "named"):
             return self.atom(n)
+        if n.op == "level":
+            # one denominator is a step of the computation; what is computed is written as it was
+            return self.show(n.args[n.value])
         if n.op in "+-":
             left, right = n.args
             return (
