@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from exactspline import Nurbs
+from exactspline.geometry.features import corners as corners_of
 from exactspline.geometry.inspection import inspect_curve
-from exactspline.geometry.plane_features import CORNER, joint
 from tests.contour_oracle import Piece, features
 
 pytest.importorskip("fontTools")
@@ -84,7 +84,7 @@ def test_corners_inflections_and_extrema_of_all_contours(font):
         curve, count = curve_of(pieces), len(pieces)
         corners, inflections, extrema, _ = expected(pieces)
         found = inspect_curve(curve)
-        assert [t for t in range(count) if joint(curve, curve.domain[0] + t) == CORNER] == corners, name
+        assert [joint.parameter - curve.domain[0] for joint in corners_of(curve)] == corners, name
         assert sorted(f.root.exact % count for f in found.inflections) == inflections, name
         told = sorted((_exact(f.root) % count, f.kind) for f in found.critical if f.kind != "stationary")
         assert told == extrema, name
@@ -96,13 +96,10 @@ def _exact(root):
     return root.exact
 
 
-@pytest.mark.xfail(reason="issue 13, wrong today 1: straight pieces run across the seam", strict=True)
 def test_straight_pieces_of_all_contours():
     differ = []
     for name, pieces in [c for font in FONTS for c in contours(font)]:
-        count, found = len(pieces), []
-        for low, high in inspect_curve(curve_of(pieces)).straight:
-            found += [(low, high)] if high <= count else [(low, count), (0, high - count)]
+        found = [part for piece in inspect_curve(curve_of(pieces)).straight for part in piece.parts]
         if sorted(found) != sorted(expected(pieces)[3]):
             differ.append(name)
     assert differ == []

@@ -7,15 +7,17 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
+from typer.testing import CliRunner
 
 from exactspline import Nurbs
+from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
 from exactspline.interchange import Limits, read, write
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.formats.own_json import schema
 from exactspline.interchange.limits import work
-from exactspline.splines.examples import example, example_names
+from exactspline.splines.examples import example, example_names, load
 from tests.interchange_seeds import ARC, BREP, CUBIC, CURVES, DXF, G2, ITD, SPACE, STEP, SVG, dxf, iges, seeds, truetype
 from tests.strategies import nurbs
 
@@ -409,3 +411,16 @@ def test_files_that_are_none(tmp_path):
 def test_the_work_that_is_estimated_is_knot_insertion():
     assert work(3, [mpq(t) for t in (0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4)], 53) == 3 * 2 * 4**4
     assert work(3, [mpq(t) for t in (0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2)], 53) == 1
+
+
+def test_what_derive_wrote_is_read_as_inspect_reads_it(tmp_path):
+    """Whole, among other curves, and one piece of it alone."""
+    written = tmp_path / "evolute.json"
+    assert CliRunner().invoke(app, ["derive", "evolute", "ellipse", "-o", str(written)]).exit_code == 0
+    derived = json.loads(written.read_text(encoding="utf-8"))
+    several, piece = tmp_path / "several.json", tmp_path / "piece.json"
+    several.write_text(json.dumps({"curves": [derived, derived]}), encoding="utf-8")
+    piece.write_text(json.dumps(derived["pieces"][0]), encoding="utf-8")
+    found = [named.curve for path in (written, several, piece) for named in read(path).curves]
+    assert found == [load(str(written))] * 4
+    assert found[0].domain == example("ellipse").domain

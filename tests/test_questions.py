@@ -72,3 +72,10 @@ def test_a_curve_file_that_means_no_curve_is_refused(text, told):
     """Of two fields of one name neither is meant more than the other."""
     with pytest.raises(xs.ExactSplineError, match=told):
         xs.curve_from_text(text)
+
+
+def test_sides_that_are_not_proportional_have_no_factor():
+    """The last height of (34) as printed: no factor makes both sides equal, and none is shown."""
+    (printed,) = [claim for claim in xs.select_claims(["C6.2g"]) if claim.expected == xs.REFUTED]
+    finding = printed.prove()[1]
+    assert (finding.verdict, finding.computed, finding.factor) == (xs.REFUTED, "not proportional", "")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, rational
+from exactspline.exact import Number, mpq, rational
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
 from exactspline.splines.nurbs import Nurbs
@@ -14,7 +13,7 @@ from exactspline.splines.nurbs import Nurbs
 ONE = (mpq(1), mpq(0))
 
 
-def circle(centre: Iterable[Any], radius: Any) -> Nurbs:
+def circle(centre: Iterable[Number], radius: Number) -> Nurbs:
     """The whole circle in the plane, counter-clockwise from its rightmost point, four segments.
 
     >>> x, y = circle((1, 0), "5/2")("1/3")
@@ -29,7 +28,7 @@ def circle(centre: Iterable[Any], radius: Any) -> Nurbs:
     return ellipse(centre, (r, 0), (0, r))
 
 
-def ellipse(centre: Iterable[Any], u: Iterable[Any], v: Iterable[Any]) -> Nurbs:
+def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) -> Nurbs:
     """The whole ellipse ``centre + cos t u + sin t v`` in the plane or in space.
 
     >>> ellipse((0, 0, 1), (2, 0, 0), (0, 1, 1))(1)
@@ -39,7 +38,7 @@ def ellipse(centre: Iterable[Any], u: Iterable[Any], v: Iterable[Any]) -> Nurbs:
     return _curve(mapped(arc_around_origin(ONE, ONE), Affine(rows)), "ellipse")
 
 
-def arc(centre: Iterable[Any], start: Iterable[Any], end: Iterable[Any]) -> Nurbs:
+def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
     """The circular arc in the plane, counter-clockwise from `start` to `end` (the whole circle when they agree).
 
     >>> quarter = arc((0, 0), (3, 4), (-4, 3))
@@ -53,7 +52,7 @@ def arc(centre: Iterable[Any], start: Iterable[Any], end: Iterable[Any]) -> Nurb
     return _curve(mapped(arc_around_origin(u, v), Affine([[1, 0, x], [0, 1, y]])), "arc")
 
 
-def conic(form: Sequence[Any], start: Iterable[Any], end: Iterable[Any]) -> Nurbs:
+def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
     """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0, given by its six coefficients: on an ellipse
     counter-clockwise, on a parabola or a hyperbola along the branch of both ends.
 
@@ -67,7 +66,7 @@ def conic(form: Sequence[Any], start: Iterable[Any], end: Iterable[Any]) -> Nurb
     return _curve(conic_arc([rational(c) for c in form], _point(start), _point(end)), "conic")
 
 
-def _point(values: Iterable[Any]) -> tuple[mpq, ...]:
+def _point(values: Iterable[Number]) -> tuple[mpq, ...]:
     return tuple(rational(value) for value in values)
 
 

@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 from exactspline.errors import CurveFileError, NumberError
+from exactspline.splines.curve_files import once_each
 
 
 def parsed(text: str) -> Any:
@@ -14,10 +15,10 @@ def parsed(text: str) -> Any:
     >>> parsed('{"a": [1, 0.1, "x"]}')
     {'a': ['1', '0.1', 'x']}
 
-    Raises `CurveFileError` for what is not JSON, `NumberError` for NaN and the infinities.
+    Raises `CurveFileError` for what is not JSON or has a field twice, `NumberError` for NaN and the infinities.
     """
     try:
-        return json.loads(text, parse_int=str, parse_float=str, parse_constant=_refuse)
+        return json.loads(text, parse_int=str, parse_float=str, parse_constant=_refuse, object_pairs_hook=once_each)
     except RecursionError:
         raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
     except json.JSONDecodeError as error:

@@ -53,7 +53,7 @@ class Evaluated(Argument):
         """The operands by name."""
 
     @abstractmethod
-    def mapped(self, change: Callable[[Any], Any]) -> Any:
+    def mapped(self, change: Callable[[Any], Any]) -> Evaluated:
         """The argument with every operand changed: into another reading, or onto another domain."""
 
     def together(self) -> tuple[Evaluated, ...]:

@@ -7,14 +7,15 @@ expression tree, a Taylor series. Nothing in this room knows which.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Generic, TypeVar
 
 from exactspline.language.argument import Evaluated
-from exactspline.language.operand import Operand
+from exactspline.language.operand import Constant, Operand
 from exactspline.language.vector import Vector
 
 T = TypeVar("T", bound=Operand)
+U = TypeVar("U", bound=Operand)
 
 
 class Operands(Evaluated):
@@ -94,12 +95,12 @@ class Curve(Evaluated, Generic[T]):
         """The same operands in a plain curve of its own."""
         return Curve(self.p, self.w, polynomial=self.polynomial, gamma=self.gamma, point=self.point)
 
-    def mapped(self, change: Callable[[T], Any]) -> Any:
+    def mapped(self, change: Callable[[T], U]) -> Curve[U]:
         """The curve with every operand changed: into another reading, or onto another domain."""
         point = None if self.point is None else self.point.mapped(change)
         return Curve(self.p.mapped(change), change(self.w), polynomial=self.polynomial, point=point)
 
-    def with_point(self, point: Any) -> Curve[T]:
+    def with_point(self, point: Iterable[Constant]) -> Curve[T]:
         """The curve with a point, whose coordinates are exact constants, beside it."""
         return Curve(self.p, self.w, polynomial=self.polynomial, point=Vector(*[self.w.constant(x) for x in point]))
 
@@ -132,7 +133,7 @@ class Pair(Evaluated, Generic[T]):
         """The pair and its curves."""
         return self, self.first, self.second
 
-    def mapped(self, change: Callable[[T], Any]) -> Any:
+    def mapped(self, change: Callable[[T], U]) -> Pair[U]:
         """The pair with every operand changed."""
         return Pair(self.first.mapped(change), self.second.mapped(change))
 

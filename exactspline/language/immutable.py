@@ -34,7 +34,7 @@ class Immutable:
         return self
 
 
-def fill(value: Immutable, **fields: Any) -> None:
+def fill(value: Immutable, **fields: object) -> None:
     """Give a value its fields: where it is made, and where a part computed lazily is kept."""
     for name, content in fields.items():
         _set(value, name, content)

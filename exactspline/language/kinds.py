@@ -13,7 +13,7 @@ from typing import Any
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import framed
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Curve, Operands, Pair
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Curve, Operands, Pair, T
 from exactspline.language.vector import Vector
 
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
@@ -48,7 +48,7 @@ class Kind(ABC):
 
     @abstractmethod
     def argument(
-        self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
         """The argument from its operands; `one` stands for the denominators of polynomial curves."""
 
@@ -91,7 +91,7 @@ class CurveKind(Kind):
         return {"p": True, "w": False, "gamma": True} | axes | ({"point": True} if self.with_point else {})
 
     def argument(
-        self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
         """The curve."""
         named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
@@ -120,7 +120,7 @@ class PairKind(Kind):
         return {"first": SPACE, "second": SPACE}
 
     def argument(
-        self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
         """The pair."""
         named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
@@ -144,7 +144,7 @@ class TableKind(Kind):
         return {f"{x}{i}": x == "v" for i in "12" for x in "pwv"}
 
     def argument(
-        self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
         """The operands by name."""
         named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension)}
@@ -164,7 +164,7 @@ class FramedKind(CurveKind):
         return super().names(dimension) | {"sigma": False} | ({"rho": False} if dimension == 3 else {})
 
     def argument(
-        self, dimension: int, operand: Callable[[Symbol], Any], one: Any, *, polynomial: bool = False
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
     ) -> Evaluated:
         """The curve with its roots."""
         curve: Any = super().argument(dimension, operand, one, polynomial=polynomial)

@@ -67,10 +67,10 @@ class Counted(Ring, Protocol):
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero, if only on one segment of its domain."""
 
-    def elevated_to(self, other: Any, /) -> Self:
+    def elevated_to(self, other: Self, /) -> Self:
         """The same thing, of at least the degree of another."""
 
-    def hash_of_quotients(self, numerators: tuple[Any, ...]) -> int:
+    def hash_of_quotients(self, numerators: tuple[Self, ...]) -> int:
         """A hash of the quotients by this that all equal ones share."""
 
 
@@ -105,7 +105,7 @@ class Operand(Displayed, ABC):
         """Whether it is identically zero, if only on one segment of its domain."""
         return bool(self.is_zero)
 
-    def hash_of_quotients(self, numerators: tuple[Any, ...]) -> int:
+    def hash_of_quotients(self, numerators: tuple[Self, ...]) -> int:
         """A hash of the quotients by this that all equal ones share; a reading that can tell more than nothing does."""
         return len(numerators)
 
@@ -172,7 +172,7 @@ class Operand(Displayed, ABC):
             return other
         return self.constant(other) if isinstance(other, CONSTANTS) else None
 
-    def dividing(self, numerator: Operand | Vector[Any]) -> Rational[Any] | Operand | Vector[Any]:
+    def dividing(self, numerator: Operand | Vector[Operand]) -> Operand | Vector[Operand]:
         """`numerator`, an operand or a vector of this reading, divided by this."""
         quotient: Rational[Any] = service("quotient")(numerator, self)
         return quotient
@@ -209,7 +209,7 @@ class FieldOperand(Operand):
         left = self.beside(other)
         return NotImplemented if left is None else left * self.reciprocal()
 
-    def dividing(self, numerator: Operand | Vector[Any]) -> Operand | Vector[Any]:
+    def dividing(self, numerator: Operand | Vector[Operand]) -> Operand | Vector[Operand]:
         """`numerator` times the reciprocal."""
         return numerator * self.reciprocal()
 

@@ -7,7 +7,7 @@ added; any two others are cross- multiplied.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
@@ -88,8 +88,8 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
     product: Product[T]
 
     def __init__(self, numerator: T | Vector[T], *denominator: T | Product[T]) -> None:
-        first: Any = denominator[0]
-        fill(self, numerator=numerator, product=first if isinstance(first, Product) else Product(*denominator))
+        first, given = denominator[0], cast(Any, denominator)
+        fill(self, numerator=numerator, product=first if isinstance(first, Product) else Product(*given))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Rational, (self.numerator, self.product)
@@ -216,7 +216,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
         factor: Any = other
         return Rational(self.numerator, self.product * Product(factor))
 
-    def dividing(self, numerator: Any) -> Rational[T]:
+    def dividing(self, numerator: Operand | Vector[Operand]) -> Rational[T]:
         """`numerator`, an operand or a vector that is no quotient, divided by this."""
         return Rational(numerator * self.denominator, self.scalar)
 
@@ -266,7 +266,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
             highest = highest.elevated_to(x)
         return self.numerator.elevated_to(highest), w.elevated_to(highest)
 
-    def elevated_to(self, other: Any) -> Rational[T]:
+    def elevated_to(self, other: T) -> Rational[T]:
         """The same rational, its numerator at least of the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
 

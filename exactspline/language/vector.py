@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import combinations
-from typing import Any, Generic, ParamSpec, TypeVar, overload
+from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq
@@ -116,7 +116,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
     def __truediv__(self, scalar: Any) -> Any:
         if isinstance(scalar, CONSTANTS):
             return self.scaled(1 / mpq(scalar))
-        return scalar.dividing(self) if isinstance(scalar, Operand) else NotImplemented
+        return scalar.dividing(cast("Vector[Operand]", self)) if isinstance(scalar, Operand) else NotImplemented
 
     def d(self: Vector[R], order: int = 1, *, by: str | None = None) -> Vector[R]:
         """The derivative of the given order, component by component.
@@ -138,7 +138,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         components: tuple[Any, ...] = self.components
         return Vector(*[a * constant for a in components])
 
-    def elevated_to(self, other: Any) -> Vector[T_co]:
+    def elevated_to(self, other: object) -> Vector[T_co]:
         """The same vector, every component at least of the degree of `other`."""
         components: tuple[Any, ...] = self.components
         return Vector(*[a.elevated_to(other) for a in components])

@@ -256,7 +256,7 @@ def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: 
 
 
 def drop_of(
-    formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str
+    formula: Callable[..., object], curve: Callable[[int], object], name: str
 ) -> tuple[int, int, int, tuple[int, ...]]:
     """The same as `generic_drop` for any function of a curve at infinity that is known to as many terms as needed."""
     found = _resolved(formula, curve, name)

@@ -215,7 +215,7 @@ def _number(value: Any) -> Any:
 def _parsed(text: str) -> Any:
     try:
         return json.loads(
-            text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=_once_each
+            text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=once_each
         )
     except RecursionError:
         raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
@@ -227,7 +227,7 @@ def _parsed(text: str) -> Any:
         ) from None
 
 
-def _once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
+def once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
     """The fields of an object; one that is written twice has no value that could be meant."""
     found = dict(fields)
     if len(found) < len(fields):

@@ -7,10 +7,10 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterable
 from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
-from types import SimpleNamespace
 from typing import ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.rational import Rational
@@ -242,7 +242,7 @@ class Claim(Displayed):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """What holds for all curves of a dimension, with w = 1 or with any w."""
 
-    def check(self, curve: Nurbs | SimpleNamespace | Evaluation) -> Finding:
+    def check(self, curve: Nurbs | Operands | Evaluation) -> Finding:
         """What one curve (or the `Evaluation` of one) says of it."""
         own = evaluation(curve)
         argument = own.handed(self.curve)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from types import SimpleNamespace
 from typing import Any
 
 from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Operands
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -17,7 +17,7 @@ from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import ArgumentKind
 
 #: What formulas are handed on one curve: the curve, beside it a point or a second curve, or operands of Table 1.
-Handed = Evaluated | SimpleNamespace
+Handed = Evaluated
 
 
 class Evaluation:
@@ -30,7 +30,7 @@ class Evaluation:
     (True, False)
     """
 
-    def __init__(self, curve: Nurbs | SimpleNamespace) -> None:
+    def __init__(self, curve: Nurbs | Operands) -> None:
         self.curve: Any = curve
         self._handed: dict[str, tuple[Evaluated, str]] = {}
         self._failing: dict[tuple[str, str], str] = {}
@@ -60,7 +60,7 @@ class Evaluation:
         return ""
 
 
-def evaluation(curve: Nurbs | SimpleNamespace | Evaluation) -> Evaluation:
+def evaluation(curve: Nurbs | Operands | Evaluation) -> Evaluation:
     """The evaluation of a curve; one that is given is kept."""
     return curve if isinstance(curve, Evaluation) else Evaluation(curve)
 

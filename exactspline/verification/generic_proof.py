@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
-from types import SimpleNamespace
 
-from exactspline.language.arguments import Pair
+from exactspline.language.arguments import Operands, Pair
 from exactspline.language.formula import Formula
 from exactspline.language.vector import Vector
 from exactspline.papers import find
@@ -60,7 +59,7 @@ def reduction_of(formula: Formula, dimension: int, polynomial: bool) -> Reductio
     return reduce(formula, dimension=dimension, polynomial=polynomial)
 
 
-def degree_table() -> SimpleNamespace:
+def degree_table() -> Operands:
     """The operands of Table 1 in the degree reading."""
     one, two = [[Degree.named(name) for _ in range(5)] for name in ("d1", "d2")]
-    return SimpleNamespace(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))
+    return Operands(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))

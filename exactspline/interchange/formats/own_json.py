@@ -59,8 +59,8 @@ def read(source: Source) -> Reading:
 def _curve(found: Collector, entry: Any, where: str) -> None:
     if not isinstance(entry, dict):
         raise CurveFileError("is no object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
-    if "pieces" in entry:
-        curve = curve_from_text(json.dumps(entry), where)
+    if "pieces" in entry or "kind" in entry:
+        curve = curve_from_text(json.dumps(_with_whole_degrees(entry)), where)
         found.curves.append(NamedCurve(curve.name, curve, ("what `derive` wrote",)))
         return
     if missing := [field for field in REQUIRED if field not in entry]:
@@ -76,6 +76,16 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
         None if entry.get("weights") is None else _row(found, entry["weights"]),
         name=str(entry.get("name") or "") or found.source.name,
     )
+
+
+def _with_whole_degrees(entry: dict[str, Any]) -> dict[str, Any]:
+    """What `derive` wrote, its degrees numbers again: all others may be text."""
+    if "degree" in entry:
+        entry = entry | {"degree": whole(str(entry["degree"]))}
+    pieces = entry.get("pieces")
+    if not isinstance(pieces, list):
+        return entry
+    return entry | {"pieces": [_with_whole_degrees(piece) if isinstance(piece, dict) else piece for piece in pieces]}
 
 
 def _list(value: Any) -> list[Any]:

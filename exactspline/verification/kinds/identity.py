@@ -65,13 +65,11 @@ class Identity(Claim):
         if all(x.is_zero for side in (left, right) for x in split(side(c))[0]):
             return vacuous(self.factor)
         if all(x.is_zero for x in split(right(c))[0]):
-            return Finding(
-                REFUTED, self.factor, "not proportional", "none", "the right side vanishes, the left does not"
-            )
+            return Finding(REFUTED, self.factor, "not proportional", "", "the right side vanishes, the left does not")
         factor = factor_of(left, right, dimension, polynomial=polynomial)
         if factor is None:
             witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
-            return Finding(REFUTED, self.factor, "not proportional", "none", witness)
+            return Finding(REFUTED, self.factor, "not proportional", "", witness)
         order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
         top, bottom = factor_of_text(self.factor, order, self.find)
         if bottom.is_zero:
