@@ -61,7 +61,7 @@ def test_every_misspelled_word_is_an_error_that_names_file_and_entry():
 
 def test_the_nearest_names_are_offered():
     table, source = next((t, s) for t, s in ENTRIES if t.entry.get("left") == "f1")
-    with pytest.raises(ClaimError, match="nearest are 'f1'"):
+    with pytest.raises(ClaimError, match="nearest are f1"):
         claim_of(Table(table.place, table.entry | {"left": "f1q"}), source)
     with pytest.raises(ClaimError, match="nearest are 'factor'"):
         claim_of(Table(table.place, table.entry | {"factr": "w"}), source)

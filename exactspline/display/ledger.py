@@ -166,7 +166,7 @@ def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
     >>> from exactspline.verification.claims import select
     >>> from exactspline.splines.examples import example
     >>> reasons(select(["C4.1c", "T10"]), example("twisted_cubic"))
-    '1 of Table 1, 3 of plane curves'
+    '2 of Table 1, 3 of plane curves'
     """
     counts: Counter[str] = Counter()
     for claim in claims:
