@@ -74,4 +74,4 @@ def test_degrees_of_the_lower_terms():
 
 def test_replacing_derivatives_by_di():
     """Not in any zero-set problem, as printed: [γ′ γ‴] is a counterexample; but in [γ′ γ″] and [γ′ γ″ γ‴]."""
-    assert verdict_for_all("C3h") == ["REFUTED", "PROVED", "PROVED"]
+    assert verdict_for_all("C3h") == ["REFUTED", "PROVED", "PROVED", "PROVED"]

@@ -8,7 +8,7 @@ from exactspline.verification.ledger import audit
 
 @cache
 def _audited(claim_id):
-    return tuple(audit([claim for claim in all_claims() if claim.id == claim_id]))
+    return tuple(audit([claim for claim in all_claims() if claim_id in (claim.id, claim.key)]))
 
 
 def establish(claim_id, statement=""):

@@ -8,7 +8,6 @@ from gmpy2 import mpq
 
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
-from exactspline.language.arguments import assemble
 from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers import find
@@ -179,8 +178,7 @@ def test_the_same_at_eighty_digits():
 
 
 def test_a_frame_needs_a_curve_that_can_be_divided_by():
-    still = assemble(
-        "curve", 2, lambda name: RationalJetReading(1).argument(CURVE, 2).w.constant(mpq(1)), None, polynomial=True
-    )
+    one = RationalJetReading(1).argument(CURVE, 2).w.constant(mpq(1))
+    still = CURVE.argument(2, lambda _: one, one, polynomial=True)
     with pytest.raises(FormulaError, match="root of what vanishes"):
         framed(still)

@@ -99,8 +99,8 @@ def select(ids: Iterable[str]) -> tuple[Claim, ...]:
     chosen = tuple(c for c in all_claims() if not ids or any(i == c.key or matches(c.id, i) for i in ids))
     for i in ids:
         if not any(i == claim.key or matches(claim.id, i) for claim in all_claims()):
-            known = ", ".join(dict.fromkeys(claim.id for claim in all_claims()))
-            raise ClaimError(f"no claim has the id {i!r}", remedy=f"ids are {known}")
+            known = list(dict.fromkeys(claim.id for claim in all_claims()))
+            raise ClaimError(f"no claim has the id {i!r}", remedy=nearest(i, known))
     return chosen
 
 
