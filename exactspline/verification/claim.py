@@ -286,6 +286,26 @@ class Claim(Displayed):
         return Finding(UNDECIDED, self.claims)
 
 
+@dataclass(frozen=True, kw_only=True)
+class ExampleClaim(Claim):
+    """What is claimed of one example curve alone."""
+
+    example: str = field(metadata=read(example_name))
+
+    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+        """It speaks of its example alone."""
+        return False
+
+    def prove(self) -> tuple[str, Finding]:
+        """What the example says."""
+        own = Evaluation(example(self.example))
+        return self.reading, self.examine(own.handed(self.curve), own)
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The same for every case."""
+        return self.prove()[1]
+
+
 def worst(found: list[Finding]) -> Finding:
     """The least favourable finding: a refutation, then what is undecided, then what holds on the curves tried."""
     order = (REFUTED, UNDECIDED, VERIFIED, PROVED)

@@ -12,7 +12,7 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.examples import example
-from exactspline.verification.claim import Claim, example_name, formula_name, read
+from exactspline.verification.claim import ExampleClaim, formula_name, read
 from exactspline.verification.conditioning.condition_number import Interval, condition_number
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.notation import symbol
@@ -22,7 +22,7 @@ BETTER = "better at every common zero"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Condition(Claim):
+class Condition(ExampleClaim):
     """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
     condition number: a relative change of its Bernstein coefficients moves the zero less.
     """
@@ -32,7 +32,6 @@ class Condition(Claim):
 
     left: str = field(metadata=read(formula_name))
     right: str = field(metadata=read(formula_name))
-    example: str = field(metadata=read(example_name))
 
     def validate(self) -> None:
         """Refuse an example of which the claim does not speak, and a form compared with itself."""
@@ -53,19 +52,6 @@ class Condition(Claim):
     def latex(self) -> str:
         """Both names."""
         return rf"{symbol(self.left)} \;\text{{is better conditioned than}}\; {symbol(self.right)}"
-
-    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """It speaks of its example alone."""
-        return False
-
-    def prove(self) -> tuple[str, Finding]:
-        """Enclosures of the condition numbers on the example, zero by zero."""
-        own = Evaluation(example(self.example))
-        return self.reading, self.examine(own.handed(self.curve), own)
-
-    def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The same for every case."""
-        return self.prove()[1]
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Where enclosures do not tell two condition numbers apart nothing is decided."""

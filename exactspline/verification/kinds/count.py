@@ -13,7 +13,7 @@ from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
-from exactspline.verification.claim import Claim, example_name, formula_name, read
+from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
@@ -44,7 +44,7 @@ def counted(claim: Claim, name: str, value: str) -> str:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Count(Claim):
+class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
 
     kind: ClassVar[str] = "count"
@@ -52,7 +52,6 @@ class Count(Claim):
 
     formula: str = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
-    example: str = field(metadata=read(example_name))
 
     def validate(self) -> None:
         """Refuse an example of which the claim does not speak."""
@@ -71,19 +70,6 @@ class Count(Claim):
     def latex(self) -> str:
         """The formula with the numbers."""
         return rf"{symbol(self.formula)}: \;\text{{{self.claimed}}}"
-
-    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """It speaks of its example alone."""
-        return False
-
-    def prove(self) -> tuple[str, Finding]:
-        """The numbers, out of the objects themselves."""
-        own = Evaluation(example(self.example))
-        return self.reading, self.examine(own.handed(self.curve), own)
-
-    def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The same for every case."""
-        return self.prove()[1]
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only what is claimed is computed."""
