@@ -15,7 +15,7 @@ from exactspline.interchange.bridges.mpmath import to_mpmath
 from exactspline.interchange.bridges.sympy import to_sympy
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.limits import Limits
-from exactspline.interchange.numbers import NumberText, decimal, decimal_text, nearest_double, square_root
+from exactspline.interchange.numbers import NumberText, decimal, decimal_text, finite_double, square_root
 from exactspline.splines.examples import example
 from tests.interchange_seeds import ARC, CUBIC, SPACE, UNCLAMPED
 
@@ -24,7 +24,7 @@ CURVES = [ARC, CUBIC, SPACE, UNCLAMPED]
 
 @given(st.fractions())
 def test_the_nearest_double_is_nearest(value):
-    double = nearest_double(mpq(value))
+    double = finite_double(mpq(value))
     assert double == float(value)
     assert abs(Fraction(double) - value) <= abs(Fraction(double) + Fraction(1, 10**30) - value) + Fraction(1, 10**30)
 
@@ -35,7 +35,7 @@ def test_doubles_survive_as_decimals(value):
     text = decimal_text(number)
     assert text is not None
     assert decimal(text, Limits(digits=10_000, exponent=2_000)) == number
-    assert nearest_double(number) == value
+    assert finite_double(number) == value
     assert NumberText().double(number) == value
 
 
@@ -48,7 +48,7 @@ def test_decimals_survive_as_decimals(value):
 def test_numbers_beyond_doubles_are_refused():
     for value in (mpq(10) ** 400, mpq(1, 10**400)):
         with pytest.raises(NumberError, match="beyond the range"):
-            nearest_double(value)
+            finite_double(value)
 
 
 @given(st.fractions(0))
@@ -149,7 +149,7 @@ def test_mpmath_rounds_once():
             x, y = f(t)
             assert abs(x * x + y * y - 1) < mpf(2) ** (3 - bits)
     with mp.workprec(53):
-        assert float(f(mpf(0.1))[0]) == nearest_double(example("circle")(from_float(0.1))[0])
+        assert float(f(mpf(0.1))[0]) == finite_double(example("circle")(from_float(0.1))[0])
 
 
 def test_pens_both_ways():

@@ -5,11 +5,10 @@ from dataclasses import fields
 
 import pytest
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, nearest
 from exactspline.papers import Table, paper, papers
 from exactspline.verification.claims import claim_of
 from exactspline.verification.kinds import KINDS
-from exactspline.verification.vocabulary import nearest
 
 #: What people write as they like.
 FREE = {"source", "statement", "words", "place", "context", "note"}
@@ -63,9 +62,9 @@ def test_the_nearest_names_are_offered():
     table, source = next((t, s) for t, s in ENTRIES if t.entry.get("left") == "f1")
     with pytest.raises(ClaimError, match="nearest are f1"):
         claim_of(Table(table.place, table.entry | {"left": "f1q"}), source)
-    with pytest.raises(ClaimError, match="nearest are 'factor'"):
+    with pytest.raises(ClaimError, match="nearest are factor"):
         claim_of(Table(table.place, table.entry | {"factr": "w"}), source)
-    assert nearest("REFUTD", ["PROVED", "REFUTED"]).startswith("nearest are 'REFUTED'")
+    assert nearest("REFUTD", ["PROVED", "REFUTED"]).startswith("the nearest are REFUTED")
 
 
 DEGREE = {

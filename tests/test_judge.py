@@ -261,3 +261,18 @@ def test_vacuous_rows_are_on_record():
     assert (row.verdict, row.as_recorded) == (UNDECIDED, False)
     (row,) = audit([replace(claim, vacuous=("circle",))], [example("circle")])
     assert (row.verdict, row.as_recorded) == (VERIFIED, False)
+
+
+def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
+    """Were every curve told to be of lower degree, nothing would be verified and every row would be as recorded."""
+    generic = [
+        c
+        for c in all_claims()
+        if c.kind == "degree" and c.measure.is_generic and c.relation == "=" and c.expected == "PROVED"
+    ]
+    met = {row.key for row in audit(generic, map(example, example_names())) if row.verdict == VERIFIED}
+    spoken_of = [
+        c for c in generic if any(c.speaks_of(example(n).dimension, example(n).polynomial) for n in example_names())
+    ]
+    assert spoken_of
+    assert [c.key for c in spoken_of if c.key not in met] == []

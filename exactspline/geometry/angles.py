@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from exactspline.exact import mpq
+from exactspline.language.vector import Vector, dot
 from exactspline.splines.surd import Surd, significant, square_root
 
 if TYPE_CHECKING:
@@ -44,14 +45,9 @@ def angle_between(a: Sequence[mpq], b: Sequence[mpq]) -> Angle:
     >>> angle_between((mpq(1), mpq(0), mpq(0)), (mpq(0), mpq(0), mpq(2))).sine
     mpq(1,1)
     """
-    lengths = exact_dot(a, a) * exact_dot(b, b)
-    product = exact_dot(a, b)
+    lengths = dot(Vector(*a), Vector(*a)) * dot(Vector(*b), Vector(*b))
+    product = dot(Vector(*a), Vector(*b))
     sine = square_root((lengths - product * product) / lengths)
     cosine = square_root(product * product / lengths)
     to_the_right = len(a) == 2 and a[0] * b[1] < a[1] * b[0]
     return Angle(-cosine if product < 0 else cosine, -sine if to_the_right else sine)
-
-
-def exact_dot(a: Sequence[mpq], b: Sequence[mpq]) -> mpq:
-    """The scalar product of two exact vectors."""
-    return sum((x * y for x, y in zip(a, b, strict=True)), start=mpq(0))

@@ -14,10 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from exactspline.exact import mpq, ratio
-from exactspline.geometry.angles import Angle, angle_between, exact_dot
+from exactspline.geometry.angles import Angle, angle_between
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
-from exactspline.language.vector import Vector, cross, norm2
+from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.readings.taylor import Series
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surd import Surd, square_root
@@ -98,8 +98,8 @@ def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
     """
-    product = exact_dot(a, b)
-    return bool(product > 0 and product**2 == exact_dot(a, a) * exact_dot(b, b))
+    product = dot(Vector(*a), Vector(*b))
+    return bool(product > 0 and product**2 == dot(Vector(*a), Vector(*a)) * dot(Vector(*b), Vector(*b)))
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: str) -> Point:
@@ -128,23 +128,23 @@ def geometric_order(left: Jet, right: Jet) -> int:
         return -1
     if not same_direction(a[1], b[1]):
         return 0
-    length = exact_dot(a[1], a[1])
-    first = mpq(exact_dot(a[1], b[1])) / length
+    length = dot(Vector(*a[1]), Vector(*a[1]))
+    first = mpq(dot(Vector(*a[1]), Vector(*b[1]))) / length
     rest = [y - first * first * x for x, y in zip(a[2], b[2], strict=True)]
-    second = exact_dot(rest, a[1]) / length
+    second = dot(Vector(*rest), Vector(*a[1])) / length
     if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
         return 1
     rest = [
         z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
     ]
-    third = exact_dot(rest, a[1]) / length
+    third = dot(Vector(*rest), Vector(*a[1])) / length
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
 
 def distance(a: Point, b: Point) -> mpq | Surd:
     """The distance of two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
-    return square_root(exact_dot(difference, difference))
+    return square_root(dot(Vector(*difference), Vector(*difference)))
 
 
 def curvature_of(jet: Jet) -> mpq | Surd:
@@ -154,7 +154,7 @@ def curvature_of(jet: Jet) -> mpq | Surd:
     √2/4
     """
     v, a = jet[1], jet[2]
-    speed = mpq(exact_dot(v, v))
+    speed = mpq(dot(Vector(*v), Vector(*v)))
     if len(v) == 2:
         turning = v[0] * a[1] - v[1] * a[0]
         signed: mpq | Surd = square_root(speed) * (turning / (speed * speed))

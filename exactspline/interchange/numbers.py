@@ -60,10 +60,10 @@ def square_root(value: mpq) -> mpq | None:
     return root if root * root == value else None
 
 
-def nearest_double(value: mpq) -> float:
+def finite_double(value: mpq) -> float:
     """The correctly rounded double; raises `NumberError` beyond the range of doubles.
 
-    >>> nearest_double(mpq(1, 3))
+    >>> finite_double(mpq(1, 3))
     0.3333333333333333
     """
     try:
@@ -136,11 +136,11 @@ class NumberText:
             )
             raise NumberError(f"{shown(str(value)).strip(chr(39))} {problem}", remedy=_REMEDY)
         self.rounded += 1
-        return repr(nearest_double(value)).replace("e", "E")
+        return repr(finite_double(value)).replace("e", "E")
 
     def double(self, value: mpq) -> float:
         """The number as a double; raises `NumberError` where that is not exact and rounding was not asked for."""
-        result = nearest_double(value)
+        result = finite_double(value)
         if mpq(*result.as_integer_ratio()) != value:
             if not self.rounding:
                 raise NumberError(f"{shown(str(value)).strip(chr(39))} is no double", remedy=_REMEDY)

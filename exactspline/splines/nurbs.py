@@ -299,8 +299,3 @@ def _check_weight(w: BSpline) -> None:
                 witness=(a, a),
             )
         sign = value
-
-
-def weight_sequence(curve: Nurbs) -> Sequence[mpq]:
-    """The weights, all one for a polynomial curve."""
-    return (mpq(1),) * len(curve.weights) if curve.polynomial else curve.weights

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.exact import Number, mpq, rational, text
 from exactspline.language.services import service
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, dot
 from exactspline.splines.surd import Surd, square_root
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ class ValuesAlong:
         if self.dimension != 3:
             raise ShapeError(f"the normal of a curve in R{self.dimension}", remedy="it is defined in plane and space")
         second = self.derivative(2, t, side)
-        length, along = _dot(first, first), _dot(first, second)
+        length, along = dot(Vector(*first), Vector(*first)), dot(Vector(*first), Vector(*second))
         bent = tuple(length * b - along * a for a, b in zip(first, second, strict=True))
         return _normalized(bent, f"γ′ × γ″ = 0 {where}")
 
@@ -154,12 +154,8 @@ class ValuesAlong:
         return drawn
 
 
-def _dot(a: tuple[mpq, ...], b: tuple[mpq, ...]) -> mpq:
-    return sum((x * y for x, y in zip(a, b, strict=True)), mpq(0))
-
-
 def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Exact, ...]:
-    length = _dot(v, v)
+    length = dot(Vector(*v), Vector(*v))
     if not length:
         raise DomainError(problem, remedy="choose another parameter")
     inverse = square_root(1 / length)

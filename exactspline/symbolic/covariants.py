@@ -50,11 +50,6 @@ class TrueDegree:
         """``m − j``: by how much the nominal degree can be lowered on every curve."""
         return self.m - self.j
 
-    @property
-    def is_covariant(self) -> bool:
-        """Whether a projective change of parameter only multiplies it by a power of the denominator."""
-        return self.j == 0
-
     def at(self, d: int) -> int:
         """The true degree on the generic curve of degree d."""
         return dict(self.lower).get(d, self.k * d - 2 * self.m + self.j)

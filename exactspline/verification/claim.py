@@ -9,7 +9,7 @@ from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
@@ -32,7 +32,7 @@ from exactspline.verification.verdict import (
     Finding,
     vacuous,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, nearest, word
+from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, word
 
 E = TypeVar("E", bound=StrEnum)
 V = TypeVar("V")

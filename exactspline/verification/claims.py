@@ -13,11 +13,10 @@ from dataclasses import MISSING
 from functools import cache
 from typing import Any
 
-from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.papers import Paper, Table, paper, papers
 from exactspline.verification.claim import Claim, entries
 from exactspline.verification.kinds import KINDS
-from exactspline.verification.vocabulary import nearest
 
 
 def claim_of(table: Table, source: Paper) -> Claim:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from enum import StrEnum
 from typing import TypeVar
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, nearest
 
 E = TypeVar("E", bound=StrEnum)
 
@@ -147,13 +146,3 @@ def word(kind: type[E], value: object, what: str) -> E:
         return kind(str(value)) if isinstance(value, str) else kind(repr(value))
     except ValueError:
         raise ClaimError(f"the {what} {value!r} is unknown", remedy=nearest(str(value), list(kind))) from None
-
-
-def nearest(name: str, known: list[str]) -> str:
-    """What would be right: the three nearest names.
-
-    >>> nearest("statment", ["statement", "status", "source", "formula"])
-    "nearest are 'statement', 'status', 'source'"
-    """
-    near = get_close_matches(name, known, 3, 0)
-    return f"nearest are {', '.join(repr(str(n)) for n in near)}" if near else "there is none"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
 from exactspline.interchange.bridges.values import exact
-from exactspline.interchange.numbers import nearest_double
+from exactspline.interchange.numbers import finite_double
 from exactspline.interchange.segments import joined, polynomial
 from exactspline.interchange.writing import pen_segments
 from exactspline.splines.nurbs import Nurbs
@@ -150,4 +150,4 @@ def draw(curve: Nurbs, pen: AbstractPen) -> None:
 
 
 def _rounded(point: Sequence[mpq]) -> tuple[float, ...]:
-    return tuple(int(x) if x.denominator == 1 else nearest_double(x) for x in point)
+    return tuple(int(x) if x.denominator == 1 else finite_double(x) for x in point)

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 from exactspline.errors import NumberError, shown
 from exactspline.exact import mpq
-from exactspline.interchange.numbers import nearest_double
+from exactspline.interchange.numbers import finite_double
 
 
 def exact(value: object) -> mpq:
@@ -35,4 +35,4 @@ def exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:
 
 def doubles(values: Iterable[mpq]) -> list[float]:
     """The correctly rounded doubles; raises `NumberError` beyond their range."""
-    return [nearest_double(value) for value in values]
+    return [finite_double(value) for value in values]

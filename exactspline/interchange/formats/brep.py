@@ -14,7 +14,7 @@ from exactspline.errors import CurveFileError
 from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import NumberText, nearest_double
+from exactspline.interchange.numbers import NumberText, finite_double
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import arc_around_origin, joined, mapped
 from exactspline.interchange.tokens import Tokens
@@ -166,9 +166,9 @@ def _shapes(curves: Sequence[Nurbs]) -> list[str]:
     total = 3 * len(curves) + 1
     lines = [f"TShapes {total}"]
     for i, curve in enumerate(curves):
-        a, b = (nearest_double(t) for t in curve.domain)
+        a, b = (finite_double(t) for t in curve.domain)
         for point in (curve(curve.domain[0]), curve(curve.domain[1], "left")):
-            coordinates = " ".join(repr(nearest_double(x)) for x in point)
+            coordinates = " ".join(repr(finite_double(x)) for x in point)
             lines += ["Ve", "1e-07", coordinates, "0 0", "", "0101101", "*"]
         lines += ["Ed", " 1e-07 1 1 0", f"1  {i + 1} 0 {a!r} {b!r}", "0", "", "0101000"]
         lines.append(f"+{total - 3 * i} 0 -{total - 3 * i - 1} 0 *")
