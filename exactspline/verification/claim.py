@@ -114,8 +114,8 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 
 
 def identifier(claim: Claim, name: str, value: str) -> str:
-    """A key: the id of the claim without spaces, a hyphen, and a short name."""
-    begin = re.sub(r"[ .]+", "", claim.id)
+    """A key: the id of the claim without spaces and dots, and words after hyphens."""
+    begin = claim.begin_of_key
     if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
         raise ClaimError(
             f"the key {value!r} does not begin with the id", where=name, remedy=f"write for example {begin + '-a'!r}"
@@ -183,6 +183,11 @@ class Claim(Displayed):
 
     def validate(self) -> None:
         """Refuse combinations that say nothing, with `ClaimError`."""
+
+    @property
+    def begin_of_key(self) -> str:
+        """The id as it stands in the key."""
+        return re.sub(r"[ .]+", "", self.id)
 
     @property
     def named(self) -> tuple[str, ...]:

@@ -152,7 +152,7 @@ def check(claim: Claim) -> tuple[str, ...]:
             f'print(lowest_degree(find("{claim.formula}"), {d}))',
         )
     if isinstance(claim, DegreeClaim):
-        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.S else ""
+        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.FIRST else ""
         return (
             "from exactspline.papers import find",
             "from exactspline.readings.degree import DegreeReading",

@@ -98,8 +98,8 @@ class Relation(StrEnum):
 class Parameter(StrEnum):
     """Whose degree is counted: that of the first curve or of the second one."""
 
-    S = "s"
-    S_BAR = "s̄"
+    FIRST = "s"
+    SECOND = "s̄"
 
 
 class Counting(StrEnum):

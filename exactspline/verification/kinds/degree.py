@@ -53,14 +53,14 @@ class DegreeClaim(Claim):
     claimed: str = field(metadata=read(degree_text))
     measure: Measure = field(default=Measure.NOMINAL, metadata=read(one_of(Measure)))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
-    parameter: Parameter = field(default=Parameter.S, metadata=read(one_of(Parameter)))
+    parameter: Parameter = field(default=Parameter.FIRST, metadata=read(one_of(Parameter)))
     counting: Counting = field(default=Counting.TABLE_1, metadata=read(one_of(Counting)))
     least_d: int = field(default=1, metadata=read(count_from(1)))
 
     def validate(self) -> None:
         """Refuse combinations that say nothing."""
         table = self.curve == ArgumentKind.TABLE
-        if self.parameter == Parameter.S_BAR and self.curve != ArgumentKind.PAIR:
+        if self.parameter == Parameter.SECOND and self.curve != ArgumentKind.PAIR:
             raise ClaimError("there is no parameter s̄ of one curve", where="parameter", remedy='write "s"')
         if self.counting == Counting.PART_BY_PART and (self.measure != Measure.NOMINAL or table):
             raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
@@ -129,7 +129,7 @@ class DegreeClaim(Claim):
             return degree.at({name: argument.degrees[name] for name in degree.names})
         curve = argument
         if isinstance(argument, Pair):
-            curve = argument.first if self.parameter == Parameter.S else argument.second
+            curve = argument.first if self.parameter == Parameter.FIRST else argument.second
         d = max(max(p.degree) if isinstance(p.degree, Degrees) else p.degree for p in curve.p)
         return degree.at(dict.fromkeys(degree.names, int(d)))
 
@@ -147,7 +147,7 @@ class DegreeClaim(Claim):
     def _reduced(self, argument: Any) -> Any:
         pair = isinstance(argument, Pair)
         polynomial = argument.first.polynomial if pair else argument.polynomial
-        if pair and self.parameter == Parameter.S_BAR:
+        if pair and self.parameter == Parameter.SECOND:
             swapped = transposed(self.find(self.formula))
             return reduction_of(swapped, argument.dimension, polynomial).main.on(Pair(argument.second, argument.first))
         return reduction_of(self.find(self.formula), argument.dimension, polynomial).main.on(argument)
@@ -155,7 +155,7 @@ class DegreeClaim(Claim):
     def _own(self, degree: Any) -> int:
         """The degree in the parameter that is counted."""
         if isinstance(degree, Degrees):
-            return int(degree.s if self.parameter == Parameter.S else degree.t)
+            return int(degree.s if self.parameter == Parameter.FIRST else degree.t)
         return int(degree)
 
     def _profile(self, value: Any) -> Any:
@@ -163,11 +163,11 @@ class DegreeClaim(Claim):
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):
             return value
-        across = components[0].domain[1 if self.parameter == Parameter.S else 0]
+        across = components[0].domain[1 if self.parameter == Parameter.FIRST else 0]
         fixed = across[0] + (across[1] - across[0]) * mpq(2, 7)
 
         def line(x: TensorSpline) -> Any:
-            return x.at_t(fixed) if self.parameter == Parameter.S else x.at_s(fixed)
+            return x.at_t(fixed) if self.parameter == Parameter.FIRST else x.at_s(fixed)
 
         top = Vector(*map(line, components))
         return top if denominator is None else Rational(top, line(denominator))

@@ -28,7 +28,7 @@ def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     formula = claim.find(claim.formula)
     if claim.measure == Measure.NOMINAL:
         return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
-    if claim.parameter == Parameter.S_BAR:
+    if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
         computed, lower = _true(formula, dimension, polynomial)
