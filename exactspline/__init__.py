@@ -49,7 +49,8 @@ if TYPE_CHECKING:
     from exactspline.exact import from_floats as from_floats
     from exactspline.exact import rational as rational
     from exactspline.geometry.analysis import analyse as analyse
-    from exactspline.geometry.any_bisector import bisector as bisector
+    from exactspline.geometry.bisector.any_pair import bisector as bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.constructions import construction as construction
     from exactspline.geometry.curvature import curvature as curvature
     from exactspline.geometry.derived import derive as derive
@@ -64,7 +65,6 @@ if TYPE_CHECKING:
     from exactspline.geometry.features import torsion_zeros as torsion_zeros
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
@@ -159,14 +159,14 @@ _HOMES = {
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",
     # what is made of curves
-    "bisector": "geometry.any_bisector:bisector",
+    "bisector": "geometry.bisector.any_pair:bisector",
     "curvature": "geometry.curvature:curvature",
     "derive": "geometry.derived:derive",
     "evolute": "geometry.derived:evolute",
     "focal_curve": "geometry.derived:focal_curve",
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
-    "trimmed_bisector": "geometry.trimmed_bisector:trimmed_bisector",
+    "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
     # the language of formulas
     "cross": "language.vector:cross",
     "det": "language.vector:det",
