@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 from exactspline.language.services import register
 
 if TYPE_CHECKING:
+    from exactspline.batch.families import Family as Family
+    from exactspline.batch.sweep import sweep as sweep
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
     from exactspline.display.figures.bisectors import figure_6 as figure_6
@@ -205,6 +207,9 @@ _HOMES = {
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
     "verify": "verification.questions:verify",
+    # many curves
+    "Family": "batch.families:Family",
+    "sweep": "batch.sweep:sweep",
     # tables
     "Grid": "display.tables:Grid",
     "approaches_table": "display.tables:approaches_table",
