@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar, overload
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
     Ends,
@@ -143,7 +143,7 @@ class Facts:
 
     # ---- forms
 
-    def zero_form(self, name: str, variant: str = MINIMAL) -> ZeroForm:
+    def zero_form(self, name: str, variant: Variant | str = Variant.MINIMAL) -> ZeroForm:
         """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
         zeros; `ShapeError` for a curve of another dimension.
         """

@@ -12,7 +12,7 @@ from typing import Any, TypeVar, cast
 
 from exactspline.errors import DomainError, ShapeError
 from exactspline.exact import Number, mpq, rational, text
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import space
 from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
@@ -46,7 +46,7 @@ class RulingRelation:
         return value
 
 
-def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurface:
+def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> SplineSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
@@ -61,7 +61,7 @@ def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurf
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: SplineSurface = in_lowest_terms(value) if variant == MINIMAL else value
+    found: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
     return found
 
 

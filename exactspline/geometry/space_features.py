@@ -11,6 +11,7 @@ from __future__ import annotations
 from bisect import bisect_left
 
 from exactspline.exact import mpq
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
@@ -106,7 +107,7 @@ def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
 
 def torsion_zeros(facts: SpaceFacts) -> list[Feature]:
     """The zeros of the torsion at regular points, and its changes of sign by a jump."""
-    found = facts.regular(facts.zero_form("zero_torsion", "paper").zeros)
+    found = facts.regular(facts.zero_form("zero_torsion", Variant.PAPER).zeros)
     true = among([root for root, _ in found], facts.torsion_numerator.zeros.roots)
     features = []
     for (root, by_jump), zero in zip(found, true, strict=True):
@@ -139,7 +140,7 @@ def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Featu
     return [Feature(FeatureKind.TORSION_ZERO, root, TORSION, by_jump=True)] if changes else []
 
 
-def critical_points(facts: SpaceFacts, variant: str) -> list[Feature]:
+def critical_points(facts: SpaceFacts, variant: Variant | str) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum, but for those where κ = 0."""
     features = []
     for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
@@ -149,7 +150,7 @@ def critical_points(facts: SpaceFacts, variant: str) -> list[Feature]:
     return features
 
 
-def _extremum(root: Root, variant: str, *, by_jump: bool) -> Feature:
+def _extremum(root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
     left, right = root.signs
     if not left or not right or left == right:
         return Feature(FeatureKind.STATIONARY, root, variant)

@@ -11,6 +11,9 @@ from exactspline.errors import ExactSplineError, FormulaError, nearest
 
 E = TypeVar("E", bound=StrEnum)
 
+#: So many words are all told to who is looking for one.
+FEW = 7
+
 
 class Side(StrEnum):
     """From which side a limit is taken, or a place of one-sided values is reached."""
@@ -41,11 +44,12 @@ def choice(
     >>> choice(Side, "left", "side")
     <Side.LEFT: 'left'>
 
-    Raises `raised` with the nearest words.
+    Raises `raised` with the words there are, or the nearest of many.
     """
     if isinstance(value, str):
         try:
             return kind(value)
         except ValueError:
             pass
-    raise raised(f"the {what} {value!r} is unknown", where=where, remedy=nearest(str(value), list(kind)))
+    remedy = f"there are {', '.join(kind)}" if len(kind) <= FEW else nearest(str(value), list(kind))
+    raise raised(f"the {what} {value!r} is unknown", where=where, remedy=remedy)

@@ -127,6 +127,6 @@ def word(kind: type[E], value: object, what: str) -> E:
     >>> word(Relation, "≤", "relation").name
     'AT_MOST'
 
-    Raises `ClaimError` with the nearest words.
+    Raises `ClaimError` with the words there are.
     """
     return choice(kind, value, what, raised=ClaimError)
