@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.analysis import analyse as analyse
     from exactspline.geometry.bisector.any_pair import bisector as bisector
     from exactspline.geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
+    from exactspline.geometry.constructions import Variant as Variant
     from exactspline.geometry.constructions import construction as construction
     from exactspline.geometry.curvature import curvature as curvature
     from exactspline.geometry.derived import derive as derive
@@ -65,9 +66,11 @@ if TYPE_CHECKING:
     from exactspline.geometry.features import joints as joints
     from exactspline.geometry.features import singular_points as singular_points
     from exactspline.geometry.features import torsion_zeros as torsion_zeros
+    from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
     from exactspline.geometry.zero_forms import zero_form as zero_form
+    from exactspline.language.choices import Side as Side
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
     from exactspline.language.rational import Rational as Rational
@@ -138,6 +141,10 @@ _HOMES = {
     "TensorSpline": "splines.tensor:TensorSpline",
     "Vector": "language.vector:Vector",
     "ZeroSet": "roots.zero_set:ZeroSet",
+    # words that are chosen from
+    "Approach": "geometry.inspection:Approach",
+    "Side": "language.choices:Side",
+    "Variant": "geometry.constructions:Variant",
     # numbers and files
     "from_float": "exact:from_float",
     "from_floats": "exact:from_floats",

@@ -11,6 +11,7 @@ from exactspline.errors import DomainError, ShapeError
 from exactspline.exact import Number, mpq, text
 from exactspline.geometry.domain import part, space
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.roots.enclosure import (
@@ -33,7 +34,9 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-def curvature(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Surd | Enclosure:
+def curvature(
+    curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT
+) -> mpq | Surd | Enclosure:
     """The curvature of a curve at a parameter or a root (see `exactspline.Nurbs.curvature`)."""
     if curve.dimension not in (2, 3):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
@@ -57,7 +60,7 @@ def curvature(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "
     return narrowed(bounds, place, digits)[0]
 
 
-def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
+def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
     """The torsion of a space curve at a parameter or a root (see `exactspline.Nurbs.torsion`)."""
     place = exact_place(t)
     c = _segment(space(curve), place, side)
@@ -75,7 +78,7 @@ def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "ri
     return value_at((tau.numerator,), tau.denominator, place, digits)[0]
 
 
-def _segment(curve: Nurbs, place: mpq | Root, side: str) -> Curve[BSpline]:
+def _segment(curve: Nurbs, place: mpq | Root, side: Side | str) -> Curve[BSpline]:
     """The curve over the segment that holds a parameter or a root."""
     left = checked_side(side)
     i = _segment_of_root(curve, place) if isinstance(place, Root) else curve.mesh.locate(place, left=left)
@@ -90,12 +93,12 @@ def _segment_of_root(curve: Nurbs, root: Root) -> int:
     return next(i for i, t in enumerate(curve.breakpoints[1:]) if root < t)
 
 
-def _quotient(value: Rational[BSpline], t: mpq, side: str) -> mpq:
+def _quotient(value: Rational[BSpline], t: mpq, side: Side | str) -> mpq:
     quotient: mpq = value(t, side)
     return quotient
 
 
-def _refuse_singular(c: Curve[BSpline], place: mpq | Root, side: str) -> None:
+def _refuse_singular(c: Curve[BSpline], place: mpq | Root, side: Side | str) -> None:
     if all(sign_at(x, place, side) == 0 for x in find("D1")(c)):
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
 

@@ -11,6 +11,7 @@ from typing import Any, Generic, TypeVar, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnProducts, larger
 from exactspline.language.provenance import same
@@ -147,7 +148,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
     def __repr__(self) -> str:
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 
-    def __call__(self, *place: Any, **side: str) -> Any:
+    def __call__(self, *place: Any, **side: Side | str) -> Any:
         """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector;
         `ZeroDivisionError` at a pole.
         """

@@ -8,6 +8,7 @@ from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
@@ -64,7 +65,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         """A component, or the vector of those that a slice takes."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
-    def __call__(self, *place: Any, **side: str) -> tuple[Any, ...]:
+    def __call__(self, *place: Any, **side: Side | str) -> tuple[Any, ...]:
         """The values of components that are functions, at a parameter (or at two)."""
         functions: tuple[Any, ...] = self.components
         return tuple(a(*place, **side) for a in functions)

@@ -23,7 +23,7 @@ from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 
-PARAMETER = {name: sympy.Symbol(name) for name in PARAMETERS}
+PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in PARAMETERS}
 FIRST, SECOND = PARAMETER.values()
 
 

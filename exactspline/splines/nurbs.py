@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from exactspline.errors import ShapeError, WeightError
 from exactspline.exact import Number, mpq, text
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable
 from exactspline.language.vector import Vector
 from exactspline.splines import nurbs_operations as operations
@@ -136,7 +137,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
     # ---- the curve
 
-    def __call__(self, t: Number, side: str = "right") -> tuple[mpq, ...]:
+    def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The exact point at a parameter (at a jump the limit from the right, or from the `side` asked for)."""
         w = self.w(t, side)
         return tuple(x(t, side) / w for x in self.p)
@@ -165,7 +166,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
         a, b = self.domain
-        return self(a) == self(b, "left")
+        return self(a) == self(b, Side.LEFT)
 
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"

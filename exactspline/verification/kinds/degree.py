@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Pair
+from exactspline.language.choices import Counting, Parameter
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -22,7 +23,7 @@ from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
 from exactspline.verification.notation import degree_latex, symbol
 from exactspline.verification.verdict import LOWER_HERE, OUTSIDE, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Counting, Measure, Parameter, Relation
+from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation
 
 #: What a claim measures, as LaTeX.
 MEASURES = {
