@@ -116,11 +116,11 @@ End Vectors.
 
 (** ** What formulas are handed *)
 
-(** A curve by numerators, denominator and itself, and a point beside it. *)
-Record curve (A : Type) := Curve { p : list A; w : A; gamma : list A; point : list A }.
+(** A curve by its parameter, numerators, denominator and itself, and a point beside it. *)
+Record curve (A : Type) := Curve { along : parameter; p : list A; w : A; gamma : list A; point : list A }.
 Record pair (A : Type) := Pair { first : curve A; second : curve A }.
 Record table (A : Type) := Table { p1 : A; w1 : A; v1 : list A; p2 : A; w2 : A; v2 : list A }.
-Arguments Curve {A} _ _ _ _. Arguments p {A} _. Arguments w {A} _. Arguments gamma {A} _. Arguments point {A} _.
+Arguments Curve {A} _ _ _ _ _. Arguments along {A} _. Arguments p {A} _. Arguments w {A} _. Arguments gamma {A} _. Arguments point {A} _.
 Arguments Pair {A} _ _. Arguments first {A} _. Arguments second {A} _.
 Arguments Table {A} _ _ _ _ _ _. Arguments p1 {A} _. Arguments w1 {A} _. Arguments v1 {A} _.
 Arguments p2 {A} _. Arguments w2 {A} _. Arguments v2 {A} _.
@@ -129,11 +129,16 @@ Section Arguments.
 Context {A : Type} {o : operations A}.
 
 (** The curve [γ = p/w], with a point (empty for none). *)
-Definition rational_curve (p : list A) (w : A) (point : list A) : curve A := Curve p w (vdiv p w) point.
+Definition rational_curve (q : parameter) (p : list A) (w : A) (point : list A) : curve A :=
+  Curve q p w (vdiv p w) point.
+
+(** The curve [γ] with the numerators [w γ]. *)
+Definition homogeneous (q : parameter) (gamma : list A) (w : A) (point : list A) : curve A :=
+  Curve q (vmul w gamma) w gamma point.
 
 (** A plane curve (and its point) in the plane z = 0 of space. *)
 Definition embedded (c : curve A) : curve A :=
-  Curve (p c ++ [number 0]) (w c) (gamma c ++ [number 0]) (point c ++ [number 0]).
+  Curve (along c) (p c ++ [number 0]) (w c) (gamma c ++ [number 0]) (point c ++ [number 0]).
 
 (** A ruled surface: directrix and generator. *)
 Definition surface : Type := list A * list A.
@@ -193,3 +198,33 @@ Definition integer (K : differential_field) : Z -> K := gen_phiZ (zero K) (one K
 
 (** A point is a vector of constants. *)
 Definition constant {K : differential_field} (a : K) : Prop := forall q, derivative K q a = zero K.
+
+(** ** What theorems speak of *)
+
+(** Every rational plane curve, γ = (x, y)/w, over every differential field. *)
+Definition every_plane_curve (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w : K), w <> zero K -> P K (rational_curve s [x; y] w []).
+
+(** Every rational space curve, γ = (x, y, z)/w. *)
+Definition every_space_curve (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w : K), w <> zero K -> P K (rational_curve s [x; y; z] w []).
+
+(** Every rational plane curve with a point Q = (a, b) beside it. *)
+Definition every_plane_curve_with_point (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w a b : K), constant a -> constant b -> w <> zero K ->
+  P K (rational_curve s [x; y] w [a; b]).
+
+(** Every rational space curve with a point Q = (a, b, c) beside it. *)
+Definition every_space_curve_with_point (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w a b c : K), constant a -> constant b -> constant c -> w <> zero K ->
+  P K (rational_curve s [x; y; z] w [a; b; c]).
+
+(** Every two rational space curves, of the parameters s and s̄. *)
+Definition every_two_curves (P : forall K : differential_field, pair K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w X Y Z W : K), w <> zero K -> W <> zero K ->
+  P K (Pair (rational_curve s [x; y; z] w []) (rational_curve s_bar [X; Y; Z] W [])).
+
+(** All operands of Table 1. *)
+Definition every_table (P : forall K : differential_field, table K -> Prop) : Prop :=
+  forall (K : differential_field) (p1 w1 x1 y1 z1 p2 w2 x2 y2 z2 : K), w1 <> zero K -> w2 <> zero K ->
+  P K (Table p1 w1 [x1; y1; z1] p2 w2 [x2; y2; z2]).
