@@ -7,6 +7,7 @@ from typing import Any
 
 from flint import fmpq_mpoly
 
+from exactspline.errors import FormulaError
 from exactspline.exact import mpq
 from exactspline.language.formula import Formula
 from exactspline.readings.jet import Jet
@@ -40,16 +41,31 @@ class Proof:
     writer: Writer
     atoms: list[Atom] = field(default_factory=list)
     reasons: list[str] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
     known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
     primes: list[int] = field(default_factory=list)
     existing: list[Premise] = field(default_factory=list)
 
     def met(self) -> None:
-        """Take all denominators in that were met."""
+        """Take all denominators in that were met; one of which nothing is known is assumed not to vanish, since the
+        claim divides by it.
+        """
         for node, value in self.evaluation.denominators:
-            self.recognize(factored(value), Premise(f"D{len(self.existing) + 1}", node, value))
+            parts = factored(value)
+            if all(self.follows(polynomial) for polynomial, _ in parts.powers):
+                self.recognize(parts)
+                continue
+            self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
+            if value.bottom == 1:
+                self.known.append(((*[0] * len(self.atoms), 1), ()))
+                self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
+            else:
+                for polynomial, _ in parts.powers:
+                    if not self.follows(polynomial):
+                        self._divides(polynomial, self.existing[-1])
+                self.recognize(parts)
 
-    def recognize(self, value: Factored, origin: Premise | None = None) -> None:
+    def recognize(self, value: Factored) -> None:
         """Make sure that a denominator does not vanish, and let the checker know it."""
         for p in primes(int(abs(value.constant.numerator))):
             self._prime(p)
@@ -57,7 +73,7 @@ class Proof:
             self._prime(p)
         for polynomial, _ in value.powers:
             if polynomial not in self._polynomials:
-                self._prove(polynomial, origin)
+                self._prove(polynomial)
         above, below = [0] * len(self.atoms), [0] * len(self.atoms)
         for p, e in primes(int(abs(value.constant.numerator))).items():
             above[self.atoms.index(p)] += e
@@ -83,28 +99,25 @@ class Proof:
             self.primes.append(p)
             self._add(p, f"exact P{p}")
 
-    def _add(self, atom: Atom, reason: str) -> None:
+    def _add(self, atom: Atom, reason: str, text: str = "") -> None:
         self.atoms.append(atom)
         self.reasons.append(reason)
+        self.texts.append(text or (f"num {atom}" if isinstance(atom, int) else self.setting.expression(atom)))
 
-    def _prove(self, polynomial: fmpq_mpoly, origin: Premise | None) -> None:
-        """Why a polynomial does not vanish: it is a denominator of a curve, divides what is assumed not to vanish, would
-        make that vanish together with its derivative, or is assumed not to vanish because the claim divides by it.
+    def _prove(self, polynomial: fmpq_mpoly) -> None:
+        """Why a polynomial does not vanish: it is a denominator of a curve, divides what is assumed not to vanish, or
+        would make that vanish together with its derivative.
         """
-        for weight in self.setting.weights:
-            if polynomial == self.setting.ring[weight].polynomial:
-                return self._add(polynomial, f"exact H{weight}")
-        for premise in [*self.premises, *self.existing]:
-            if isinstance(premise.value, JetFraction) and self._divides(polynomial, premise):
-                return None
-        for premise in self.premises:
-            if self._divides_with_derivative(polynomial, premise):
-                return None
-        assert origin is not None
-        self.existing.append(origin)
-        if not self._divides(polynomial, origin):
-            raise AssertionError("a factor of a denominator does not divide it")
-        return None
+        if (weight := self._weight(polynomial)) is not None:
+            self._add(polynomial, f"exact H{weight}")
+        elif not any(self._divides(polynomial, premise) for premise in self.premises):
+            for premise in self.premises:
+                if self._divides_with_derivative(polynomial, premise):
+                    break
+
+    def _weight(self, polynomial: fmpq_mpoly) -> str | None:
+        ring = self.setting.ring
+        return next((weight for weight in self.setting.weights if polynomial == ring[weight].polynomial), None)
 
     def _divides(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         value = premise.value
@@ -124,16 +137,17 @@ class Proof:
         return True
 
     def _divides_with_derivative(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
-        """``4 B = b S − S′ S′`` makes S not vanish where B does not: so it is with ‖γ′‖² and ‖γ′ × γ″‖²."""
+        """``4 B = b S − S′ S′`` makes S not vanish where B does not: so it is with ‖γ′‖² and ‖γ′ × γ″‖² (in the plane
+        ``[γ′ γ″]²``)."""
         found = self._whole(polynomial, premise)
         if found is None:
             return False
-        whole, rest, derivative = found
+        whole, power, rest, derivative = found
         self.recognize(factored(mpq(2)))
         if whole not in self._polynomials:
-            self._prove(whole, None)
-        self.recognize(Factored(mpq(4), ((whole, 1),)))
-        left = f"(num 4 * ({self.setting.expression(whole)}))%formula"
+            self._prove(whole)
+        self.recognize(Factored(mpq(4), ((whole, power),)))
+        left = f"(num 4 * ({self.setting.expression(whole)}) ^ {power})%formula"
         self._add(
             polynomial,
             f"apply (differential_factor_nonzero K l r R {self._list()} known N {left} "
@@ -143,28 +157,29 @@ class Proof:
         )
         return True
 
-    def _whole(self, polynomial: fmpq_mpoly, premise: Premise) -> tuple[fmpq_mpoly, fmpq_mpoly, fmpq_mpoly] | None:
-        """A factor B of what does not vanish, b and S′ as above."""
+    def _whole(self, polynomial: fmpq_mpoly, premise: Premise) -> tuple[fmpq_mpoly, int, fmpq_mpoly, fmpq_mpoly] | None:
+        """A factor B of what does not vanish, whether B or its square is meant, b and S′ as above."""
         derivative = self._derivative(polynomial)
         if derivative is None or not isinstance(premise.value, JetFraction):
             return None
         for whole, _ in factored(premise.value).powers:
-            rest, remainder = divmod(whole * 4 + derivative**2, polynomial)
-            if not remainder and whole != polynomial:
-                return whole, rest, derivative
+            for power in (1, 2):
+                rest, remainder = divmod(whole**power * 4 + derivative**2, polynomial)
+                if not remainder and whole != polynomial:
+                    return whole, power, rest, derivative
         return None
 
     def follows(self, polynomial: fmpq_mpoly) -> bool:
         """Whether it follows from what is assumed that a polynomial does not vanish."""
-        return polynomial in self._polynomials or any(
+        if polynomial in self._polynomials or self._weight(polynomial) is not None:
+            return True
+        return any(
             isinstance(h.value, JetFraction)
             and (not divmod(h.value.top, polynomial)[1] or self._whole(polynomial, h) is not None)
             for h in self.premises
         )
 
     def _derivative(self, polynomial: fmpq_mpoly) -> fmpq_mpoly | None:
-        from exactspline.errors import FormulaError
-
         try:
             return Jet(self.setting.ring, polynomial).d(by="s").polynomial
         except FormulaError:
@@ -188,8 +203,7 @@ class Proof:
     @property
     def atom_list(self) -> str:
         """The atoms as a list of expressions."""
-        texts = [f"num {a}" if isinstance(a, int) else self.setting.expression(a) for a in self.atoms]
-        return f"[{'; '.join(texts)}]%formula : list expr"
+        return f"[{'; '.join(self.texts)}]%formula : list expr"
 
     @property
     def known_list(self) -> str:

@@ -36,10 +36,31 @@ def theorem(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> st
     return _Theorem(claim, dimension, named).text()
 
 
-class _Theorem:
+class Statement:
+    """What statements that hold and statements that fail have in common: formulas as trees over the argument."""
+
+    kind: Kind
+    traced: Calling
+    evaluation: Evaluation
+
+    def called(self, formula: Formula, part: str = "first") -> Node:
+        """A formula called on the argument, or on a part of it."""
+        target: Any = self.traced
+        if self.kind is PAIR and formula.kind is not PAIR:
+            target = getattr(target, part)
+        node: Node = target.calls(formula)
+        return node
+
+    def assumed(self, assumption: Assumption) -> Node:
+        """What an assumption says is not zero; of a vector its squared length."""
+        tree = self.called(find(assumption.formula), "second" if assumption.second else "first")
+        return Node("dot", (tree, tree)) if tree.is_vector else tree
+
+
+class _Theorem(Statement):
     def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str]) -> None:
         self.claim, self.dimension = claim, dimension
-        kind = kind_of(claim.curve)
+        self.kind = kind = kind_of(claim.curve)
         formulas = [claim.find(name) for name in claim.named]
         if isinstance(claim, Identity):
             formulas += [claim.find(name) for name, _ in factor_parts(claim.factor) if name not in ("w", "W") and name[0].isalpha()]
@@ -55,17 +76,8 @@ class _Theorem:
         self.proof = Proof(self.setting, self.name, premises, self.evaluation, self.writer)
 
     def _premise(self, i: int, assumption: Assumption) -> Premise:
-        tree = self.called(find(assumption.formula), "second" if assumption.second else "first")
-        node = Node("dot", (tree, tree)) if tree.is_vector else tree
+        node = self.assumed(assumption)
         return Premise(f"H{i + 1}", node, self.evaluation(node))
-
-    def called(self, formula: Formula, part: str = "first") -> Node:
-        """A formula called on the argument, or on a part of it."""
-        target: Any = self.traced
-        if self.setting.kind is PAIR and formula.kind is not PAIR:
-            target = getattr(target, part)
-        node: Node = target.calls(formula)
-        return node
 
     def text(self) -> str:
         """Statement and proof."""
@@ -172,7 +184,7 @@ def _(claim: Identity, theorem: _Theorem) -> tuple[str, list[str]]:
     return theorem.equality(left, times_factor(claim, theorem, right))
 
 
-def times_factor(claim: Identity, theorem: _Theorem, right: Node) -> Node:
+def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
     """The right side with its factor."""
     above: Node | None = None
     below: Node | None = None
@@ -193,9 +205,9 @@ def times_factor(claim: Identity, theorem: _Theorem, right: Node) -> Node:
     return product
 
 
-def _part(claim: Identity, theorem: _Theorem, name: str) -> Node:
+def _part(claim: Identity, theorem: Statement, name: str) -> Node:
     if name in ("w", "W"):
-        return Node("leaf", value={"w": "first.w", "W": "second.w"}[name] if theorem.setting.kind is PAIR else "w")
+        return Node("leaf", value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
     if name[0].isalpha():
         return theorem.called(claim.find(name))
     from exactspline.exact import rational

@@ -237,3 +237,83 @@ Proof.
 Qed.
 
 End Surfaces.
+
+(** ** One explicit curve *)
+
+(** No integer but 0 vanishes. *)
+Definition characteristic_zero (K : differential_field) : Prop :=
+  forall z : Z, z <> 0%Z -> integer K z <> zero K.
+
+Section Explicit.
+Variable K : differential_field.
+Variable t : K.
+Hypothesis Hz : characteristic_zero K.
+Hypothesis Ht : derivative K s t = one K.
+Add Field K3 : (field_axioms K).
+
+Definition explicit_rules : parameter -> rules := of_parameters [(1%positive, inr 1%Z)] [].
+
+Lemma explicit_rules_hold q : rules_hold K [t] q (explicit_rules q).
+Proof. destruct q; [apply Forall_cons; [exact Ht|]|]; apply Forall_nil. Qed.
+
+(** A polynomial that becomes a constant other than 0 after so many derivatives. *)
+Fixpoint constant_after (n : nat) (a : poly) : bool :=
+  match n with
+  | 0 => match a with Pc z => negb (Z.eqb z 0) | _ => false end
+  | S n => match dpoly (explicit_rules s) 0 a with Some a => constant_after n a | None => false end
+  end.
+
+Lemma constant_after_sound n : forall a, constant_after n a = true -> at_point K [t] a <> zero K.
+Proof.
+  induction n as [|n IH]; intros a H.
+  - destruct a as [z| |]; try discriminate. apply Hz. intros ->. discriminate.
+  - cbn [constant_after] in H. destruct (dpoly (explicit_rules s) 0 a) as [d|] eqn:E; [|discriminate].
+    intro Z. apply (IH d H).
+    rewrite <- (dpoly_sound K [t] s (explicit_rules s) (explicit_rules_hold s) a 0 d E).
+    change (jumped K [t] 0) with [t]. unfold at_point in Z. rewrite Z. apply derivative_zero.
+Qed.
+
+Lemma explicit_nonzero n e : 
+  is_polynomial explicit_rules e && constant_after n (polynomial explicit_rules e) = true ->
+  value K [t] e <> zero K.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P C]. unfold is_polynomial in P. unfold polynomial in C.
+  destruct (norm [] [] explicit_rules e) as [[a [|? ?]]|] eqn:E; try discriminate.
+  rewrite <- (norm_sound K [t] [] [] explicit_rules explicit_rules_hold (Forall_nil _) e _ E). cbn [fst snd].
+  apply constant_after_sound in C. intro Z. apply C.
+  rewrite den_nil in Z. rewrite <- Z. field. apply (F_1_neq_0 (field_axioms K)).
+Qed.
+
+Lemma different (a b : K) : minus K a b <> zero K -> a <> b.
+Proof. intros N ->. apply N. ring. Qed.
+
+Lemma different_vectors (i : nat) (a b : list K) :
+  minus K (component i a) (component i b) <> zero K -> a <> b.
+Proof. intros N ->. apply N. ring. Qed.
+
+Lemma parallel_of_one_surface (d g e h : list K) :
+  length d = 3 -> length g = 3 -> length e = 3 -> length h = 3 -> same_surface (d, g) (e, h) ->
+  cross g h = [zero K; zero K; zero K] /\ cross g (vsub e d) = [zero K; zero K; zero K].
+Proof.
+  intros Ld Lg Le Lh H.
+  destruct (proj2 (H (vadd e (vmul (zero K) h)))) as [m Hm]; [now exists (zero K)|].
+  destruct (proj2 (H (vadd e (vmul (one K) h)))) as [n Hn]; [now exists (one K)|].
+  destruct d as [|d0 [|d1 [|d2 [|]]]]; try discriminate.
+  destruct e as [|e0 [|e1 [|e2 [|]]]]; try discriminate.
+  destruct g as [|g0 [|g1 [|g2 [|]]]]; try discriminate.
+  destruct h as [|h0 [|h1 [|h2 [|]]]]; try discriminate.
+  unfold vadd, vmul, cross, vsub, component, directrix, generator in *. simpl in *.
+  injection Hm as M0 M1 M2. injection Hn as N0 N1 N2.
+  assert (E0 : e0 = plus K d0 (times K g0 m)) by (rewrite <- M0; ring).
+  assert (E1 : e1 = plus K d1 (times K g1 m)) by (rewrite <- M1; ring).
+  assert (E2 : e2 = plus K d2 (times K g2 m)) by (rewrite <- M2; ring).
+  assert (F0 : h0 = times K g0 (minus K n m)).
+  { transitivity (minus K (plus K e0 (times K h0 (one K))) e0); [ring|]. rewrite N0, E0. ring. }
+  assert (F1 : h1 = times K g1 (minus K n m)).
+  { transitivity (minus K (plus K e1 (times K h1 (one K))) e1); [ring|]. rewrite N1, E1. ring. }
+  assert (F2 : h2 = times K g2 (minus K n m)).
+  { transitivity (minus K (plus K e2 (times K h2 (one K))) e2); [ring|]. rewrite N2, E2. ring. }
+  split; apply three; rewrite ?F0, ?F1, ?F2, ?E0, ?E1, ?E2; ring.
+Qed.
+
+End Explicit.
