@@ -5,6 +5,7 @@ from __future__ import annotations
 from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
+from exactspline.language.kinds import PAIR
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -49,7 +50,7 @@ def pair_with(curve: Nurbs, other: Curve[BSpline] | None = None) -> Pair[TensorS
 
 def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
     """What formulas of a kind are handed on one curve, and what is said of it beside the curve."""
-    if kind == "pair":
+    if kind == PAIR.name:
         return pair_with(curve), ", first segment, with its moved copy"
     if kind.endswith("point"):
         point = point_beside(curve)
