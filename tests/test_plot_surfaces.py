@@ -14,7 +14,7 @@ from exactspline.display.plot.canvas import PlotError, new_figure
 from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import homogeneous
-from exactspline.display.plot.functions import plot_roots
+from exactspline.display.plot.functions import plot_function, plot_roots
 from exactspline.display.plot.html import Scene, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
@@ -138,6 +138,14 @@ def test_roots_are_inside_their_bars():
     assert [tuple(line.get_xdata()) for line in bars] == intervals
     assert all(low <= x <= high for (low, high), x in zip(intervals, dots, strict=True))
     assert "zero throughout" in legend(ax)
+
+
+def test_a_stretch_across_the_seam_is_drawn_in_the_domain_in_two_parts():
+    f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
+    found = zeros(f, periodic=True)
+    for ax in (plot_roots(found), plot_function(f, roots=found)):
+        stretches = [line for line in ax.lines if line.get_label() in ("zero throughout", "_stretch")]
+        assert [tuple(line.get_xdata()) for line in stretches] == [(3, 4), (0, 1)]
 
 
 def test_approaches_are_compared_by_what_they_cost():

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flint import fmpz_poly
 
-from exactspline.exact import Number, isqrt, lcm, mpq, mpz, nearest_double, rational
+from exactspline.exact import Number, double, isqrt, lcm, mpq, mpz, rational
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.roots.root import Root
@@ -67,8 +67,7 @@ class Enclosure(Immutable):
 
     def __float__(self) -> float:
         """The double nearest to the middle."""
-        middle = self.middle
-        return nearest_double(lambda _: (middle, middle), lambda t: int(middle > t) - int(middle < t))
+        return double(self.middle)
 
     def __str__(self) -> str:
         """The middle to `digits` digits behind the point."""

@@ -5,10 +5,10 @@ ask for.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.exact import Number, mpq, text
+from exactspline.exact import Number, from_float, is_float, mpq, rational, text
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable
@@ -94,6 +94,36 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         rows = exact_points(points, least=3)
         cartesian = [projected(row) for row in rows]
         return cls(degree, knots, cartesian, [row[-1] for row in rows], name=name, source=source, note=note)
+
+    @classmethod
+    def from_floats(
+        cls,
+        degree: int,
+        knots: Iterable[float],
+        control_points: Iterable[Iterable[float]],
+        weights: Iterable[float] | None = None,
+        *,
+        snap: bool = False,
+        name: str = "",
+    ) -> Nurbs:
+        """The curve of floating-point data, integers among it: lists, or numpy's arrays of any width.
+
+        Every float counts with its binary value; with `snap`, as the shortest decimal that it prints as.
+
+        >>> curve = Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)])
+        >>> curve(0)[0] == mpq(1, 10), curve(1)
+        (False, (mpq(1,2), mpq(1,1)))
+        >>> Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)], snap=True)(0)
+        (mpq(1,10), mpq(0,1))
+
+        Raises `NumberError` for NaN and infinities, and what `Nurbs` raises.
+        """
+
+        def row(values: Iterable[float]) -> list[mpq]:
+            return [_exact(x, snap) for x in values]
+
+        exact = None if weights is None else row(weights)
+        return cls(degree, row(knots), [row(point) for point in control_points], exact, name=name)
 
     @classmethod
     def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
@@ -258,6 +288,13 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
     _check_weight(w)
     operands = Curve(Vector(*splines), w, polynomial=polynomial)
     return vars(operands) | {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
+
+
+def _exact(value: float, snap: bool) -> mpq:
+    """The value of a float, or of the decimal that it prints as; an integer is one."""
+    if not is_float(value):
+        return rational(cast(int, value))
+    return rational(str(value)) if snap else from_float(value)
 
 
 def _restored(

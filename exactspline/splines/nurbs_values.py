@@ -4,11 +4,12 @@ parameters, to any number of digits at certified roots.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import comb
 from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, FormulaError, ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, Rounding, mpq, rational, text
 from exactspline.language.choices import Side
 from exactspline.language.services import service
 from exactspline.language.vector import Vector, dot
@@ -142,6 +143,52 @@ class ValuesAlong:
         """
         value: mpq | Enclosure = service("torsion")(self, t, digits=digits, side=side)
         return value
+
+    def at_floats(
+        self,
+        ts: Iterable[float | Number | Root],
+        *,
+        order: int = 0,
+        rounding: str = Rounding.NEAREST,
+        side: str = "right",
+    ) -> list[tuple[float, ...]]:
+        """The points (of `order` k: the k-th derivatives) at many parameters, every coordinate the correctly rounded
+        double: ``nearest``, ``down`` or ``up``. A float among the parameters counts with its binary value.
+
+        >>> from exactspline import example
+        >>> example("circle").at_floats([0.5, "1/3"])
+        [(0.6, 0.8), (0.8, 0.6)]
+        >>> example("circle").at_floats([0.1], order=2, rounding="down")
+        [(-3.7658897739592607, -1.160825816921463)]
+
+        Raises what `at` and `derivative` raise, and `OverflowError` beyond the largest double.
+        """
+        found: list[tuple[float, ...]] = service("at_floats")(self, ts, order=order, rounding=rounding, side=side)
+        return found
+
+    def curvature_floats(
+        self, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
+    ) -> list[float]:
+        """`curvature` at many parameters as correctly rounded doubles.
+
+        >>> from exactspline import example
+        >>> example("cubic_s").curvature_floats([0, 0.5, 0.75])
+        [-0.35777087639996635, 0.0, 1.82615058850886]
+        """
+        found: list[float] = service("curvature_floats")(self, ts, rounding=rounding, side=side)
+        return found
+
+    def torsion_floats(
+        self, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
+    ) -> list[float]:
+        """`torsion` at many parameters as correctly rounded doubles.
+
+        >>> from exactspline import example
+        >>> example("twisted_cubic").torsion_floats([0, 0.1])
+        [3.0, 2.7500229168576404]
+        """
+        found: list[float] = service("torsion_floats")(self, ts, rounding=rounding, side=side)
+        return found
 
     def plot(self, ax: Axes | None = None, **how: object) -> Axes:
         """The curve with its control polygon in matplotlib's axes (None: those of a new figure), which are returned;

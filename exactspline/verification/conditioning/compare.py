@@ -120,7 +120,9 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     extraneous = {form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in found.items()}
     left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
     left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
-    left_out += [f"[{text(s.low)}, {text(s.high)}], where the form vanishes identically" for s in minimal.intervals]
+    left_out += [
+        f"[{text(a)}, {text(b)}], where the form vanishes identically" for s in minimal.intervals for a, b in s.parts
+    ]
     return Conditioning(
         curve.name, made.name, tuple(rows), {form: rs for form, rs in extraneous.items() if rs}, tuple(left_out)
     )
