@@ -156,12 +156,17 @@ class TableKind(Kind):
 class FramedKind(CurveKind):
     """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide."""
 
-    def __init__(self) -> None:
-        super().__init__("framed", (2, 3))
-
     def names(self, dimension: int) -> dict[str, bool]:
         """Those of a curve, and the roots."""
         return super().names(dimension) | {"sigma": False} | ({"rho": False} if dimension == 3 else {})
+
+    def takes(self, other: Kind, dimension: int) -> bool:
+        """Those of curves without a frame, too.
+
+        >>> FRAMED_SPACE.takes(SPACE, 3), FRAMED_SPACE.takes(POINT_IN_SPACE, 3), SPACE.takes(FRAMED_SPACE, 3)
+        (True, False, False)
+        """
+        return isinstance(other, CurveKind) and not other.with_point and dimension in other.dimensions
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -184,10 +189,13 @@ def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[An
 
 CURVE, PLANE, SPACE = CurveKind("curve", (2, 3)), CurveKind("plane", (2,)), CurveKind("space", (3,))
 PLANE_POINT, POINT_IN_SPACE = CurveKind("plane point", (2,), with_point=True), CurveKind("point", (3,), with_point=True)
-PAIR, TABLE, FRAMED = PairKind(), TableKind(), FramedKind()
+PAIR, TABLE = PairKind(), TableKind()
+FRAMED = FramedKind("framed", (2, 3))
+FRAMED_PLANE, FRAMED_SPACE = FramedKind("framed plane", (2,)), FramedKind("framed space", (3,))
 #: The kinds by their names.
 KINDS: dict[str, Kind] = {
-    kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED)
+    kind.name: kind
+    for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED, FRAMED_PLANE, FRAMED_SPACE)
 }
 
 

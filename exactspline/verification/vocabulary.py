@@ -50,6 +50,8 @@ class ArgumentKind(StrEnum):
     PAIR = "pair"
     POINT = "point"
     PLANE_POINT = "plane point"
+    FRAMED_PLANE = "framed plane"
+    FRAMED_SPACE = "framed space"
 
     @property
     def formulas(self) -> tuple[str, ...]:
@@ -59,7 +61,14 @@ class ArgumentKind(StrEnum):
             "space": ("space", "curve"),
             "point": ("point", "space", "curve"),
             "plane point": ("plane point", "plane", "curve"),
+            "framed plane": ("framed plane", "framed", "plane", "curve"),
+            "framed space": ("framed space", "framed", "space", "curve"),
         }.get(self.value, (self.value,))
+
+    @property
+    def adjoins_roots(self) -> bool:
+        """Whether it is in no reading that cannot divide: no spline, no degree."""
+        return self in (ArgumentKind.FRAMED_PLANE, ArgumentKind.FRAMED_SPACE)
 
 
 class Measure(StrEnum):
