@@ -82,7 +82,7 @@ def _check_words_of_key(claim: Claim) -> None:
 def key_words(value: object) -> set[str]:
     """The words of a field that may stand in a key.
 
-    >>> from exactspline.verification.vocabulary import Parameter
+    >>> from exactspline.language.choices import Parameter
     >>> sorted(key_words(("4d − 2", Parameter.SECOND)))
     ['2', '4d', 's', 'second']
     """

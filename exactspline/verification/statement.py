@@ -141,13 +141,9 @@ def _dimension(name: str, claim: Claim) -> int:
 
 def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
     formula = find(name)
-    parameter, counting = "s", ""
-    if isinstance(claim, DegreeClaim):
-        parameter, counting = str(claim.parameter), str(claim.counting)
+    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
     handed = (
-        DegreeReading(parameter=parameter, counting=counting).argument(
-            formula.kind, _dimension(name, claim), polynomial=polynomial
-        )
+        DegreeReading("d", *counts).argument(formula.kind, _dimension(name, claim), polynomial=polynomial)
         if formula.kind is not TABLE
         else degree_table()
     )

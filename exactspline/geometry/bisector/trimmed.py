@@ -28,6 +28,7 @@ from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.features import joints, singular_points
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.papers import find
@@ -153,7 +154,7 @@ def _around(curve: Nurbs, q: tuple[mpq, ...]) -> Curve[BSpline]:
 
 def _refuse_point_on(c: Curve[BSpline]) -> None:
     on = zeros(common_factor(c.p))
-    knots = [t for t in c.w.breakpoints if any(all(x(t, side) == 0 for x in c.p) for side in ("left", "right"))]
+    knots = [t for t in c.w.breakpoints if any(all(x(t, side) == 0 for x in c.p) for side in Side)]
     if len(on) or knots:
         where = text(knots[0]) if knots else repr(on[0])
         raise ShapeError(

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.rational_jet import JetFraction
@@ -62,7 +63,7 @@ class Identity(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left = factor · right`` as differential polynomials."""
         left, right = self.find(self.left), self.find(self.right)
-        if self.curve.adjoins_roots:
+        if kind_of(self.curve).adjoins_roots:
             return self._over_roots(dimension, polynomial)
         c = jets_for((left, right), dimension, polynomial=polynomial)
         if all(x.is_zero for side in (left, right) for x in split(side(c))[0]):
@@ -181,7 +182,7 @@ class Vanishing(Claim):
         rest = next((c for c in components if not c.is_zero), None)
         if rest is None:
             return Finding(PROVED, "0", "0")
-        if self.curve.adjoins_roots:
+        if kind_of(self.curve).adjoins_roots:
             return Finding(REFUTED, "0", "not zero", witness=f"component {components.index(rest) + 1} is not zero")
         witness = self.refuted_on_examples().witness or "the jet polynomial is not zero"
         return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness)
