@@ -149,6 +149,8 @@ class Claim(Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[str] = "jet"
+    #: Whether such claims can be decided where roots are adjoined.
+    of_frames: ClassVar[bool] = False
 
     paper: str
     id: str
@@ -189,6 +191,13 @@ class Claim(Displayed):
                 "a printed claim belongs to an error exactly if it is refuted",
                 where="error",
                 remedy="name the error, or leave the field out",
+            )
+
+        if kind_of(self.curve).adjoins_roots and not self.of_frames:
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
+                where="curve",
+                remedy="splines and degrees have no roots: state an identity",
             )
 
     def validate(self) -> None:
@@ -233,8 +242,9 @@ class Claim(Displayed):
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it says anything about single curves of that dimension and kind."""
-        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+        """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
+        on_splines = self.curve != ArgumentKind.TABLE and not kind_of(self.curve).adjoins_roots
+        return on_splines and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
