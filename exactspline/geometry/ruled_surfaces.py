@@ -12,8 +12,9 @@ from typing import Any, TypeVar, cast
 
 from exactspline.errors import DomainError, ShapeError
 from exactspline.exact import Number, mpq, rational, text
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import space
+from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
 from exactspline.language.parts import numerator
 from exactspline.language.rational import Rational
@@ -39,13 +40,13 @@ class RulingRelation:
     shift: Rational[BSpline]
     stretch: Rational[BSpline]
 
-    def __call__(self, s: Any, ruling: Any, side: str = "right") -> mpq:
+    def __call__(self, s: Any, ruling: Any, side: Side | str = Side.RIGHT) -> mpq:
         """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
         value: mpq = self.shift(s, side) + self.stretch(s, side) * rational(ruling)
         return value
 
 
-def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurface:
+def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> SplineSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
@@ -60,11 +61,11 @@ def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurf
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: SplineSurface = in_lowest_terms(value) if variant == MINIMAL else value
+    found: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
     return found
 
 
-def point_at(surface: SplineSurface, s: Number, ruling: Number, side: str = "right") -> tuple[mpq, ...]:
+def point_at(surface: SplineSurface, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
     """The point of the parameters s and ζ, exactly; `ZeroDivisionError` at a pole.
 
     >>> from exactspline.splines.examples import example
@@ -75,7 +76,7 @@ def point_at(surface: SplineSurface, s: Number, ruling: Number, side: str = "rig
     return tuple(x + rational(ruling) * y for x, y in zip(*ends, strict=True))
 
 
-def _value(part: Any, s: Any, side: str) -> tuple[mpq, ...]:
+def _value(part: Any, s: Any, side: Side | str) -> tuple[mpq, ...]:
     return tuple(c(s, side) for c in part) if isinstance(part, Vector) else part(s, side)
 
 

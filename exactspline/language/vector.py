@@ -8,13 +8,14 @@ from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
     Constant,
     Operand,
+    OwnJoining,
     OwnProducts,
-    OwnVectors,
     R,
     Scalar,
     larger,
@@ -64,7 +65,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         """A component, or the vector of those that a slice takes."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
-    def __call__(self, *place: Any, **side: str) -> tuple[Any, ...]:
+    def __call__(self, *place: Any, **side: Side | str) -> tuple[Any, ...]:
         """The values of components that are functions, at a parameter (or at two)."""
         functions: tuple[Any, ...] = self.components
         return tuple(a(*place, **side) for a in functions)
@@ -300,9 +301,12 @@ def join(*parts: Any) -> Any:
     >>> join(Vector(1, 2), 3)
     Vector(1, 2, 3)
     """
-    operand = next(part for part in parts if not isinstance(part, CONSTANTS))
-    if isinstance(operand, OwnVectors):
-        return operand.joining(parts)
+    own = next((part for part in parts if isinstance(part, OwnJoining)), None)
+    if own is not None:
+        return own.joining(parts)
+    operand = next((part for part in parts if not isinstance(part, CONSTANTS)), None)
+    if operand is None:
+        return Vector(*parts)
     scalar = operand[0] if isinstance(operand, Vector) else operand
     components: list[Any] = []
     for part in parts:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from exactspline.errors import DomainError
 from exactspline.exact import Number, mpq, rational, text
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.vector import Vector
 from exactspline.readings.taylor import Series
@@ -84,7 +85,7 @@ def number(context: Any, value: Number) -> Any:
 
 
 def numeric_curve(
-    curve: Nurbs, t: Number, terms: int, digits: int, *, intervals: bool = False, side: str = "right"
+    curve: Nurbs, t: Number, terms: int, digits: int, *, intervals: bool = False, side: Side | str = Side.RIGHT
 ) -> Curve[NumericSeries]:
     """The expansion of a curve at a parameter (at a knot the one on the given side) to so many terms and digits.
 
@@ -105,12 +106,12 @@ def numeric_curve(
     return Curve(Vector(*made[:-1]), made[-1], polynomial=curve.polynomial)
 
 
-def _span(knots: Sequence[mpq], n: int, t: mpq, side: str) -> int:
+def _span(knots: Sequence[mpq], n: int, t: mpq, side: Side | str) -> int:
     """The index j of a non-empty span [t_j, t_{j+1}] that holds t."""
     inside = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1] and knots[j] <= t <= knots[j + 1]]
     if not inside:
         raise DomainError(f"{text(t)} is outside the domain", remedy="choose a parameter of the curve")
-    return inside[0] if side == "left" else inside[-1]
+    return inside[0] if side == Side.LEFT else inside[-1]
 
 
 def _de_boor(knots: Sequence[mpq], n: int, points: Sequence[mpq], j: int, at: NumericSeries) -> NumericSeries:

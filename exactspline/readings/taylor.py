@@ -13,6 +13,7 @@ from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
@@ -96,7 +97,7 @@ class Series(FieldOperand):
         return f"Series({', '.join(map(str, self.coefficients))})"
 
 
-def taylor(spline: BSpline, t: Number, terms: int, side: str = "right") -> Series:
+def taylor(spline: BSpline, t: Number, terms: int, side: Side | str = Side.RIGHT) -> Series:
     """The expansion of a spline at a parameter (at a knot the one on the given side).
 
     >>> from exactspline import BSpline
@@ -122,7 +123,7 @@ class TaylorReading(Reading):
     name = "series"
     proves = "values and derivatives at one parameter"
 
-    def __init__(self, given: Evaluated, t: Number, terms: int, side: str = "right") -> None:
+    def __init__(self, given: Evaluated, t: Number, terms: int, side: Side | str = Side.RIGHT) -> None:
         self.given, self.t, self.terms, self.side = given, t, terms, side
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
@@ -131,7 +132,7 @@ class TaylorReading(Reading):
         return expanded
 
 
-def series_curve(curve: Curve[BSpline], t: Number, terms: int, side: str = "right") -> Curve[Series]:
+def series_curve(curve: Curve[BSpline], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:
     """The expansion of a concrete curve at a parameter."""
     expanded: Curve[Series] = curve.mapped(lambda spline: taylor(spline, t, terms, side))
     return expanded

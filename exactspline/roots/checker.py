@@ -75,11 +75,7 @@ def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[li
             runs = [*runs[:-1], [runs[-1][0], i + 1]] if runs and runs[-1][1] == i else [*runs, [i, i + 1]]
     if periodic and len(runs) > 1 and runs[0][0] == 0 and runs[-1][1] == count:
         runs[-1][1] += runs.pop(0)[1]
-    return (
-        roots,
-        jumps,
-        [(breaks[a], breaks[b] if b <= count else breaks[b - count] + breaks[-1] - breaks[0]) for a, b in runs],
-    )
+    return roots, jumps, [(breaks[a], breaks[b] if b <= count else breaks[b - count]) for a, b in runs]
 
 
 def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[int, int], tuple[int, int], list[Any]]:

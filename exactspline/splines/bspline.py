@@ -17,6 +17,7 @@ from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational, text, to_fmpz
+from exactspline.language.choices import Side, choice
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -290,7 +291,7 @@ class BSpline(Immutable, _Parts, Operand):
 
     # ---- the function
 
-    def __call__(self, t: Number, side: str = "right") -> mpq:
+    def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
         """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the `side`
         asked for.
 
@@ -470,11 +471,9 @@ def checked_degree(degree: object) -> int:
     return degree
 
 
-def checked_side(side: str) -> bool:
+def checked_side(side: Side | str) -> bool:
     """Whether the side is the left one; `DomainError` unless it is ``left`` or ``right``."""
-    if side not in ("left", "right"):
-        raise DomainError(f"{side!r} is no side", remedy="'left' or 'right'")
-    return side == "left"
+    return side is not Side.RIGHT and choice(Side, side, "side", raised=DomainError) is Side.LEFT
 
 
 def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:

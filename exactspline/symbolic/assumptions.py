@@ -48,6 +48,10 @@ class Assumption:
     second: bool = False
     formula: str = ""
 
+    def speaks_of(self, kind: Kind) -> bool:
+        """Whether its polynomial exists on arguments of a kind."""
+        return any(kind.takes(kind_of(name), n) for name in self.kinds for n in kind.dimensions)
+
     def __str__(self) -> str:
         return self.name
 
