@@ -110,6 +110,4 @@ def _flint(value: mpq) -> Any:
 def _gcd(a: mpq, b: mpq) -> mpq:
     from math import gcd, lcm
 
-    return mpq(
-        gcd(int(a.numerator), int(b.numerator)), lcm(int(a.denominator), int(b.denominator))
-    )
+    return mpq(gcd(int(a.numerator), int(b.numerator)), lcm(int(a.denominator), int(b.denominator)))

@@ -13,17 +13,138 @@ from exactspline.readings.tree import Node
 #: How tightly an operation binds.
 SUM, PRODUCT, UNARY, POWER, APPLICATION, ATOM = range(6)
 #: The operations between scalars, with their sign, how tightly they bind, and how tightly the arguments must.
-_INFIX = {"+": (SUM, SUM, PRODUCT), "-": (SUM, SUM, PRODUCT), "*": (PRODUCT, PRODUCT, UNARY), "/": (PRODUCT, PRODUCT, UNARY)}
+_INFIX = {
+    "+": (SUM, SUM, PRODUCT),
+    "-": (SUM, SUM, PRODUCT),
+    "*": (PRODUCT, PRODUCT, UNARY),
+    "/": (PRODUCT, PRODUCT, UNARY),
+}
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
 _PARAMETERS = {"s": "s", "s̄": "s_bar"}
 #: Words that formulas cannot have as names: those of the language and of the base.
 RESERVED = frozenset(
-    "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using where with Prop Set "
-    "Type SProp parameter s s_bar operations number add sub mul div neg power der zip vadd vsub vneg vmul vdiv vder "
-    "component components along ders vders sum_from dot perp cross each alternating minor det generalized_cross axis curve "
-    "Curve p w gamma point pair Pair first second table Table p1 w1 v1 p2 w2 v2 rational_curve homogeneous embedded "
-    "surface directrix generator ruled on_ruling same_surface element zero one plus times minus opposite quotient "
-    "inverse derivative repeated integer constant map nth seq fst snd K A o c x y z X Y Z W a b e q l".split()
+    [
+        "as",
+        "at",
+        "cofix",
+        "else",
+        "end",
+        "exists",
+        "exists2",
+        "fix",
+        "for",
+        "forall",
+        "fun",
+        "if",
+        "in",
+        "let",
+        "match",
+        "mod",
+        "return",
+        "then",
+        "using",
+        "where",
+        "with",
+        "Prop",
+        "Set",
+        "Type",
+        "SProp",
+        "parameter",
+        "s",
+        "s_bar",
+        "operations",
+        "number",
+        "add",
+        "sub",
+        "mul",
+        "div",
+        "neg",
+        "power",
+        "der",
+        "zip",
+        "vadd",
+        "vsub",
+        "vneg",
+        "vmul",
+        "vdiv",
+        "vder",
+        "component",
+        "components",
+        "along",
+        "ders",
+        "vders",
+        "sum_from",
+        "dot",
+        "perp",
+        "cross",
+        "each",
+        "alternating",
+        "minor",
+        "det",
+        "generalized_cross",
+        "axis",
+        "curve",
+        "Curve",
+        "p",
+        "w",
+        "gamma",
+        "point",
+        "pair",
+        "Pair",
+        "first",
+        "second",
+        "table",
+        "Table",
+        "p1",
+        "w1",
+        "v1",
+        "p2",
+        "w2",
+        "v2",
+        "rational_curve",
+        "homogeneous",
+        "embedded",
+        "surface",
+        "directrix",
+        "generator",
+        "ruled",
+        "on_ruling",
+        "same_surface",
+        "element",
+        "zero",
+        "one",
+        "plus",
+        "times",
+        "minus",
+        "opposite",
+        "quotient",
+        "inverse",
+        "derivative",
+        "repeated",
+        "integer",
+        "constant",
+        "map",
+        "nth",
+        "seq",
+        "fst",
+        "snd",
+        "K",
+        "A",
+        "o",
+        "c",
+        "x",
+        "y",
+        "z",
+        "X",
+        "Y",
+        "Z",
+        "W",
+        "a",
+        "b",
+        "e",
+        "q",
+        "l",
+    ]
 )
 
 
@@ -33,7 +154,7 @@ def identifier(name: str) -> str:
     >>> identifier("C42b-g1-g0"), identifier("at"), identifier("T7′")
     ('C42b_g1_g0', 'at_', "T7'")
     """
-    plain = "".join("'" if x == "′" else x if x.isalnum() and x.isascii() or x == "_" else "_" for x in name)
+    plain = "".join("'" if x == "′" else x if (x.isalnum() and x.isascii()) or x == "_" else "_" for x in name)
     return f"{plain}_" if plain in RESERVED else plain if plain[0].isalpha() else f"n{plain}"
 
 
@@ -126,7 +247,9 @@ class Writer:
         """
         found = paths(node)
         if len(found) > 1:
-            raise FormulaError("a derivative of what depends on two parameters", remedy="name the parameter: d(1, by=…)")
+            raise FormulaError(
+                "a derivative of what depends on two parameters", remedy="name the parameter: d(1, by=…)"
+            )
         return "s" if self.table else f"(along {self.part(found.pop() if found else '')})"
 
     def taken(self, node: Node) -> str:

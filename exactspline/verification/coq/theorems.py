@@ -9,8 +9,8 @@ from typing import Any
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE, Kind, kind_of
-from exactspline.language.vector import Vector, cross, dot
+from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
+from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction
@@ -63,7 +63,11 @@ class _Theorem(Statement):
         self.kind = kind = kind_of(claim.curve)
         formulas = [claim.find(name) for name in claim.named]
         if isinstance(claim, Identity):
-            formulas += [claim.find(name) for name, _ in factor_parts(claim.factor) if name not in ("w", "W") and name[0].isalpha()]
+            formulas += [
+                claim.find(name)
+                for name, _ in factor_parts(claim.factor)
+                if name not in ("w", "W") and name[0].isalpha()
+            ]
         formulas += [find(a.formula) for a in claim.assumes if a.formula]
         order = max(order_of(formula, dimension if dimension in formula.kind.dimensions else 3) for formula in formulas)
         self.setting = Setting(kind, dimension, order)
@@ -192,7 +196,7 @@ def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
         if name == "1":
             continue
         base = _part(claim, theorem, name)
-        power = base**abs(exponent) if abs(exponent) > 1 else base
+        power = base ** abs(exponent) if abs(exponent) > 1 else base
         if exponent > 0:
             above = power if above is None else above * power
         else:
