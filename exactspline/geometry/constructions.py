@@ -7,6 +7,7 @@ whatever the curve at hand allows: the naive variant in lowest terms.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -15,10 +16,10 @@ from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import find, papers
+from exactspline.programs.wronskian import wronskian_of
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
-from exactspline.splines.values import SplineVector
-from exactspline.splines.wronskian import lowest_wronskian
+from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 
 LIFTED = "lifted"
@@ -71,24 +72,29 @@ class Construction:
         """That of the curves it speaks of."""
         return {"plane": 2, "space": 3}[self.curve]
 
-    def on(self, curve: Curve[BSpline], variant: str) -> BSpline | SplineVector:
-        """The object on a curve; of a zero-set problem the numerator alone.
+    def on(
+        self, curve: Curve[BSpline], variant: str, value_of: Callable[[Formula], SplineValue] | None = None
+    ) -> BSpline | SplineVector:
+        """The object on a curve; of a zero-set problem the numerator alone. `value_of` evaluates formulas on the curve.
 
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
         factors it shares with w; where there are none it is as continuous as the lifted form. A quotient is reduced
         segment by segment.
         """
+        value_of = value_of or (lambda formula: formula(curve))
         if variant != MINIMAL:
-            value = self.formula(variant)(curve)
+            value = value_of(self.formula(variant))
             taken: BSpline | SplineVector = numerator(value) if self.zero_set else joined(value)
             return taken
         if not self.zero_set:
-            reduced: BSpline | SplineVector = joined(in_lowest_terms(self.formula(variant)(curve)))
+            reduced: BSpline | SplineVector = joined(in_lowest_terms(value_of(self.formula(variant))))
             return reduced
         at_once = self.wronskian_of and not curve.polynomial
-        value = lowest_wronskian(find(self.wronskian_of)(curve)) if at_once else self.formula(variant)(curve)
-        power = self.power_of_w(LIFTED)
-        return primitive(in_lowest_terms(without_factor(value.scaled(self.sign(curve, LIFTED)), curve.w, power)))
+        form = value_of(wronskian_of(find(self.wronskian_of)) if at_once else self.formula(variant))
+        assert isinstance(form, BSpline)
+        if self.sign(curve, LIFTED) < 0:
+            form = -form
+        return primitive(in_lowest_terms(without_factor(form, curve.w, self.power_of_w(LIFTED))))
 
     def power_of_w(self, variant: str) -> int:
         """The e with ``form = constant · wᵉ · first form`` and a positive constant, of a zero-set problem."""

@@ -46,7 +46,7 @@ class JetFraction(FieldOperand):
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        if self.bottom == right.bottom == 1:
+        if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, self.top + right.top, self.bottom)
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
@@ -58,7 +58,7 @@ class JetFraction(FieldOperand):
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        if self.bottom == right.bottom == 1:
+        if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, self.top * right.top, self.bottom)
         a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
         return JetFraction(self.ring, (self.top / a) * (right.top / b), (self.bottom / b) * (right.bottom / a))
@@ -81,7 +81,7 @@ class JetFraction(FieldOperand):
 
     def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
         """The total derivative."""
-        if self.bottom == 1:
+        if self.bottom.is_one():
             return JetFraction(self.ring, Jet(self.ring, self.top).d(order, by=by).polynomial, self.bottom)
         result = self
         for _ in range(order):

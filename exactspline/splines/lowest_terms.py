@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import overload
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReductionError
 from exactspline.exact import text
@@ -20,6 +20,9 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineSurface, SplineValue, SplineVector
 
+#: The prime modulo which polynomials are first held against one another.
+PRIME = (1 << 61) - 1
+
 
 def common_factor(v: Vector[BSpline]) -> BSpline:
     """A spline that vanishes exactly where all components do: their greatest common divisor, segment by segment.
@@ -30,13 +33,34 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
     """
     rows = []
     for parts in zip(*[c.polynomials for c in v], strict=True):
-        common = fmpz_poly([])
-        for c in parts:
-            common = common.gcd(c)
+        common = _greatest_common_divisor(parts)
         at_end = min((x.degree - c.degree() for x, c in zip(v, parts, strict=True) if c), default=0)
         rows.append((common, max(common.degree(), 0) + at_end))
     n, mesh = max(degree for _, degree in rows), v[0].mesh
     return BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), [(c * raiser(n - degree), ONE) for c, degree in rows])
+
+
+def certainly_coprime(p: fmpz_poly, q: fmpz_poly) -> bool:
+    """Whether two polynomials have no common factor modulo a prime, and the first keeps its degree there: then they have
+    none; False proves nothing.
+
+    >>> certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 1])), certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 2]))
+    (True, False)
+    """
+    image = nmod_poly(p, PRIME)
+    return bool(image.degree() == p.degree() and image.gcd(nmod_poly(q, PRIME)).degree() == 0)
+
+
+def _greatest_common_divisor(parts: Sequence[fmpz_poly]) -> fmpz_poly:
+    if len(parts) > 1 and parts[0] and certainly_coprime(parts[0], parts[1]):
+        content = parts[0].content()
+        for c in parts[1:]:
+            content = content.gcd(c.content())
+        return fmpz_poly([content])
+    common = fmpz_poly([])
+    for c in parts:
+        common = common.gcd(c)
+    return common
 
 
 def _scalars(value: SplineValue) -> list[BSpline]:
@@ -152,6 +176,8 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
 def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
     """p without what it has in common with a power of q, made positive, and the degree of that."""
     lost = 0
+    if q.degree() > 0 and p and certainly_coprime(p, q):
+        return p, lost
     for _ in range(times if p else 0):
         common = p.gcd(q)
         common = common // (common.content() if common(1) > 0 else -common.content())

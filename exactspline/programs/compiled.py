@@ -1,0 +1,93 @@
+"""Instructions as a Python function that runs over all segments, without a wrapper around any polynomial."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import fmpz, fmpz_poly
+
+from exactspline.programs.instructions import UNIT, ZERO, Instruction
+from exactspline.splines.bernstein import U_PLUS_V, raiser
+
+#: From the operands' polynomials, segment by segment, and the multipliers, to the polynomials of every output.
+Run = Callable[[Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]]], list[tuple[fmpz_poly, ...]]]
+
+
+def compiled(listed: Sequence[Instruction], outputs: Sequence[int], operands: int, multipliers: int) -> Run:
+    """The function of a program.
+
+    >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
+    >>> run = compiled([*load, Instruction("mul", (0, 1))], [2], 2, 0)
+    >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [])
+    [(3*x^2 + 5*x + 2,)]
+    """
+    constants: dict[str, Any] = {"one": fmpz_poly([1]), "nothing": fmpz_poly([]), "u_plus_v": U_PLUS_V}
+    used = needed(listed, outputs)
+    lines = [f"t{i} = {_text(one, constants)}" for i, one in enumerate(listed) if i in used and one.name != "load"]
+    loaded = {one.numbers[0]: f"t{i}" for i, one in enumerate(listed) if one.name == "load" and i in used}
+    names = [loaded.get(k, f"unused{k}") for k in range(operands)] + [f"m{k}" for k in range(multipliers)]
+    values = ", ".join(_name(i) if i != ZERO else "nothing" for i in outputs)
+    defaults = ", ".join(f"{name}={name}" for name in constants)
+    source = "\n".join(
+        [
+            f"def run(operands, multipliers, {defaults}):",
+            "    found = []",
+            f"    for {', '.join(names)}, in zip(*operands, *multipliers):",
+            *[f"        {line}" for line in lines],
+            f"        found.append(({values},))",
+            "    return found",
+        ]
+    )
+    exec(compile(source, "<straight-line program>", "exec"), constants)
+    run: Run = constants["run"]
+    return run
+
+
+def needed(listed: Sequence[Instruction], outputs: Sequence[int]) -> set[int]:
+    """The instructions on which the outputs depend."""
+    used = {i for i in outputs if i >= 0}
+    for i in range(len(listed) - 1, -1, -1):
+        if i in used:
+            used.update(a for a in listed[i].arguments if a >= 0)
+    return used
+
+
+def _name(a: int) -> str:
+    return "one" if a == UNIT else f"t{a}"
+
+
+def _text(instruction: Instruction, constants: dict[str, Any]) -> str:
+    """One operation as Python writes it; whole numbers are made once and bound by name."""
+    name, arguments, numbers = instruction
+    a = _name(arguments[0])
+    if name == "mul":
+        return f"{a} * {_name(arguments[1])}"
+    if name == "sum":
+        (m, n), b = numbers, _name(arguments[1])
+        if m < 0 < n:
+            return f"{_multiple(b, n, constants)} - {_multiple(a, -m, constants)}"
+        return f"{_multiple(a, m, constants)} {'+' if n > 0 else '-'} {_multiple(b, abs(n), constants)}"
+    if name == "raise":
+        return f"{a} * {_bound('r', numbers[0], constants, raiser(numbers[0]))}"
+    if name == "derive":
+        return f"{a}.derivative() * u_plus_v - {_multiple(a, numbers[0], constants)}"
+    if name == "du":
+        return f"{_multiple(a, numbers[0], constants)} - {a}.derivative().left_shift(1)"
+    if name == "dv":
+        return f"{a}.derivative()"
+    if name == "scale":
+        return _multiple(a, numbers[0], constants)
+    return f"{a} * m{numbers[0]}"
+
+
+def _multiple(a: str, m: int, constants: dict[str, Any]) -> str:
+    if m in (1, -1):
+        return a if m == 1 else f"-{a}"
+    return f"{_bound('n' if m > 0 else 'minus', abs(m), constants, fmpz(m))} * {a}"
+
+
+def _bound(letter: str, number: int, constants: dict[str, Any], value: Any) -> str:
+    name = f"{letter}{number}"
+    constants[name] = value
+    return name
