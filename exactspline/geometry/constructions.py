@@ -89,32 +89,47 @@ class Construction:
         if not self.zero_set:
             reduced: BSpline | SplineVector = joined(in_lowest_terms(value_of(self.formula(variant))))
             return reduced
-        at_once = self.wronskian_of and not curve.polynomial
-        form = value_of(wronskian_of(find(self.wronskian_of)) if at_once else self.formula(variant))
+        formula, power = _lowest(self.wronskian_of if not curve.polynomial else "", self.lifted, *self._first)
+        form = value_of(formula)
         assert isinstance(form, BSpline)
-        if self.sign(curve, LIFTED) < 0:
+        if power % 2 and curve.w.polynomials[0][0] < 0:
             form = -form
-        return primitive(in_lowest_terms(without_factor(form, curve.w, self.power_of_w(LIFTED))))
+        return primitive(in_lowest_terms(without_factor(form, curve.w, power)))
+
+    @property
+    def _first(self) -> tuple[str, str, int]:
+        return self.name, next(iter(self.variants.values())), self.dimension
 
     def power_of_w(self, variant: str) -> int:
         """The e with ``form = constant · wᵉ · first form`` and a positive constant, of a zero-set problem."""
-        factor = _factor(self.formula(variant).name, next(iter(self.variants.values())), self.dimension)
-        if factor is None or not factor.names <= {"w"} or factor.constant < 0:
-            raise FormulaError(
-                f"the form {variant!r} of {self.name} is no power of w away from the first",
-                remedy="its sign is another one",
-            )
-        return next((e for _, _, e in factor.powers), 0)
+        return _power_of_w(self.formula(variant).name, *self._first)
 
     def sign(self, curve: Curve[BSpline], variant: str) -> int:
         """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
-        return -1 if self.power_of_w(variant) % 2 and curve.w(curve.w.domain[0]) < 0 else 1
+        return -1 if self.power_of_w(variant) % 2 and curve.w.polynomials[0][0] < 0 else 1
 
 
 @cache
 def _factor(left: str, right: str, dimension: int) -> Factor | None:
     jets = jets_for((left, right), dimension)
     return find_factor(find(left)(jets), find(right)(jets))
+
+
+@cache
+def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int:
+    factor = _factor(form, first, dimension)
+    if factor is None or not factor.names <= {"w"} or factor.constant < 0:
+        raise FormulaError(
+            f"the form {form!r} of {construction} is no power of w away from the first",
+            remedy="its sign is another one",
+        )
+    return next((e for _, _, e in factor.powers), 0)
+
+
+@cache
+def _lowest(lift: str, lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
+    """The formula from which the minimal form is made, and the power of w that it may still have."""
+    return wronskian_of(find(lift)) if lift else find(lifted), _power_of_w(lifted, construction, first, dimension)
 
 
 @cache

@@ -39,8 +39,9 @@ from exactspline.papers import find
 from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
+from exactspline.splines.bernstein import variations
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.lowest_terms import certainly_coprime, common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
 
@@ -110,6 +111,8 @@ class ZeroForm:
 def located(found: ZeroSet) -> list[tuple[Root, bool]]:
     """The roots of a zero set and its changes of sign by a jump, in order, each with whether it is a jump."""
     jumps = [(jump_root(jump), True) for jump in found.jumps if jump.sign_change]
+    if not jumps:
+        return [(root, False) for root in found]
     return sorted([*((root, False) for root in found), *jumps], key=lambda pair: pair[0])
 
 
@@ -133,9 +136,7 @@ class Facts:
         negative = curve.w.polynomials[0][0] < 0
         #: The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
         #: change their sign with it.
-        self.operands = Curve(
-            -curve.p if negative else curve.p, -curve.w if negative else curve.w, polynomial=curve.polynomial
-        )
+        self.operands: Curve[BSpline] = Curve(-curve.p, -curve.w, polynomial=curve.polynomial) if negative else curve
         self.closed: bool = curve.closed
         self.breaks: tuple[mpq, ...] = curve.breakpoints
 
@@ -287,7 +288,7 @@ class Facts:
         """The parameters where γ′ = 0; of an interval on which the curve stands still its ends."""
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
-            for root in self.speed.zeros
+            for root in (() if self._moves_between_knots else self.speed.zeros)
             if not root.at_knot
         ]
         resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
@@ -297,6 +298,16 @@ class Facts:
             stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
         return sorted(inner + knots, key=lambda f: f.root)
+
+    @property
+    def _moves_between_knots(self) -> bool:
+        """Whether it is quickly seen that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
+        there, or two without a common factor; False says nothing.
+        """
+        return all(
+            any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
+            for parts in zip(*[x.polynomials for x in self.velocity], strict=True)
+        )
 
     @property
     def _knots_at_rest(self) -> list[int]:

@@ -94,9 +94,8 @@ def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
     """
     found: list[mpq] = []
     for k, value in enumerate(above):
-        for j, earlier in enumerate(found):
-            value = value - comb(k, j) * below[k - j] * earlier
-        found.append(value / below[0])
+        rest = value - sum((comb(k, j) * below[k - j] * earlier for j, earlier in enumerate(found)), mpq(0))
+        found.append(rest / below[0])
     return found
 
 

@@ -7,41 +7,74 @@ from typing import Any
 
 from flint import fmpz, fmpz_poly
 
+from exactspline.programs.denominators import Denominator, common_multiple
 from exactspline.programs.instructions import UNIT, ZERO, Instruction
 from exactspline.splines.bernstein import U_PLUS_V, raiser
 
-#: From the operands' polynomials, segment by segment, and the multipliers, to the polynomials of every output.
-Run = Callable[[Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]]], list[tuple[fmpz_poly, ...]]]
+#: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
+Multiplier = tuple[Denominator, Denominator] | int
+#: From the polynomials of the operands, their denominators group by group, and the widths (numerator, denominator) of
+#: the segments to the polynomials and the denominators of every output, segment by segment.
+Run = Callable[
+    [Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]], Sequence[tuple[fmpz, fmpz]]], list[tuple[Any, ...]]
+]
 
 
-def compiled(listed: Sequence[Instruction], outputs: Sequence[int], operands: int, multipliers: int) -> Run:
-    """The function of a program.
+def compiled(
+    listed: Sequence[Instruction],
+    outputs: Sequence[tuple[int, Denominator]],
+    operands: int,
+    groups: Sequence[int],
+    multipliers: Sequence[Multiplier],
+) -> Run:
+    """The function of a program: from every segment the polynomials of the outputs, then their denominators.
 
+    >>> from exactspline.programs.denominators import OfOperand
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
-    >>> run = compiled([*load, Instruction("mul", (0, 1))], [2], 2, 0)
-    >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [])
-    [(3*x^2 + 5*x + 2,)]
+    >>> below = Denominator.of(OfOperand(0))
+    >>> run = compiled([*load, Instruction("mul", (0, 1))], [(2, below * below)], 2, [0], [])
+    >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [[fmpz(5)]], [(fmpz(1), fmpz(1))])
+    [(3*x^2 + 5*x + 2, 25)]
     """
-    constants: dict[str, Any] = {"one": fmpz_poly([1]), "nothing": fmpz_poly([]), "u_plus_v": U_PLUS_V}
-    used = needed(listed, outputs)
-    lines = [f"t{i} = {_text(one, constants)}" for i, one in enumerate(listed) if i in used and one.name != "load"]
+    constants: dict[str, Any] = {
+        "one": fmpz_poly([1]),
+        "nothing": fmpz_poly([]),
+        "u_plus_v": U_PLUS_V,
+        "fmpz": fmpz,
+        "common_multiple": common_multiple,
+    }
+    used = needed(listed, [i for i, _ in outputs])
+    lines = [f"m{k} = {_multiplier(multiplier)}" for k, multiplier in enumerate(multipliers)]
+    lines += [f"t{i} = {_text(one, constants)}" for i, one in enumerate(listed) if i in used and one.name != "load"]
     loaded = {one.numbers[0]: f"t{i}" for i, one in enumerate(listed) if one.name == "load" and i in used}
-    names = [loaded.get(k, f"unused{k}") for k in range(operands)] + [f"m{k}" for k in range(multipliers)]
-    values = ", ".join(_name(i) if i != ZERO else "nothing" for i in outputs)
+    names = [loaded.get(k, f"unused{k}") for k in range(operands)] + [f"below{group}" for group in groups]
+    below = {}
+    for k, denominator in enumerate(dict.fromkeys(denominator for _, denominator in outputs)):
+        below[denominator] = f"d{k}"
+        lines.append(f"d{k} = {denominator.text}")
+    values = [_name(i) if i != ZERO else "nothing" for i, _ in outputs] + [below[d] for _, d in outputs]
     defaults = ", ".join(f"{name}={name}" for name in constants)
     source = "\n".join(
         [
-            f"def run(operands, multipliers, {defaults}):",
+            f"def run(operands, denominators, widths, {defaults}):",
             "    found = []",
-            f"    for {', '.join(names)}, in zip(*operands, *multipliers):",
+            f"    for {', '.join(names)}, (top, bottom) in zip(*operands, *denominators, widths):",
             *[f"        {line}" for line in lines],
-            f"        found.append(({values},))",
+            f"        found.append(({', '.join(values)},))",
             "    return found",
         ]
     )
     exec(compile(source, "<straight-line program>", "exec"), constants)
     run: Run = constants["run"]
     return run
+
+
+def _multiplier(multiplier: Multiplier) -> str:
+    """A multiplier as Python computes it."""
+    if isinstance(multiplier, int):
+        return f"bottom ** {multiplier}"
+    whole, part = multiplier
+    return f"({whole.text}) // ({part.text})"
 
 
 def needed(listed: Sequence[Instruction], outputs: Sequence[int]) -> set[int]:

@@ -6,7 +6,6 @@ the segment's width, and what is left of a least common multiple that only the n
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from math import gcd, lcm
 from typing import NamedTuple
@@ -78,25 +77,35 @@ class Denominator:
         left = {atom: e - powers.get(atom, 0) for atom, e in self.powers}
         return Denominator(self.constant // constant, _in_order(left))
 
-    def value(self, operands: Sequence[fmpz], width: fmpz) -> fmpz:
-        """The number on a segment, from the denominators of the operands there."""
-        number = fmpz(self.constant)
+    @property
+    def text(self) -> str:
+        """The number on a segment as Python computes it, from the names of what the segment knows: ``below0``, … and
+        ``top``, the numerator of its width.
+
+        >>> (Denominator.of(OfOperand(0)) * Denominator.of(OfOperand(0)) * Denominator(6)).text
+        'fmpz(6) * below0 * below0'
+        """
+        factors = [f"fmpz({self.constant})"] if self.constant != 1 or not self.powers else []
         for atom, e in self.powers:
-            number = number * _number(atom, operands, width) ** e
-        return number
+            factors += [_text(atom)] * e if e < 4 else [f"{_text(atom)} ** {e}"]
+        return " * ".join(factors)
 
 
 ONE = Denominator(1)
+
+
+def common_multiple(a: fmpz, b: fmpz) -> fmpz:
+    """The least common multiple of two positive numbers."""
+    return a // a.gcd(b) * b
 
 
 def _in_order(powers: dict[Atom, int]) -> tuple[tuple[Atom, int], ...]:
     return tuple(sorted(((atom, e) for atom, e in powers.items() if e), key=repr))
 
 
-def _number(atom: Atom, operands: Sequence[fmpz], width: fmpz) -> fmpz:
+def _text(atom: Atom) -> str:
     if isinstance(atom, OfOperand):
-        return operands[atom.group]
+        return f"below{atom.group}"
     if isinstance(atom, WidthNumerator):
-        return width
-    first, second = (part.value(operands, width) for part in (atom.first, atom.second))
-    return first // first.gcd(second) * second
+        return "top"
+    return f"common_multiple({atom.first.text}, {atom.second.text})"

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from flint import fmpz
-
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CurveKind, Kind, TableKind
 from exactspline.language.provenance import is_alone, leaf, within
@@ -18,7 +17,6 @@ from exactspline.language.reading import Reading
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.programs.compiled import Run, compiled, needed
-from exactspline.programs.denominators import Denominator
 from exactspline.programs.instructions import Instructions
 from exactspline.programs.term import Recorder, Term
 from exactspline.splines.bspline import BSpline
@@ -112,15 +110,24 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
     for f in splines:
         if type(f) is not BSpline or (f.mesh is not mesh and f.mesh.breaks != mesh.breaks):
             return None
-    if polynomial and not _is_one(named["w"]):
+    if isinstance(argument, Curve) and polynomial and not _is_one(argument.w):
         return None
-    symbols = kind.symbols(dimension, polynomial=polynomial)
-    functions = [is_alone(f.provenance) for f, symbol in zip(splines, symbols, strict=True) if symbol.parameter]
+    functions = [is_alone(f.provenance) for f in splines[: _functions(kind, dimension, polynomial)]]
     if None in functions or len(set(functions)) < len(functions):
         return None
-    groups = [next(j for j, other in enumerate(splines) if other.denominators == f.denominators) for f in splines]
+    first = splines[0].denominators
+    if all(f.denominators == first for f in splines):
+        groups = [0] * len(splines)
+    else:
+        groups = [next(j for j, g in enumerate(splines) if g.denominators == f.denominators) for f in splines]
     degrees = tuple([f.degree for f in splines])
     return Given(argument, splines, mesh, Signature(kind, dimension, polynomial, degrees, tuple(groups), mesh.unit))
+
+
+@lru_cache(None)
+def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
+    """How many of the operands are functions; the constants come behind them."""
+    return sum(bool(symbol.parameter) for symbol in kind.symbols(dimension, polynomial=polynomial))
 
 
 def _is_one(w: BSpline) -> bool:
@@ -153,15 +160,18 @@ class Program:
     """
 
     def __init__(self, value: Any, reading: ProgramReading, signature: Signature) -> None:
-        self.signature, recorder = signature, reading.recorder
-        self.instructions: Instructions = recorder.instructions
-        self.multipliers = recorder.multipliers
+        self.signature = signature
+        self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves
         self.value = value
         self.terms = _terms(value)
         self.outputs = [term.output() for term in self.terms]
-        operands = len(signature.degrees)
-        self.run: Run = compiled(self.instructions.listed, self.outputs, operands, len(self.multipliers))
+        outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
+        #: The operands that stand for those with the same denominators.
+        self.groups = sorted(set(signature.groups))
+        self.run: Run = compiled(
+            self.instructions.listed, outputs, len(signature.degrees), self.groups, reading.recorder.multipliers
+        )
 
     def __call__(self, argument: Evaluated) -> SplineValue:
         """The value on an argument with the program's signature, what is made of it a leaf: how, nobody sees.
@@ -180,64 +190,28 @@ class Program:
 
     def splines(self, given: Given) -> list[BSpline]:
         """What the terms of the value are on the segments of an argument."""
-        rows = self.run([f.polynomials for f in given.splines], self.numbers(given))
-        below = self._below(given)
-        inner = len(given.mesh) - 1
-        continuities = [f.continuity for f in given.splines]
-        leaves = tuple(zip(self.leaves, [f.provenance for f in given.splines], strict=True))
+        operands = given.splines
+        below = [operands[k].denominators for k in self.groups]
+        columns = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
+        inner, count = len(given.mesh) - 1, len(self.terms)
+        continuities = [f.continuity for f in operands]
+        leaves = tuple(zip(self.leaves, [f.provenance for f in operands], strict=True))
         return [
             BSpline.from_parts(
                 term.degree,
                 given.mesh,
                 term.continuity_of(continuities, inner),
-                polynomials,
-                denominators,
+                columns[k],
+                columns[count + k],
                 within(term.provenance, leaves),
             )
-            for term, polynomials, denominators in zip(self.terms, zip(*rows, strict=True), below, strict=True)
+            for k, term in enumerate(self.terms)
         ]
 
     def count(self, name: str) -> int:
         """How many instructions of one name are carried out on a segment."""
         used = needed(self.instructions.listed, self.outputs)
         return sum(self.instructions.listed[i].name == name for i in used)
-
-    def numbers(self, given: Given) -> list[list[fmpz]]:
-        """The multipliers of every segment, one list each."""
-        return [_settled(given, _multiplier(kind)) for kind in self.multipliers]
-
-    def _below(self, given: Given) -> list[tuple[fmpz, ...]]:
-        """The denominators of every term, segment by segment; terms over one denominator share it."""
-        known: dict[Denominator, tuple[fmpz, ...]] = {}
-        for term in self.terms:
-            if term.below not in known:
-                known[term.below] = tuple(_settled(given, term.below.value))
-        return [known[term.below] for term in self.terms]
-
-
-Settled = Callable[[Sequence[fmpz], fmpz], fmpz]
-
-
-def _multiplier(kind: Any) -> Any:
-    """The number of a multiplier from the denominators of the operands and the width (numerator, denominator)."""
-    return kind if isinstance(kind, int) else lambda own, top: kind[0].value(own, top) // kind[1].value(own, top)
-
-
-def _settled(given: Given, number: Any) -> list[fmpz]:
-    """A number of every segment, computed once for all segments with the same denominators and widths."""
-    widths = given.mesh.widths
-    if isinstance(number, int):
-        return [bottom**number for _, bottom in widths]
-    groups = given.signature.groups
-    rows = zip(*[f.denominators for f in given.splines], strict=True)
-    known: dict[Hashable, fmpz] = {}
-    found = []
-    for own, (top, _) in zip(rows, widths, strict=True):
-        key = (*[own[k] for k in set(groups)], top)
-        if key not in known:
-            known[key] = number(own, top)
-        found.append(known[key])
-    return found
 
 
 def _terms(value: Any) -> list[Term]:

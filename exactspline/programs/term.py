@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import gcd
 from typing import Any
 
@@ -9,13 +10,11 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
+from exactspline.programs.compiled import Multiplier
 from exactspline.programs.denominators import ONE, Denominator, OfOperand, WidthNumerator
 from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
 from exactspline.programs.instructions import ZERO, Instructions
 from exactspline.splines.knots import SMOOTH
-
-#: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
-Multiplier = tuple[Denominator, Denominator] | int
 
 
 class Recorder:
@@ -242,8 +241,10 @@ class Term(Operand):
         code = self.recorder.instructions
         return code.scaled(self._down_to(0, 0).node, self.number)
 
-    def continuity_of(self, operands: list[tuple[int, ...]], inner: int) -> tuple[int, ...]:
+    def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
         """The continuity at the inner breakpoints, from that of the operands."""
+        if not inner:
+            return ()
         known = [*operands, (SMOOTH,) * inner]
         dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, self.orders, strict=True) if k >= 0]
-        return tuple(min(inner) for inner in zip(*dropped, strict=True))
+        return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])

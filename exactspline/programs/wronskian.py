@@ -8,7 +8,7 @@ from typing import Any
 
 from exactspline.language.formula import Formula
 from exactspline.language.vector import Vector, det
-from exactspline.programs.denominators import Denominator, WidthNumerator
+from exactspline.programs.denominators import Denominator
 from exactspline.programs.term import Term
 from exactspline.splines import wronskian
 

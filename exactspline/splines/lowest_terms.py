@@ -12,6 +12,7 @@ from flint import fmpz, fmpz_poly, nmod_poly
 from exactspline.errors import ReductionError
 from exactspline.exact import text
 from exactspline.language.parts import split
+from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -41,7 +42,7 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
 
 
 def certainly_coprime(p: fmpz_poly, q: fmpz_poly) -> bool:
-    """Whether two polynomials have no common factor modulo a prime, and the first keeps its degree there: then they have
+    """Whether two polynomials have no common factor modulo a prime that keeps the degree of the first: then they have
     none; False proves nothing.
 
     >>> certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 1])), certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 2]))
@@ -195,12 +196,21 @@ def primitive(f: BSpline) -> BSpline:
     """
     if f.is_zero:
         return f
-    scale = _common(list(f.denominators))
-    forms = [c * (scale // m) for c, m in f.forms]
-    content = forms[0].content()
-    for c in forms[1:]:
+    first = f.denominators[0]
+    if all(m == first for m in f.denominators):
+        polynomials = list(f.polynomials)
+    else:
+        scale = _common(f.denominators)
+        polynomials = [c * (scale // m) for c, m in zip(f.polynomials, f.denominators, strict=True)]
+    content = polynomials[0].content()
+    for c in polynomials[1:]:
+        if content == 1:
+            break
         content = content.gcd(c.content())
-    return BSpline.from_forms(f.degree, f.mesh, f.continuity, [(c // content, ONE) for c in forms])
+    if content != 1:
+        polynomials = [c // content for c in polynomials]
+    ones = (ONE,) * len(polynomials)
+    return BSpline.from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), ones, leaf())
 
 
 @overload
@@ -237,7 +247,10 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
         by = min(c.degree - c.true_degree for c in value if not c.is_zero) if not value.is_zero else 0
         return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
     if isinstance(value, BSpline):
-        return value.constant(0) if value.is_zero else value.reduce_degree(value.degree - value.true_degree)
+        if value.is_zero:
+            return value.constant(0)
+        by = value.degree - value.true_degree
+        return value if by == 0 and all(c < value.degree for c in value.continuity) else value.reduce_degree(by)
     return _over_rows(value, lowest_terms(value))
 
 
