@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from exactspline.language.services import register
 
 if TYPE_CHECKING:
+    from exactspline.batch.oracle import oracle as oracle
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
     from exactspline.display.figures.bisectors import figure_6 as figure_6
@@ -172,6 +173,7 @@ _HOMES = {
     "zero_form": "geometry.zero_forms:zero_form",
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",
+    "oracle": "batch.oracle:oracle",
     # what is made of curves
     "bisector": "geometry.any_bisector:bisector",
     "curvature": "geometry.curvature:curvature",
