@@ -24,6 +24,7 @@ from exactspline.cli import (
     reduce,
     schema,
     show,
+    sweep,
 )
 from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
@@ -70,6 +71,12 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     conditioning.conditioning: ("Condition numbers of zeros.", "conditioning", "conditioning my.json"),
     figures.figures: ("Draw the figures of the paper.", "figures --out pictures", "figures --out pictures --figure 2"),
     curves.curves: ("List the example curves.", "curves", "curves --json"),
+    sweep.sweep: (
+        "Many curves, a line each.",
+        "sweep fonts/ drawings/*.dxf -o lines.jsonl --jobs 2",
+        "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
+        "sweep curves/ --claim C4.1 -o verdicts.parquet",
+    ),
     convert.convert: (
         "Convert files of curves.",
         "convert drawing.dxf curves.json",
