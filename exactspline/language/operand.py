@@ -224,14 +224,20 @@ class OwnProducts(ABC):
         """A product of vectors, `function` of `vectors`, this one among them."""
 
 
-class OwnVectors(OwnProducts):
-    """An operand that stands for scalars and vectors alike: putting together and taking along are up to it."""
+class OwnJoining(ABC):
+    """An operand that puts vectors together itself."""
 
     __slots__ = ()
 
     @abstractmethod
     def joining(self, parts: tuple[Any, ...]) -> Any:
         """One vector of the components of all parts."""
+
+
+class OwnVectors(OwnProducts, OwnJoining):
+    """An operand that stands for scalars and vectors alike: putting together and taking along are up to it."""
+
+    __slots__ = ()
 
     @abstractmethod
     def ruled(self, generator: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import Any, Generic, TypeVar, cast
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
 from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnProducts, larger
+from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnJoining, OwnProducts, larger
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
 
@@ -70,7 +70,7 @@ def _agree(a: Any, b: Any) -> bool:
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
-class Rational(Immutable, Operand, OwnProducts, Generic[T]):
+class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
     Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
@@ -259,6 +259,22 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
             first = first * product
         return Rational(function(*numerators), first)
 
+    def joining(self, parts: tuple[Any, ...]) -> Rational[T]:
+        """One quotient of the components of all parts, over one denominator."""
+        one = self.denominator.constant(1)
+        first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]
+        joined, product = _components(first), first.product if isinstance(first, Rational) else Product(one)
+        for part in rest:
+            own = part.product if isinstance(part, Rational) else Product(one)
+            if not isinstance(part, Rational):
+                joined += [a * product.value for a in _components(part)]
+            elif own.same(product):
+                joined += _components(part)
+            else:
+                joined = [a * own.value for a in joined] + [a * product.value for a in _components(part)]
+                product = product * own
+        return Rational(Vector(*joined), product)
+
     def elevated(self) -> tuple[T | Vector[T], T]:
         """Numerator and denominator elevated to one degree: control points and weights of a NURBS."""
         w = highest = self.denominator
@@ -269,6 +285,12 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
     def elevated_to(self, other: T) -> Rational[T]:
         """The same rational, its numerator at least of the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
+
+
+def _components(value: Any) -> list[Any]:
+    """The components of a vector or of a scalar; of a quotient, those of its numerator."""
+    value = value.numerator if isinstance(value, Rational) else value
+    return list(value) if isinstance(value, Vector) else [value]
 
 
 def _fits(other: object) -> bool:

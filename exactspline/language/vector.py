@@ -13,8 +13,8 @@ from exactspline.language.operand import (
     CONSTANTS,
     Constant,
     Operand,
+    OwnJoining,
     OwnProducts,
-    OwnVectors,
     R,
     Scalar,
     larger,
@@ -300,9 +300,12 @@ def join(*parts: Any) -> Any:
     >>> join(Vector(1, 2), 3)
     Vector(1, 2, 3)
     """
-    operand = next(part for part in parts if not isinstance(part, CONSTANTS))
-    if isinstance(operand, OwnVectors):
-        return operand.joining(parts)
+    own = next((part for part in parts if isinstance(part, OwnJoining)), None)
+    if own is not None:
+        return own.joining(parts)
+    operand = next((part for part in parts if not isinstance(part, CONSTANTS)), None)
+    if operand is None:
+        return Vector(*parts)
     scalar = operand[0] if isinstance(operand, Vector) else operand
     components: list[Any] = []
     for part in parts:

@@ -17,7 +17,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.parts import Value
-from exactspline.language.reading import Reading
+from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 
 
@@ -102,6 +102,7 @@ class BernsteinTermReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The same term for all numerators, another one for the denominators."""
+        freely_differentiable(kind, self, dimension)
         context = fmpq_mpoly_ctx.get(["d", "a", "b"], Ordering.degrevlex)
         d, a, b = context.gens()
         terms = {(0, 0): context.constant(1)}

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, InapplicableError
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
@@ -277,7 +277,11 @@ class DegreeReading(Reading):
         def operand(symbol: Symbol) -> Degree:
             if symbol.parameter != parameter:
                 return Degree.number(0, still=True, counted=parameter)
-            return Degree.named(self.degree + symbol.degree.removeprefix("d"), parameter)
+            if not symbol.degree:
+                raise InapplicableError(f"{kind.name!r} has no degrees", remedy="ask for an identity")
+            if symbol.degree.isidentifier():
+                return Degree.named(self.degree + symbol.degree.removeprefix("d"), parameter)
+            return Degree(parse(symbol.degree).terms, counted=parameter)
 
         one = Degree.number(0, counted=parameter)
         argument = kind.argument(dimension, operand, one, polynomial=polynomial)

@@ -16,7 +16,7 @@ from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant, Operand
-from exactspline.language.reading import Reading
+from exactspline.language.reading import Reading, freely_differentiable
 
 
 class Generic(Operand):
@@ -111,7 +111,7 @@ class GenericReading(Reading):
 
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
-        symbols = kind.symbols(dimension, polynomial=polynomial)
+        symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         if len({symbol.parameter for symbol in symbols}) > 1:
             raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]

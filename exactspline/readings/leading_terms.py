@@ -19,7 +19,7 @@ from exactspline.language.arguments import PARAMETERS
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, Operand
-from exactspline.language.reading import Reading
+from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 from exactspline.readings.degree import Degree, parse
 from exactspline.readings.differential_order import order_of
@@ -171,7 +171,7 @@ class LeadingTermsReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Expansions of the functions of s; constants for everything else."""
-        symbols = kind.symbols(dimension, polynomial=polynomial)
+        symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         lengths = {s.name: self.terms if s.parameter == PARAMETERS[0] else self.order + 1 for s in symbols}
         names = [f"{name}{i}" for name, length in lengths.items() for i in range(length)]
         context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)

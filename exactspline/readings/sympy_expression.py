@@ -7,12 +7,14 @@ pair has the parameter s̄, the coordinates of a point are symbols.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
 from math import gcd
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 from sympy.polys.rings import PolyElement, PolyRing
 
 from exactspline.errors import FormulaError
@@ -118,15 +120,28 @@ class SympyReading(Reading):
     proves = "an identity for every curve of every degree, in an algebra that is not ours"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Functions of their parameter, and symbols for constants."""
+        """Functions of their parameter, which know their derivatives where the kind has rules for them, and symbols
+        for constants.
+        """
+        rules, known = kind.rules(dimension), dict[str, SympyExpression]()
 
         def operand(symbol: Symbol) -> SympyExpression:
             if not symbol.parameter:
                 return SympyExpression(sympy.Symbol(symbol.text))
             parameter = PARAMETER[symbol.parameter]
-            return SympyExpression(sympy.Function(symbol.text)(parameter), frozenset({parameter}))
+            function = sympy.Function(symbol.text)
+            if symbol.name in rules:
+                function = _linked(symbol.text, lambda: rules[symbol.name](known).expression)
+            return SympyExpression(function(parameter), frozenset({parameter}))
 
-        return kind.argument(dimension, operand, SympyExpression(sympy.Integer(1)), polynomial=polynomial)
+        known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
+        one = SympyExpression(sympy.Integer(1))
+        return kind.argument(dimension, lambda symbol: known[symbol.name], one, polynomial=polynomial)
+
+
+def _linked(name: str, derivative: Callable[[], sympy.Expr]) -> Any:
+    """A function of sympy whose derivative is an expression in others."""
+    return type(name, (AppliedUndef,), {"fdiff": lambda self, argindex=1: derivative()})
 
 
 @cache
@@ -174,7 +189,7 @@ class _Fractions:
     """The field of the functions and derivatives that occur in an expression, and the walk through its tree."""
 
     def __init__(self, expression: sympy.Expr) -> None:
-        atoms = expression.atoms(sympy.Derivative, sympy.core.function.AppliedUndef, sympy.Symbol)
+        atoms = expression.atoms(sympy.Derivative, AppliedUndef, sympy.Symbol)
         used = sorted((a for a in atoms if a not in (FIRST, SECOND)), key=sympy.default_sort_key)
         self.ring = PolyRing([f"v{i}" for i in range(len(used))] or ["v0"], sympy.ZZ, sympy.lex)
         self.generators = dict(zip(used, self.ring.gens, strict=False))

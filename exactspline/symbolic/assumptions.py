@@ -46,6 +46,10 @@ class Assumption:
     everywhere: bool = True
     second: bool = False
 
+    def speaks_of(self, kind: Kind) -> bool:
+        """Whether its polynomial exists on arguments of a kind."""
+        return any(kind.takes(kind_of(name), n) for name in self.kinds for n in kind.dimensions)
+
     def __str__(self) -> str:
         return self.name
 

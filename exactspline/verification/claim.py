@@ -9,10 +9,10 @@ from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, nearest
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import kind_of
+from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
@@ -30,6 +30,7 @@ from exactspline.verification.verdict import (
     VERIFIED,
     ContradictionError,
     Finding,
+    undecided,
     vacuous,
 )
 from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, word
@@ -50,12 +51,12 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 def formula_name(claim: Claim, name: str, value: str) -> str:
     """The name of a formula that can be handed what the claim speaks of."""
-    formula = claim.find(value)
-    if formula.curve not in claim.kinds_of(name):
+    formula, handed = claim.find(value), claim.kind_of_field(name)
+    if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
-            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {str(claim.curve)!r}",
+            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {claim.curve!r}",
             where=name,
-            remedy=f"name a formula of {' or '.join(map(repr, claim.kinds_of(name)))}",
+            remedy=f"name a formula that can be handed a {handed.name!r}",
         )
     return str(value)
 
@@ -63,6 +64,14 @@ def formula_name(claim: Claim, name: str, value: str) -> str:
 def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
     """Several of them."""
     return tuple(formula_name(claim, name, each) for each in value)
+
+
+def kind_name(claim: Claim, name: str, value: str) -> str:
+    """The name of a kind of argument."""
+    try:
+        return kind_of(str(value)).name
+    except FormulaError as error:
+        raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
 
 
 def example_name(claim: Claim, name: str, value: str) -> str:
@@ -81,7 +90,7 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     """Assumptions by their names, each about what the claim speaks of."""
     found = tuple(each if isinstance(each, Assumption) else assumption(each) for each in value)
     for each in found:
-        if claim.curve != ArgumentKind.TABLE and not set(claim.curve.formulas) & set(each.kinds):
+        if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} says nothing of {str(claim.curve)!r}",
                 where=name,
@@ -92,7 +101,8 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
 
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
-    names = {"d1", "d2"} if claim.curve == ArgumentKind.TABLE else {"d"}
+    kind = kind_of(claim.curve)
+    names = set().union(*[parse(s.degree).names for s in kind.symbols(kind.dimensions[0]) if s.parameter and s.degree])
     if unknown := parse(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
@@ -128,7 +138,7 @@ class Claim(Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
-    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (see `ArgumentKind`), ``of``
+    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (a kind of argument), ``of``
     whether of polynomial curves, of rational ones or of both. ``assumes`` are assumptions of
     `exactspline.symbolic.assumptions`; ``context`` says in words what the letters mean. ``error`` joins the statements
     that fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
@@ -145,7 +155,7 @@ class Claim(Displayed):
     source: str
     statement: str
     status: Status = field(metadata=read(one_of(Status)))
-    curve: ArgumentKind = field(default=ArgumentKind.CURVE, metadata=read(one_of(ArgumentKind)))
+    curve: str = field(default="curve", metadata=read(kind_name))
     of: Scope = field(default=Scope.BOTH, metadata=read(one_of(Scope)))
     key: str = field(metadata=read(identifier))
     words: str = ""
@@ -194,9 +204,9 @@ class Claim(Displayed):
                 chosen += [value] if isinstance(value, str) else value
         return tuple(name for name in chosen if name)
 
-    def kinds_of(self, name: str) -> tuple[str, ...]:
-        """The kinds of formulas that may stand in that field."""
-        return self.curve.formulas
+    def kind_of_field(self, name: str) -> Kind:
+        """What the formula in that field is handed."""
+        return kind_of(self.curve)
 
     def find(self, name: str) -> Formula:
         """A formula of its paper, or of one that this paper uses."""
@@ -320,7 +330,7 @@ def combined(claim: Claim) -> tuple[str, Finding]:
     try:
         reading, finding = claim.prove()
     except ExactSplineError as error:
-        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+        return claim.reading, undecided(claim.claims, error)
     if finding.verdict in (PROVED, UNDECIDED):
         example_finding = claim.refuted_on_examples()
         if example_finding.verdict == REFUTED:

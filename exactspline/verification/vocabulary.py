@@ -41,7 +41,9 @@ class Scope(StrEnum):
 
 
 class ArgumentKind(StrEnum):
-    """What the formulas of a claim are handed."""
+    """What the formulas of a claim are handed: the kinds that are treated in a way of their own. There are more
+    (`exactspline.language.kinds`).
+    """
 
     CURVE = "curve"
     PLANE = "plane"
@@ -50,16 +52,6 @@ class ArgumentKind(StrEnum):
     PAIR = "pair"
     POINT = "point"
     PLANE_POINT = "plane point"
-
-    @property
-    def formulas(self) -> tuple[str, ...]:
-        """The kinds of formulas that can be handed this."""
-        return {
-            "plane": ("plane", "curve"),
-            "space": ("space", "curve"),
-            "point": ("point", "space", "curve"),
-            "plane point": ("plane point", "plane", "curve"),
-        }.get(self.value, (self.value,))
 
 
 class Measure(StrEnum):

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Pair
+from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -127,11 +128,12 @@ class DegreeClaim(Claim):
         degree = parse(self.claimed)
         if self.curve == ArgumentKind.TABLE:
             return degree.at({name: argument.degrees[name] for name in degree.names})
-        curve = argument
-        if isinstance(argument, Pair):
-            curve = argument.first if self.parameter == Parameter.S else argument.second
-        d = max(max(p.degree) if isinstance(p.degree, Degrees) else p.degree for p in curve.p)
-        return degree.at(dict.fromkeys(degree.names, int(d)))
+        known, values = argument.operands(), dict[str, int]()
+        for each in kind_of(self.curve).symbols(argument.dimension):
+            if each.parameter == self.parameter and each.degree.isidentifier() and each.name in known:
+                own = self._own(known[each.name].degree)
+                values[each.degree] = max(own, values.get(each.degree, 0))
+        return degree.at({name: values[name] for name in degree.names})
 
     def _computed(self, argument: Handed) -> int:
         if self.measure == Measure.REDUCED:

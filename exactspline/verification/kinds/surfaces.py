@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.geometry.ruled_surfaces import differences
 from exactspline.language.arguments import Curve, embedded
+from exactspline.language.kinds import POINT_IN_SPACE, Kind
 from exactspline.language.parts import split
 from exactspline.language.ruled import RuledSurface
 from exactspline.readings.differential_order import order_of
@@ -116,9 +117,9 @@ class IsoCurve(Claim):
     left: str = field(metadata=read(formula_name))
     right: str = field(metadata=read(formula_name))
 
-    def kinds_of(self, name: str) -> tuple[str, ...]:
+    def kind_of_field(self, name: str) -> Kind:
         """The right side speaks of the same curve in space."""
-        return ArgumentKind.POINT.formulas if name == "right" else super().kinds_of(name)
+        return POINT_IN_SPACE if name == "right" else super().kind_of_field(name)
 
     def validate(self) -> None:
         """Refuse anything but a plane curve with a point."""
