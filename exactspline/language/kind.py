@@ -33,11 +33,13 @@ Rule = Callable[[Mapping[str, Any]], Any]
 class Kind(ABC):
     """What formulas of one kind are handed.
 
-    `dimensions` are those of the curves for which there are formulas of the kind.
+    `dimensions` are those of the curves for which there are formulas of the kind; `made_of_a_curve` says whether one
+    curve alone gives an example.
     """
 
     name: str
     dimensions: tuple[int, ...]
+    made_of_a_curve = True
 
     @abstractmethod
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:

@@ -229,7 +229,8 @@ class Claim(Displayed):
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about single curves of that dimension and kind."""
-        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+        told = self.curve != ArgumentKind.TABLE and kind_of(self.curve).made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
