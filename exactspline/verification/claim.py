@@ -12,7 +12,7 @@ from typing import ClassVar, TypeVar
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, nearest
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
@@ -22,6 +22,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import Assumption, assumption
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -211,6 +212,15 @@ class Claim(Displayed):
     def find(self, name: str) -> Formula:
         """A formula of its paper, or of one that this paper uses."""
         return paper_named(self.paper).find(name)
+
+    @property
+    def of_pair(self) -> bool:
+        """Whether it speaks of two curves."""
+        return isinstance(kind_of(self.curve), PairKind)
+
+    def symbol(self, name: str) -> str:
+        """The LaTeX name of a formula of its paper."""
+        return symbol(name, self.find)
 
     @property
     def assumed(self) -> str:
