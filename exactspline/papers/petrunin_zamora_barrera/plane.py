@@ -43,16 +43,22 @@ def curvature_squared_of_graph(c):
     return graph_bend(c) ** 2 / (1 + graph_slope(c) ** 2) ** 3
 
 
+@formula("spiral lemma", on="plane")
+def towards_the_centre(c):
+    """``(1/k) N``: from the curve to its centre of curvature."""
+    return perp(c.gamma.d(1)) * (speed_squared(c) / turning_left(c))
+
+
 @formula("spiral lemma", on="plane", symbol=r"\omega")
 def centre_of_curvature(c):
     """``γ + (1/k) N``."""
-    return c.gamma + perp(c.gamma.d(1)) * (speed_squared(c) / turning_left(c))
+    return c.gamma + towards_the_centre(c)
 
 
 @formula("osculating circline", on="plane")
 def radius_squared(c):
     """The squared distance of the centre from the curve."""
-    return norm2(centre_of_curvature(c) - c.gamma)
+    return norm2(towards_the_centre(c))
 
 
 @formula("osculating circline", on="plane")
@@ -74,16 +80,10 @@ def centre_velocity(c):
     return centre_of_curvature(c).d(1)
 
 
-@formula("osculating circline, second-order contact", on="plane")
-def circle_contact(c):
-    """``(ω − γ)·γ″ − |γ′|²``: zero where the circle has second-order contact."""
-    return dot(centre_of_curvature(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
-
-
 @formula("osculating circline", on="plane")
 def circle_third_contact(c):
     """``(ω − γ)·γ‴ − 3 γ′·γ″``: zero where the contact is of third order."""
-    return dot(centre_of_curvature(c) - c.gamma, c.gamma.d(3)) - 3 * dot(c.gamma.d(1), c.gamma.d(2))
+    return dot(towards_the_centre(c), c.gamma.d(3)) - 3 * dot(c.gamma.d(1), c.gamma.d(2))
 
 
 @formula("supporting curves, vertex", on="plane")

@@ -52,13 +52,6 @@ def indicatrix_speed_squared(c):
     return (norm2(b) * speed_squared(c) - dot(a, b) ** 2) / speed_squared(c) ** 2
 
 
-@formula("ex:scaled-curvature")
-def scaled_acceleration_squared(c):
-    """The squared curvature of ``λγ`` for λ = 2."""
-    a, b = c.gamma.d(1) * 2, c.gamma.d(2) * 2
-    return (norm2(b) * norm2(a) - dot(a, b) ** 2) / norm2(a) ** 3
-
-
 @formula("chapter Torsion, Frenet frame", on="space", symbol=r"\|\gamma'\| \kappa B")
 def binormal_by_arc_length(c):
     """``γ′ × K``: the binormal ``B = T × N`` times ``|γ′|κ``."""
@@ -116,40 +109,16 @@ def sphere_offset_along_binormal(c):
     return binormal_by_arc_length(c) * (bend.d(1) / (2 * speed_squared(c) * bend**2 * torsion_by_derivatives(c)))
 
 
-@formula("section Spherical curves", on="space", symbol=r"p_{\mathrm{printed}}")
-def sphere_centre_printed(c):
-    """``γ + (1/κ)N + κ′/(κ²τ) B``: the centre of the osculating sphere as it is printed."""
-    return c.gamma + acceleration_by_arc_length(c) / acceleration_squared(c) + sphere_offset_along_binormal(c)
+@formula("section Spherical curves", on="space")
+def towards_the_circle(c):
+    """``(1/κ) N``: from the curve to the centre of its osculating circle."""
+    return acceleration_by_arc_length(c) / acceleration_squared(c)
 
 
 @formula("section Spherical curves", on="space")
 def sphere_centre_meant(c):
     """``γ + (1/κ)N − κ′/(κ²τ) B``."""
-    return c.gamma + acceleration_by_arc_length(c) / acceleration_squared(c) - sphere_offset_along_binormal(c)
-
-
-@formula("section Spherical curves, third-order contact", on="space")
-def printed_contact_1(c):
-    """``(p − γ)·γ′`` for the centre that is printed."""
-    return dot(sphere_centre_printed(c) - c.gamma, c.gamma.d(1))
-
-
-@formula("section Spherical curves, third-order contact", on="space")
-def printed_contact_2(c):
-    """``(p − γ)·γ″ − |γ′|²``."""
-    return dot(sphere_centre_printed(c) - c.gamma, c.gamma.d(2)) - speed_squared(c)
-
-
-@formula("section Spherical curves, third-order contact", on="space")
-def printed_contact_3(c):
-    """``(p − γ)·γ‴ − 3 γ′·γ″``: zero where the sphere has third-order contact."""
-    return dot(sphere_centre_printed(c) - c.gamma, c.gamma.d(3)) - 3 * dot(c.gamma.d(1), c.gamma.d(2))
-
-
-@formula("section Spherical curves, third-order contact", on="space")
-def meant_contact_3(c):
-    """The same for the centre with the other sign."""
-    return dot(sphere_centre_meant(c) - c.gamma, c.gamma.d(3)) - 3 * dot(c.gamma.d(1), c.gamma.d(2))
+    return c.gamma + towards_the_circle(c) - sphere_offset_along_binormal(c)
 
 
 @formula("section Spherical curves", on="space")

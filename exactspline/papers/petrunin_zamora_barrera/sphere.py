@@ -41,11 +41,17 @@ def spherical_curvature_excess(c):
     return norm2(spherical_acceleration(c)) - 1
 
 
+@formula("ex:curvature-of-spherical-curve", on="plane", symbol="|S'|^2")
+def spherical_speed_squared(c):
+    """``|S′|²``."""
+    return norm2(spherical_curve(c).d(1))
+
+
 @formula("ex:curvature-of-spherical-curve", on="plane")
-def geodesic_curvature_squared(c):
-    """``[S S′ S″]² / |S′|⁶``: a square, which is why κ is at least 1."""
+def geodesic_bending(c):
+    """``[S S′ S″] S′``, of the length ``|[S S′ S″]| |S′|``."""
     s = spherical_curve(c)
-    return det(s, s.d(1), s.d(2)) ** 2 / norm2(s.d(1)) ** 3
+    return s.d(1) * det(s, s.d(1), s.d(2))
 
 
 @formula("ex:spherical-frenet, tau", on="plane")
