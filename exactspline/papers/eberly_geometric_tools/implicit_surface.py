@@ -40,31 +40,19 @@ def mean_in_the_code(c):
 @formula(PLACE, on="implicit surface", symbol=r"\mathrm{adj}_1")
 def adjugate_1(c):
     """The first row of ``adj(D²F)``, as the comment has it."""
-    return join(
-        c.fyy * c.fzz - c.fyz * c.fyz,
-        c.fyz * c.fxz - c.fxy * c.fzz,
-        c.fxy * c.fyz - c.fxz * c.fyy,
-    )
+    return join(c.fyy * c.fzz - c.fyz * c.fyz, c.fyz * c.fxz - c.fxy * c.fzz, c.fxy * c.fyz - c.fxz * c.fyy)
 
 
 @formula(PLACE, on="implicit surface", symbol=r"\mathrm{adj}_2")
 def adjugate_2(c):
     """The second row."""
-    return join(
-        c.fyz * c.fxz - c.fxy * c.fzz,
-        c.fxx * c.fzz - c.fxz * c.fxz,
-        c.fxy * c.fxz - c.fxx * c.fyz,
-    )
+    return join(c.fyz * c.fxz - c.fxy * c.fzz, c.fxx * c.fzz - c.fxz * c.fxz, c.fxy * c.fxz - c.fxx * c.fyz)
 
 
 @formula(PLACE, on="implicit surface", symbol=r"\mathrm{adj}_3")
 def adjugate_3(c):
     """The third row."""
-    return join(
-        c.fxy * c.fyz - c.fxz * c.fyy,
-        c.fxy * c.fxz - c.fxx * c.fyz,
-        c.fxx * c.fyy - c.fxy * c.fxy,
-    )
+    return join(c.fxy * c.fyz - c.fxz * c.fyy, c.fxy * c.fxz - c.fxx * c.fyz, c.fxx * c.fyy - c.fxy * c.fxy)
 
 
 @formula("Hessian matrix", on="implicit surface")
