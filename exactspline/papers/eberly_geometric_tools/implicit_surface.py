@@ -187,7 +187,12 @@ def principal_discriminant(c):
 
 
 @formula("Euler's theorem", on="implicit surface")
-def discriminant_as_squares(c):
-    """``(L² aᵀD²Fa − bᵀD²Fb)² + (2L)² (aᵀD²Fb)²``: no principal curvature is complex."""
-    n = length_squared(c)
-    return (form_along(c) * n - form_across(c)) ** 2 + 4 * n * form_mixed(c) ** 2
+def form_difference(c):
+    """``L² aᵀD²Fa − bᵀD²Fb``: the difference of the two normal curvatures, times ``L³‖γ′‖²``."""
+    return form_along(c) * length_squared(c) - form_across(c)
+
+
+@formula("Euler's theorem", on="implicit surface")
+def form_mixed_on_gradient(c):
+    """``2 (aᵀD²Fb) DF``, of the length ``2L |aᵀD²Fb|``."""
+    return c.gradient_f * (2 * form_mixed(c))
