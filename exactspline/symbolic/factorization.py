@@ -188,7 +188,7 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
     if polynomial:
         return []
     known = JetReading(order).argument(kind, dimension).operands()
-    jets = [(name, known[name]) for name in ("w", "W") if name in known]
+    jets = [(name, known[name]) for name in ("w", "W") if name in known and (name, 0) in known[name].ring.index]
     return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
 
 
