@@ -116,7 +116,7 @@ class Construction:
                 f"the form {variant!r} of {self.name} is no power of w away from the first",
                 remedy="its sign is another one",
             )
-        return next((e for _, _, e in factor.powers), 0)
+        return next((e for _, e in factor.powers), 0)
 
     def sign(self, curve: Curve[BSpline], variant: Variant | str) -> int:
         """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
