@@ -76,7 +76,7 @@ class Ends:
         if self._w:
             reciprocal = _series(self._w, segment, side).reciprocal()
             series = [x * reciprocal for x in series]
-        derivatives = [[x.d(k).value for x in series] for k in range(ORDER + 1)]
+        derivatives = [[x.d(k).coefficients[0] for x in series] for k in range(ORDER + 1)]
         first, second, third, fourth = map(tuple, derivatives)
         return first, second, third, fourth
 

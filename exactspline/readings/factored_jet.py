@@ -64,7 +64,7 @@ class FactoredJet(Operand):
         """Multiplied out."""
         return multiplied(self.ring, self.powers) * self.unit
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -75,13 +75,13 @@ class FactoredJet(Operand):
         _remember(self.ring, powers)
         return FactoredJet(self.ring, self.unit * right.unit, powers, provenance)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, 1, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, -1, DIFFERENCE)
 
-    def _sum(self, other: Any, sign: int, name: int) -> Any:
+    def _sum(self, other: object, sign: int, name: int) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
 from math import gcd
-from typing import Any
+from typing import Any, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -48,13 +48,13 @@ class SympyExpression(FieldOperand):
         """An exact constant."""
         return SympyExpression(_number(value))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return SympyExpression(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -132,7 +132,7 @@ class SympyReading(Reading):
             parameter = PARAMETER[symbol.parameter]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:
-                function = _linked(symbol.text, lambda: rules[symbol.name](known).expression)
+                function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
             return SympyExpression(function(parameter), frozenset({parameter}))
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}

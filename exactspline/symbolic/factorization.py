@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import gcd, lcm
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from flint import fmpq_mpoly
 
@@ -108,7 +108,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
 
     Raises `ClaimError` when the right side vanishes identically.
     """
-    (ps, _), (qs, _) = split(left), split(right)
+    (ps, _), (qs, _) = split(cast(Any, left)), split(cast(Any, right))
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
         raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
@@ -184,26 +184,26 @@ def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
     return [(name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero]
 
 
-def named_values(ring: JetRing) -> list[tuple[str, Any]]:
+def named_values(ring: JetRing) -> list[tuple[str, object]]:
     """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
-    found: list[tuple[str, Any]] = []
+    found: list[tuple[str, object]] = []
     for source in papers():
         found += _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
     return _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial) + found
 
 
 @cache
-def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, object]]:
     """The denominators of the curves by their names."""
     if polynomial:
         return []
-    known = JetReading(order).argument(kind, dimension).operands()
+    known: Mapping[str, Any] = JetReading(order).argument(kind, dimension).operands()
     jets = [(name, known[name]) for name in ("w", "W") if name in known]
     return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
 
 
 @cache
-def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, object]]:
     """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
     c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
     return [
