@@ -129,6 +129,6 @@ def main() -> None:
         sys.exit(2)
     except OSError as error:
         # what could not be written must not be tried again when Python closes its files
-        sys.stdout = None  # type: ignore[assignment]  # Python itself sets it so where there is none
+        sys.stdout = None  # Python itself sets it so where there is none
         sys.stderr.write(f"error: the output cannot be written ({error.strerror})\n")
         sys.exit(2)

@@ -139,7 +139,7 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
             f"the form {form!r} of {construction} is no power of w away from the first",
             remedy="its sign is another one",
         )
-    return next((e for _, _, e in factor.powers), 0)
+    return next((e for _, e in factor.powers), 0)
 
 
 @cache

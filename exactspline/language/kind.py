@@ -27,7 +27,7 @@ class Symbol:
 
 
 #: The derivative of an operand from all the operands by name: the chain rule, where operands depend on each other.
-Rule = Callable[[Mapping[str, Any]], Any]
+Rule = Callable[[Mapping[str, Any]], object]
 
 
 class Kind(ABC):

@@ -5,10 +5,10 @@ any other reading.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from enum import StrEnum
 from operator import add, attrgetter, mul, sub, truediv
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Argument
@@ -65,37 +65,37 @@ class Node(Operand, OwnVectors):
     def __init__(self, op: Operation, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False) -> None:
         self.op, self.args, self.value, self.is_vector = op, args, value, vector
 
-    def _node(self, other: Any) -> Node | None:
+    def _node(self, other: object) -> Node | None:
         if isinstance(other, Node):
             return other
         return Node(Operation.NUMBER, value=other) if isinstance(other, CONSTANTS) else None
 
-    def _binary(self, op: Operation, other: Any) -> Any:
+    def _binary(self, op: Operation, other: object) -> Any:
         right = self._node(other)
         return NotImplemented if right is None else Node(op, (self, right), vector=self.is_vector or right.is_vector)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._binary(Operation.PLUS, other)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._binary(Operation.MINUS, other)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.MINUS, self)
 
-    def __radd__(self, other: Any) -> Any:
+    def __radd__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.PLUS, self)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         return self._binary(Operation.TIMES, other)
 
-    def __rmul__(self, other: Any) -> Any:
+    def __rmul__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.TIMES, self)
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         return self._binary(Operation.OVER, other)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.OVER, self)
 
     def __neg__(self) -> Node:
@@ -122,35 +122,33 @@ class Node(Operand, OwnVectors):
         """The node of a constant."""
         return Node(Operation.NUMBER, value=value)
 
-    def dividing(self, numerator: Any) -> Node:
+    def dividing(self, numerator: object) -> Node:
         """The node of a quotient with this denominator."""
         left = self._node(numerator)
         return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
-    def times_vector(self, vector: Vector[Any]) -> Any:
+    def times_vector(self, vector: Vector[Operand]) -> Node:
         """A tree has no vectors but its own."""
-        return NotImplemented
+        refused: Node = NotImplemented
+        return refused
 
-    def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Node:
+    def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Node:
         """The node of a product of vectors."""
         op = Operation(function.__name__)
-        return Node(op, tuple(vectors), vector=op in VECTOR_PRODUCTS)
+        return Node(op, cast("tuple[Node, ...]", vectors), vector=op in VECTOR_PRODUCTS)
 
-    def joining(self, parts: tuple[Any, ...]) -> Node:
+    def joining(self, parts: tuple[object, ...]) -> Node:
         """The node of a vector put together."""
-        return Node(
-            Operation.JOIN,
-            tuple(Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts),
-            vector=True,
-        )
+        own = (Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts)
+        return Node(Operation.JOIN, cast("tuple[Node, ...]", tuple(own)), vector=True)
 
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""
         return Node(Operation.RULED, (self, generator))
 
-    def levelled(self, height: Any) -> tuple[Node, Node]:
+    def levelled(self, height: object) -> tuple[Node, Node]:
         """The nodes of this normal and its height, brought to one denominator."""
-        row = (self, height if isinstance(height, Node) else self.constant(height))
+        row = (self, height if isinstance(height, Node) else self.constant(cast(Constant, height)))
         return Node(Operation.LEVEL, row, 0, vector=self.is_vector), Node(Operation.LEVEL, row, 1)
 
     @property

@@ -6,13 +6,11 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from flint import fmpz_poly
-
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq, ratio, text
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
-from exactspline.roots.isolation import Factor, Isolation, isolate
+from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 
@@ -106,8 +104,7 @@ class ZeroSet(Immutable, Displayed):
         )
 
     def __reduce__(self) -> tuple[object, ...]:
-        isolations = [i and i._replace(factors=_pickled(i.factors)) for i in self.isolations]
-        return _restored, (self.spline, self.periodic, isolations, self.roots, self.jumps, self.intervals)
+        return _restored, (self.spline, self.periodic, self.isolations, self.roots, self.jumps, self.intervals)
 
     def _facts(self) -> tuple[Any, ...]:
         roots = [(r, r.left_multiplicity, r.right_multiplicity, r.signs) for r in self.roots]
@@ -151,17 +148,10 @@ class ZeroSet(Immutable, Displayed):
         return certificate(self)
 
 
-def _pickled(factors: list[tuple[fmpz_poly, int]] | None) -> Any:
-    return factors and [(Factor(p), k) for p, k in factors]
-
-
-def _restored(
-    spline: BSpline, periodic: bool, isolations: list[Any], roots: Any, jumps: Any, intervals: Any
-) -> ZeroSet:
+def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
     """What was pickled, its roots as far as they were refined."""
     found = object.__new__(ZeroSet)
-    back = [i and i._replace(factors=i.factors and [(f.polynomial, k) for f, k in i.factors]) for i in isolations]
-    fill(found, spline=spline, periodic=periodic, isolations=tuple(back), roots=roots, jumps=jumps, intervals=intervals)
+    fill(found, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals)
     return found
 
 

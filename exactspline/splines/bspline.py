@@ -225,13 +225,13 @@ class BSpline(Immutable, _Parts, Operand):
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
         return _make(0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Any, name: int) -> Any:
         if type(other) is not BSpline:
             if not isinstance(other, CONSTANTS):
                 return NotImplemented
@@ -252,7 +252,7 @@ class BSpline(Immutable, _Parts, Operand):
             n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
         )
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)

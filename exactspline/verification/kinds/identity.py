@@ -75,6 +75,8 @@ class Identity(Claim):
             witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
             return Finding(REFUTED, self.factor, "not proportional", "", witness)
         order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, order, self.find)
         if bottom.is_zero:
             return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
@@ -113,6 +115,8 @@ class Identity(Claim):
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
         (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
         assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, argument, self.find)
         factor = printed_factor(self.factor, argument)
         if all(x.is_zero for x in (*ps, *qs)):
