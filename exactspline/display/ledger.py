@@ -159,7 +159,8 @@ ARGUMENTS = {
     "pair": "two space curves",
     "point": "a point and a space curve",
     "plane point": "a point and a plane curve",
-    "framed": "curves with their frames",
+    "framed plane": "plane curves with their frames",
+    "framed space": "space curves with their frames",
 }
 
 

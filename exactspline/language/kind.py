@@ -33,9 +33,11 @@ Rule = Callable[[Mapping[str, Any]], object]
 class Kind(ABC):
     """What formulas of one kind are handed.
 
-    `dimensions` are those of the curves for which there are formulas of the kind.
+    `dimensions` are those of the curves for which there are formulas of the kind; one that `adjoins_roots` exists in
+    readings that can divide, not on splines and not in degrees.
     """
 
+    adjoins_roots: bool = False
     name: str
     dimensions: tuple[int, ...]
 

@@ -17,7 +17,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import Jet, JetRing
 
 
 class JetFraction(FieldOperand):
@@ -140,6 +140,10 @@ class RationalJetReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Every operand an indeterminate."""
-        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
-        argument: Evaluated = jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
-        return argument
+        ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
+
+        def fraction(x: Jet) -> JetFraction:
+            return JetFraction(ring, x.polynomial, ring.context.constant(1))
+
+        one = fraction(ring.number(1))
+        return kind.argument(dimension, lambda symbol: fraction(ring[symbol.name]), one, polynomial=polynomial)

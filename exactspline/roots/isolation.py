@@ -25,7 +25,6 @@ DEPTH = 10
 #: A prime for the square-free test: any prime that does not divide the leading coefficient and the degree gives a
 #: proof.
 PRIME = (1 << 61) - 1
-_PRIME = fmpz(PRIME)
 
 
 class Factor:
@@ -103,6 +102,10 @@ class Isolation(NamedTuple):
     factors: Factorization[Factor] | None
 
 
+#: The leaves where all coefficients have one sign.
+NO_CHANGE = [Leaf(0, 0, 0)]
+
+
 def isolate(c: fmpz_poly, n: int) -> Isolation:
     """All zeros on [0, 1] of the non-zero form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ``.
 
@@ -110,12 +113,13 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
     [('0', '1/2'), ('1/2', '1')]
     """
-    at_left = next(i for i, x in enumerate(c.coeffs()) if x != 0)
-    at_right = n - c.degree()
+    signs_of_all = [1 if x > 0 else -1 if x < 0 else 0 for x in c.coeffs()]
+    at_left = 0 if signs_of_all[0] else next(i for i, x in enumerate(signs_of_all) if x)
+    at_right = n + 1 - len(signs_of_all)
+    signs = signs_of_all[at_left], signs_of_all[-1]
+    if 1 not in signs_of_all or -1 not in signs_of_all:
+        return Isolation(at_left, at_right, signs, [], NO_CHANGE, [], None)
     inner = c.right_shift(at_left) if at_left else c
-    signs = (_sign(inner[0]), _sign(inner[inner.degree()]))
-    if variations(inner) == 0:
-        return Isolation(at_left, at_right, signs, [], [Leaf(0, 0, 0)], [], None)
     inner, _ = divide_u_plus_v(inner // inner.content(), inner.degree())
     search = _Search(inner, DEPTH)
     if search.finished:
@@ -186,7 +190,7 @@ def certainly_square_free(c: fmpz_poly) -> bool:
     >>> certainly_square_free(fmpz_poly([1, -3, 1])), certainly_square_free(fmpz_poly([1, -2, 1]))
     (True, False)
     """
-    image = nmod_poly([x % _PRIME for x in c.coeffs()], PRIME)
+    image = nmod_poly(c, PRIME)
     return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
 
 

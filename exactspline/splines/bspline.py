@@ -121,6 +121,19 @@ class BSpline(Immutable, _Parts, Operand):
         polynomials, denominators = zip(*forms, strict=True)
         return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
 
+    @classmethod
+    def from_parts(
+        cls,
+        degree: int,
+        mesh: Mesh,
+        continuity: tuple[int, ...],
+        polynomials: tuple[fmpz_poly, ...],
+        denominators: tuple[fmpz, ...],
+        provenance: Provenance,
+    ) -> BSpline:
+        """The spline with these forms, polynomials and denominators apart; the caller vouches for the rest."""
+        return _make(degree, mesh, continuity, polynomials, denominators, provenance)
+
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller vouches that they are the same functions."""
         made = BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance)

@@ -7,7 +7,7 @@ import re
 from exactspline.readings.printing.printer import ATOM, PRODUCT, Printer, leaf, named_binding, number
 from exactspline.readings.tree import Node, Operation
 
-_GREEK = {"gamma": r"\gamma"}
+_GREEK = {"gamma": r"\gamma", "sigma": r"\sigma", "rho": r"\rho"}
 
 
 class LatexPrinter(Printer):
