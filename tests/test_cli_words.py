@@ -40,6 +40,8 @@ DOCUMENTS = {
     "conditioning": ["conditioning", "ellipse_skew", "--json"],
     "curves": ["curves", "--json"],
     "glossary": ["glossary", "--json"],
+    "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
+    "questions": ["oracle", "--list", "--json"],
     "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
 }
 

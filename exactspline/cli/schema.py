@@ -57,7 +57,9 @@ def schema_of(name: str) -> dict[str, object]:
         "type": "object",
         "required": [field for field, told in fields.items() if not told.get("optional")],
         "additionalProperties": False,
-        "properties": {field: {"type": told["type"]} for field, told in fields.items()},
+        "properties": {
+            field: {word: what for word, what in told.items() if word != "optional"} for field, told in fields.items()
+        },
     }
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
