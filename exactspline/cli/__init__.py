@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from exactspline.cli import (
+    bench,
     bisector,
     conditioning,
     convert,
@@ -77,6 +78,7 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
         "sweep curves/ --claim C4.1 -o verdicts.parquet",
     ),
+    bench.bench: ("Times, beside other libraries.", "bench", "bench forms roots --plot bench.svg", "bench --json"),
     convert.convert: (
         "Convert files of curves.",
         "convert drawing.dxf curves.json",
