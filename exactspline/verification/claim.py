@@ -12,7 +12,7 @@ from typing import ClassVar, TypeVar
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, nearest
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
@@ -22,6 +22,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import Assumption, assumption
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -149,6 +150,8 @@ class Claim(Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[str] = "jet"
+    #: Whether such claims can be decided where roots are adjoined.
+    of_frames: ClassVar[bool] = False
 
     paper: str
     id: str
@@ -191,6 +194,13 @@ class Claim(Displayed):
                 remedy="name the error, or leave the field out",
             )
 
+        if kind_of(self.curve).adjoins_roots and not self.of_frames:
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
+                where="curve",
+                remedy="splines and degrees have no roots: state an identity",
+            )
+
     def validate(self) -> None:
         """Refuse combinations that say nothing, with `ClaimError`."""
 
@@ -218,6 +228,15 @@ class Claim(Displayed):
         return paper_named(self.paper).find(name)
 
     @property
+    def of_pair(self) -> bool:
+        """Whether it speaks of two curves."""
+        return isinstance(kind_of(self.curve), PairKind)
+
+    def symbol(self, name: str) -> str:
+        """The LaTeX name of a formula of its paper."""
+        return symbol(name, self.find)
+
+    @property
     def assumed(self) -> str:
         """Context and assumptions in words."""
         return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
@@ -233,8 +252,10 @@ class Claim(Displayed):
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it says anything about single curves of that dimension and kind."""
-        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+        """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
