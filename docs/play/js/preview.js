@@ -37,6 +37,16 @@ const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
 const times = (c, a) => [c * a[0], c * a[1]];
 const det = (a, b) => a[0] * b[1] - a[1] * b[0];
 
+// The values of a spline function at so many parameters of its domain.
+export function values({ knots, degree, ordinates }, count = 240) {
+  const points = ordinates.map((y) => [y]);
+  const [low, high] = [knots[degree], knots[knots.length - 1 - degree]];
+  return Array.from({ length: count + 1 }, (_, k) => {
+    const t = low + ((high - low) * k) / count;
+    return [t, deBoor(knots, degree, points, t)[0]];
+  });
+}
+
 // A function t ↦ {point, tangent, curvature, centre} of a curve as the pages hold it.
 export function preview(curve) {
   const knots = curve.knots.map(double);

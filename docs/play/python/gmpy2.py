@@ -10,7 +10,7 @@ from numbers import Rational
 __all__ = ["gcd", "iroot", "is_square", "isqrt", "lcm", "mpq", "mpz"]
 
 
-class mpz(int):
+class mpz(int):  # noqa: N801  # gmpy2's name
     """Integers that stay of this type under the ring's operations."""
 
     def __repr__(self) -> str:
@@ -20,10 +20,11 @@ class mpz(int):
         return int.__repr__(self)
 
 
-class mpq(Fraction):
+class mpq(Fraction):  # noqa: N801  # gmpy2's name
     """Fractions that stay of this type under the field's operations."""
 
     def __new__(cls, numerator=0, denominator=None):
+        """From numbers or text, like `Fraction`."""
         value = super().__new__(cls, _plain(numerator), None if denominator is None else _plain(denominator))
         value._numerator, value._denominator = mpz(value._numerator), mpz(value._denominator)
         return value
@@ -51,12 +52,27 @@ def _closed(kind, plain, name):
     return method
 
 
-_BOTH = ("add", "radd", "sub", "rsub", "mul", "rmul", "floordiv", "rfloordiv", "mod", "rmod", "neg", "pos", "abs", "pow")
+_BOTH = (
+    "add",
+    "radd",
+    "sub",
+    "rsub",
+    "mul",
+    "rmul",
+    "floordiv",
+    "rfloordiv",
+    "mod",
+    "rmod",
+    "neg",
+    "pos",
+    "abs",
+    "pow",
+)
 for _kind, _plain_kind, _more in (
     (mpz, int, ("lshift", "rshift", "floor", "ceil")),
     (mpq, Fraction, ("truediv", "rtruediv", "floor", "ceil")),
 ):
-    for _name in _BOTH + _more:
+    for _name in (*_BOTH, *_more):
         setattr(_kind, f"__{_name}__", _closed(_kind, _plain_kind, f"__{_name}__"))
 
 

@@ -4,6 +4,8 @@ import json
 from collections.abc import Callable
 from typing import Any
 
+from mpmath import mp, nstr
+
 import exactspline as xs
 
 DIGITS = 15
@@ -30,11 +32,7 @@ def features(data: dict[str, Any]) -> dict[str, Any]:
         for joint in found.joints
         if not joint.tangent_continuous
     ]
-    pieces = {
-        "straight": found.straight,
-        "of constant curvature": found.constant,
-        "standing still": found.standing,
-    }
+    pieces = {"straight": found.straight, "of constant curvature": found.constant, "standing still": found.standing}
     return {
         "features": sorted(listed, key=lambda f: f["double"]),
         "joints": joints,
@@ -53,7 +51,7 @@ def digits(data: dict[str, Any]) -> dict[str, str]:
     root = group[data["group"]][data["index"]].root
     exact = root.exact
     return {
-        "decimal": root.decimal(data["digits"]),
+        "decimal": _decimal(root, data["digits"]),
         "exact": str(exact) if exact is not None else "",
         "polynomial": "" if exact is not None else str(root.minimal_polynomial()),
     }
@@ -71,19 +69,18 @@ def forms(data: dict[str, Any]) -> list[dict[str, Any]]:
                 "variant": variant,
                 "degree": form.degree,
                 "controls": len(form.control_points),
+                "knots": [float(u) for u in form.knots],
                 "abscissae": [float(u) for u in xs.greville_abscissae(form)],
                 "ordinates": [float(c / largest) for c in form.control_points],
-                "values": _values(form, largest),
                 "zeros": [float(root) for root in found.roots],
             }
         )
     return told
 
 
-def _values(form: Any, largest: Any, count: int = 64) -> list[list[float]]:
-    low, high = form.domain
-    places = [low + (high - low) * k / count for k in range(count + 1)]
-    return [[float(t), float(form(t) / largest)] for t in places]
+def _decimal(root: Any, count: int) -> str:
+    with mp.workdps(count + 10):
+        return str(nstr(root.mpf(count + 2), count))
 
 
 def _feature(curve: Any, group: str, feature: Any) -> dict[str, Any]:
@@ -92,7 +89,7 @@ def _feature(curve: Any, group: str, feature: Any) -> dict[str, Any]:
     told = {
         "group": group,
         "kind": str(feature.kind),
-        "t": str(root.exact) if root.exact is not None else root.decimal(DIGITS),
+        "t": str(root.exact) if root.exact is not None else _decimal(root, DIGITS),
         "exact": root.exact is not None,
         "double": float(root),
         "point": list(point),
