@@ -45,7 +45,9 @@ def reduce(
 
     one = bool(name) and not everything
     chosen = (
-        [_guarded(name, lambda: _formula(name))] if one else [f for f in all_formulas().values() if f.kind is not TABLE]
+        [_guarded(name, lambda: _formula(name))]
+        if one
+        else [f for f in all_formulas().values() if f.kind is not TABLE and not f.kind.adjoins_roots]
     )
     calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
     found = tracked(calls, "reducing")

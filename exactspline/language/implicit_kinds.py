@@ -42,6 +42,8 @@ class ImplicitKind(Kind):
     True
     """
 
+    made_of_a_curve = False
+
     def __init__(self, name: str, dimension: int, functions: str) -> None:
         self.name, self.dimensions, self.functions = name, (dimension,), functions
         self.axes = "xyz"[:dimension]

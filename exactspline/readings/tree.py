@@ -16,6 +16,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.language.linear_system import level
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
+from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
 from exactspline.language.services import service
@@ -231,6 +232,25 @@ class TreeReading(Reading):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Traced:
         """Leaves by name."""
         return Traced(kind, dimension, expand=self.expand)
+
+
+def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
+    """Whether a formula is made of γ, whatever its denominator: then what holds for indeterminate coordinates of γ
+    holds for rational curves.
+
+    >>> from exactspline.papers import find
+    >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)
+    (True, False)
+    """
+    found = joined(trace(formula, dimension, expand=True))
+    todo = list(found) if isinstance(found, Vector) else [found]
+    while todo:
+        node = todo.pop()
+        if isinstance(node, Node):
+            if node.op == "leaf" and node.value in ("p", "w"):
+                return False
+            todo += node.args
+    return True
 
 
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:

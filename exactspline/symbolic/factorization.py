@@ -26,7 +26,7 @@ from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.readings.tree import trace
+from exactspline.readings.tree import speaks_of_gamma_alone, trace
 from exactspline.symbolic.substitution import substitute
 
 
@@ -95,6 +95,17 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
     return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
+
+
+def jets_with_roots(formulas: Iterable[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
+    """The same with the roots of the frame adjoined. Where neither formulas nor factor speak of the denominator, γ has
+    indeterminate coordinates: w = 1.
+    """
+    chosen = list(formulas)
+    alone = (
+        all(speaks_of_gamma_alone(each, dimension) for each in chosen) and "w" not in factor.replace("^", " ").split()
+    )
+    return jets_for(chosen, dimension, polynomial=polynomial or alone)
 
 
 def find_factor(left: Value, right: Value) -> Factor | None:
@@ -198,7 +209,7 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
     if polynomial:
         return []
     known: Mapping[str, Any] = JetReading(order).argument(kind, dimension).operands()
-    jets = [(name, known[name]) for name in ("w", "W") if name in known]
+    jets = [(name, known[name]) for name in ("w", "W") if name in known and (name, 0) in known[name].ring.index]
     return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
 
 

@@ -265,7 +265,8 @@ def reduce(
     Raises `FormulaError` when the function returns nothing of the kind, `ShapeError` when it does not fit the
     dimension.
     """
-    chosen = [dimension] if dimension else _dimensions(formula)
+    known = _dimensions(formula)
+    chosen = [dimension] if dimension else known
     for n in chosen[:-1]:
         try:
             return _reduced(formula, n, polynomial)
@@ -284,6 +285,10 @@ def _dimensions(formula: Any) -> list[int]:
     kind = _kind(formula)
     if kind is TABLE:
         raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="reduce formulas of a curve")
+    if kind.adjoins_roots:
+        raise FormulaError(
+            f"{name_of_function(formula)} has roots in it", remedy="reduce a rational formula: a square, a product"
+        )
     return list(kind.dimensions)
 
 

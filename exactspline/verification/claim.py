@@ -253,8 +253,9 @@ class Claim(Displayed):
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
-        on_splines = self.curve != ArgumentKind.TABLE and not kind_of(self.curve).adjoins_roots
-        return on_splines and dimension in self.dimensions and polynomial in self.of.worlds
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod

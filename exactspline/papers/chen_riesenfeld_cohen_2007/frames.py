@@ -9,13 +9,13 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0
 from exactspline.papers.chen_riesenfeld_cohen_2007.space import binormal, normal, rectifying_developable, torsion
 
 
-@formula("eq. (7)", on="framed", symbol=r"\sigma")
+@formula("eq. (7)", on="framed")
 def speed(c):
     """``‖γ′‖``."""
     return c.sigma
 
 
-@formula("eq. (13)", on="framed space", symbol=r"\rho")
+@formula("eq. (13)", on="framed space")
 def binormal_length(c):
     """``‖γ′ × γ″‖``."""
     return c.rho

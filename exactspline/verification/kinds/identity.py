@@ -11,7 +11,7 @@ from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.symbolic.factorization import jets_for
+from exactspline.symbolic.factorization import jets_for, jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.curve_check import printed_factor, where_it_differs
@@ -88,7 +88,8 @@ class Identity(Claim):
     def _over_roots(self, dimension: int, polynomial: bool) -> Finding:
         """The same where a quotient is no product of polynomials: component by component."""
         left, right = self.find(self.left), self.find(self.right)
-        c = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        formulas = (left, right, *self._factors())
+        c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)
         ps, qs = split(left(c))[0], split(right(c))[0]
         top, bottom = factor_of_text(self.factor, c, self.find)
         if all(x.is_zero for x in (*ps, *qs)):
@@ -182,11 +183,13 @@ class Vanishing(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
         formula = self.find(self.left)
-        components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
+        roots = kind_of(self.curve).adjoins_roots
+        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
+        components = split(formula(jets or jets_for((formula,), dimension, polynomial=polynomial)))[0]
         rest = next((c for c in components if not c.is_zero), None)
         if rest is None:
             return Finding(PROVED, "0", "0")
-        if kind_of(self.curve).adjoins_roots:
+        if roots:
             return Finding(REFUTED, "0", "not zero", witness=f"component {components.index(rest) + 1} is not zero")
         witness = self.refuted_on_examples().witness or "the jet polynomial is not zero"
         return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness)
