@@ -15,6 +15,7 @@ from exactspline.language.services import register
 
 if TYPE_CHECKING:
     from exactspline.batch.families import Family as Family
+    from exactspline.batch.oracle import oracle as oracle
     from exactspline.batch.sweep import sweep as sweep
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
@@ -181,6 +182,7 @@ _HOMES = {
     "zero_form": "geometry.zero_forms:zero_form",
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",
+    "oracle": "batch.oracle:oracle",
     # what is made of curves
     "bisector": "geometry.bisector.any_pair:bisector",
     "curvature": "geometry.curvature:curvature",

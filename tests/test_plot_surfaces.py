@@ -103,7 +103,7 @@ def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
         assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum(
             (a - b) ** 2 for a, b in zip(p, q, strict=True)
         )
-    ax = plot_bisector(curve, q, variant=variant)
+    ax = plot_bisector(curve, q, formula=variant)
     assert f"bisector: degree {surface.degree}" in legend(ax)
 
 
@@ -196,7 +196,7 @@ def test_errors_say_what_would_be_right():
     with pytest.raises(ShapeError, match="two curves in space"):
         plot_bisector(example("ellipse"), example("circle"))
     with pytest.raises(FormulaError, match="'point'"):
-        plot_bisector(example("helix_like"), (0, 0, 0), variant="plane_bisector")
+        plot_bisector(example("helix_like"), (0, 0, 0), formula="plane_bisector")
 
 
 def test_a_surface_goes_with_the_curve_on_one_pair_of_axes():

@@ -5,7 +5,10 @@ joblib does all but the first; what it is given is bounded, and its results come
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import signal
+import threading
+import warnings
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
 from itertools import chain, islice
@@ -65,12 +68,41 @@ def mapped(
 
     chunks = _chunks(given)
     with ExitStack() as stack:
-        stack.enter_context(_configured(backend, jobs, scheduler))
-        parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=f"3*{jobs}"))
+        with _interrupts_ignored():
+            stack.enter_context(_configured(backend, jobs, scheduler))
+            parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=f"3*{jobs}"))
+            started = parallel(delayed(int)() for _ in range(jobs))
+        for _ in started:
+            pass
         for first in chunks:
             window = chain([first], islice(chunks, WINDOW * jobs - 1))
-            for results in parallel(delayed(call)(chunk) for chunk in window):
-                yield from results
+            yield from _taken(parallel(delayed(call)(chunk) for chunk in window))
+
+
+@contextmanager
+def _interrupts_ignored() -> Iterator[None]:
+    """Start processes that Ctrl-C does not reach, though the terminal sends it to all: it is this process that ends the
+    sweep, in order. A signal that is ignored stays so in the processes that are started meanwhile.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _taken(results: Generator[list[V]]) -> Iterator[V]:
+    """What is in the chunks of results. Who stops taking them has no use for those on their way, and knows it."""
+    try:
+        for chunk in results:
+            yield from chunk
+    finally:
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", ".*cancelled", UserWarning)
+            results.close()
 
 
 def _chunks(given: Iterable[T]) -> Iterator[list[T]]:
@@ -99,7 +131,7 @@ def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
     with ExitStack() as stack:
         try:
             at = scheduler or stack.enter_context(
-                LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=None)
+                LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=":0")
             )
             client = stack.enter_context(Client(at, set_as_default=False))
         except (OSError, ValueError) as error:

@@ -42,7 +42,7 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -54,7 +54,7 @@ class JetFraction(FieldOperand):
         left = _gcd(top, shared)
         return JetFraction(self.ring, top / left, mine * its * (shared / left))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented

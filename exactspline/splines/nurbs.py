@@ -195,8 +195,13 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     @property
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
-        a, b = self.domain
-        return self(a) == self(b, Side.LEFT)
+        w, n = self.w.polynomials, self.w.degree
+        # the denominators are those of one segment each, so that only the integers at the ends count
+        start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
+        return all(
+            x.polynomials[0][0] * x.denominators[-1] * end == x.polynomials[-1][x.degree] * x.denominators[0] * start
+            for x in self.p
+        )
 
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"

@@ -12,7 +12,7 @@ from typing import ClassVar, TypeVar
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, nearest
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
@@ -22,6 +22,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import Assumption, assumption
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -227,6 +228,15 @@ class Claim(Displayed):
         return paper_named(self.paper).find(name)
 
     @property
+    def of_pair(self) -> bool:
+        """Whether it speaks of two curves."""
+        return isinstance(kind_of(self.curve), PairKind)
+
+    def symbol(self, name: str) -> str:
+        """The LaTeX name of a formula of its paper."""
+        return symbol(name, self.find)
+
+    @property
     def assumed(self) -> str:
         """Context and assumptions in words."""
         return "; ".join([*([self.context] if self.context else []), *[each.words for each in self.assumes]])
@@ -243,8 +253,9 @@ class Claim(Displayed):
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
-        on_splines = self.curve != ArgumentKind.TABLE and not kind_of(self.curve).adjoins_roots
-        return on_splines and dimension in self.dimensions and polynomial in self.of.worlds
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod

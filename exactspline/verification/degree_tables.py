@@ -13,7 +13,7 @@ from exactspline.geometry.constructions import Construction, Variant, all_constr
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE
+from exactspline.language.kinds import CURVE, PAIR, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find
@@ -242,7 +242,7 @@ def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> 
     operands = DegreeReading().argument(lifted.kind, dimension, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
-        handed = _bisected(lifted.curve, witness(dimension, d, polynomial=polynomial))
+        handed = _bisected(lifted.kind, witness(dimension, d, polynomial=polynomial))
         value = Rational(Vector(*[substitute(jet, handed) for jet in numerator]), substitute(denominator, handed))
         degrees[d] = max(n for _, n in lowest_terms(value))
     return GenericRow(
@@ -271,12 +271,12 @@ class _Fixed:
         return self.values[order]
 
 
-def _bisected(kind: str, curve: Nurbs) -> Any:
+def _bisected(kind: Kind, curve: Nurbs) -> Any:
     """A curve with what it is bisected with: a point, or the derivatives of a second curve at one parameter; primes,
     for want of accidents.
     """
     primes = iter((2, 3, 5, 7, 11, 13, 17, 19))
-    if kind != "pair":
+    if kind is not PAIR:
         return Curve(
             curve.p, curve.w, polynomial=True, point=Vector(*[curve.w.constant(next(primes)) for _ in curve.p])
         )

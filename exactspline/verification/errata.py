@@ -18,7 +18,7 @@ from exactspline.verification.claims import claims_of
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
-from exactspline.verification.vocabulary import Measure, Status
+from exactspline.verification.vocabulary import Measure, Scope, Status
 
 
 @dataclass(frozen=True)
@@ -158,7 +158,7 @@ def check(claim: Claim) -> tuple[str, ...]:
             "from exactspline.papers import find",
             "from exactspline.readings.degree import DegreeReading",
             f'print(DegreeReading({parameter}).of(find("{claim.formula}"), {d}, '
-            f"polynomial={claim.of == 'polynomial'}).degree)",
+            f"polynomial={claim.of == Scope.POLYNOMIAL}).degree)",
         )
     if isinstance(claim, Count):
         return (

@@ -24,6 +24,7 @@ from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import Finding
+from exactspline.verification.vocabulary import Scope
 
 NAIVE, REDUCED = "naive", "reduced"
 
@@ -156,7 +157,7 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
 
 
 def _size(name: str, claim: Claim) -> int:
-    degree = _degree(name, claim, claim.of == "polynomial")
+    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
     return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 

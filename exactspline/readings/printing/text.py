@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import Node, Operation
 
 _GREEK = {"gamma": "γ", "sigma": "σ", "rho": "ρ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"}
 _SUBSCRIPT = {ord("_"): None, **str.maketrans("123", "₁₂₃")}
@@ -19,9 +19,9 @@ class TextPrinter(Printer):
 
     def atom(self, n: Node) -> tuple[str, int]:
         """A name or a number."""
-        if n.op == "number":
+        if n.op is Operation.NUMBER:
             return number(n.value)
-        if n.op == "named":
+        if n.op is Operation.NAMED:
             return _barred(symbol_text(n.value.symbol), n.value.barred), named_binding(n)
         name, barred = leaf(n.value)
         return _barred(_GREEK.get(name, name).translate(_SUBSCRIPT), barred), ATOM

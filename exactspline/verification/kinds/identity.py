@@ -17,7 +17,7 @@ from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, facto
 from exactspline.verification.curve_check import printed_factor, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.notation import factor_latex, symbol
+from exactspline.verification.notation import factor_latex
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
@@ -27,7 +27,7 @@ def stated_factor(claim: Claim, name: str, value: str) -> str:
     for part, _ in factor_parts(value):
         if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
             raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
-        if part == "W" and claim.curve != ArgumentKind.PAIR:
+        if part == "W" and not claim.of_pair:
             raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
         if part[0].isalpha() and part not in WEIGHTS:
             formula_name(claim, name, part)
@@ -58,7 +58,7 @@ class Identity(Claim):
     @property
     def latex(self) -> str:
         """Left side, factor, right side."""
-        return f"{symbol(self.left)} = {factor_latex(self.factor)}{symbol(self.right)}"
+        return f"{self.symbol(self.left)} = {factor_latex(self.factor, self.find)}{self.symbol(self.right)}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left = factor · right`` as differential polynomials."""
@@ -75,6 +75,8 @@ class Identity(Claim):
             witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
             return Finding(REFUTED, self.factor, "not proportional", "", witness)
         order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, order, self.find)
         if bottom.is_zero:
             return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
@@ -113,6 +115,8 @@ class Identity(Claim):
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
         (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
         assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, argument, self.find)
         factor = printed_factor(self.factor, argument)
         if all(x.is_zero for x in (*ps, *qs)):
@@ -174,7 +178,7 @@ class Vanishing(Claim):
     @property
     def latex(self) -> str:
         """The formula is zero."""
-        return rf"{symbol(self.left)} \equiv 0"
+        return rf"{self.symbol(self.left)} \equiv 0"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
