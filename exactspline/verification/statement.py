@@ -128,7 +128,8 @@ def sides(claim: Claim) -> tuple[Side, ...]:
 def _side(name: str, role: str, claim: Claim) -> Side:
     formula, tree = find(name), telling_tree(find(name), _dimension(name, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    degrees = [str(_degree(name, claim, polynomial)) for polynomial in (False, True)]
+    counted = [_degree(name, claim, polynomial) for polynomial in (False, True)]
+    degrees = ["–" if degree is None else str(degree) for degree in counted]
     return Side(
         role, name, formula.source, f"{shown} = {print_text(tree)}", f"{symbol(name)} = {print_latex(tree)}", *degrees
     )
@@ -140,8 +141,11 @@ def _dimension(name: str, claim: Claim) -> int:
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
-def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
+def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
+    """The degree of a formula, None where it has roots."""
     formula = find(name)
+    if formula.kind.adjoins_roots:
+        return None
     counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
     handed = (
         DegreeReading("d", *counts).argument(formula.kind, _dimension(name, claim), polynomial=polynomial)
@@ -154,7 +158,7 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
 
 def _size(name: str, claim: Claim) -> int:
     degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
-    return degree.at(dict.fromkeys(degree.names, 3))
+    return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:
