@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
@@ -12,13 +12,19 @@ from exactspline.cli.output import is_quiet
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.splines.nurbs import Nurbs
 
+if TYPE_CHECKING:
+    from exactspline.verification.claim import Claim
+
 __all__ = [
     "CURVE_HELP",
     "CurveFiles",
     "Digits",
     "Exact",
+    "Papers",
+    "Trust",
     "also_in_their_planes",
     "check_output",
+    "claims_of_papers",
     "described",
     "load_curve",
     "loaded",
@@ -30,6 +36,18 @@ CURVE_HELP = "A curve file (JSON), the name of an example curve, or - for standa
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
 ]
+Papers = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--paper",
+        metavar="PAPER",
+        help="A folder with formulas.py and claims.toml, the name of a paper that comes with exactspline, or all. "
+        "May be repeated.",
+    ),
+]
+Trust = Annotated[
+    bool, typer.Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
+]
 Digits = Annotated[
     int,
     typer.Option(
@@ -37,6 +55,14 @@ Digits = Annotated[
     ),
 ]
 Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
+
+
+def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
+    """The claims of papers named by their names or folders; of those that are meant where none is named."""
+    from exactspline.papers import named_papers
+    from exactspline.verification.claims import claims_in
+
+    return claims_in(named_papers(names or [], trust=trust))
 
 
 def load_curve(name: str) -> Nurbs:

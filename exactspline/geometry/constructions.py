@@ -14,7 +14,7 @@ from exactspline.errors import FormulaError, nearest
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, numerator
-from exactspline.papers import find, papers
+from exactspline.papers import default_papers, find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
 from exactspline.splines.values import SplineVector
@@ -115,7 +115,7 @@ def _factor(left: str, right: str, dimension: int) -> Factor | None:
 def all_constructions() -> dict[str, Construction]:
     """Every construction that a paper declares, with the variants that later papers add to it."""
     made: dict[str, Construction] = {}
-    for source in papers():
+    for source in default_papers():
         for name, table in source.construction_tables().items():
             entry = dict(table.entry)
             variants = {v: source.find(f).name for v, f in entry.pop("variants").items()}
