@@ -40,6 +40,7 @@ def reduce(
     degree.
     """
     from exactspline.display.reductions import reduction_rows, reduction_sheet
+    from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas
     from exactspline.symbolic.reduction import reduce as reduction
 
@@ -47,7 +48,7 @@ def reduce(
     chosen = (
         [_guarded(name, lambda: _formula(name, trust))]
         if one
-        else [f for f in all_formulas().values() if f.curve != "table"]
+        else [f for f in all_formulas().values() if f.kind is not TABLE and not f.kind.adjoins_roots]
     )
     calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
     found = tracked(calls, "reducing")

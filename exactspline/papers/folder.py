@@ -213,7 +213,7 @@ def paper_in(
 def _heading(folder: Traversable) -> str:
     """The first heading of ``README.md``."""
     file = folder.joinpath("README.md")
-    lines = file.read_text(encoding="utf-8", errors="replace").splitlines() if file.is_file() else []
+    lines = file.read_bytes().decode("utf-8", "replace").splitlines() if file.is_file() else []
     return next((line.lstrip("# ").strip() for line in lines if line.startswith("#")), "")
 
 

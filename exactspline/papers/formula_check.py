@@ -253,7 +253,7 @@ class _Body:
 
     def expression(self, node: ast.expr) -> tuple[int, int]:
         """An expression of the language."""
-        handled = {
+        ways: dict[type[ast.expr], Callable[[Any], tuple[int, int]]] = {
             ast.Name: self._name,
             ast.Constant: self._constant,
             ast.UnaryOp: self._sign,
@@ -261,7 +261,8 @@ class _Body:
             ast.Attribute: self._operand,
             ast.Call: self._call,
             ast.Subscript: self._component,
-        }.get(type(node))
+        }
+        handled = ways.get(type(node))
         if handled is None:
             raise self.read.refuse(node, _told(node), _instead(node))
         size, degree = handled(node)

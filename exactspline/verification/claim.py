@@ -144,8 +144,8 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 
 
 def identifier(claim: Claim, name: str, value: str) -> str:
-    """A key: the id of the claim without spaces, a hyphen, and a short name."""
-    begin = re.sub(r"[ .]+", "", claim.id)
+    """A key: the id of the claim without spaces and dots, and words after hyphens."""
+    begin = claim.begin_of_key
     if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
         raise ClaimError(
             f"the key {value!r} does not begin with the id", where=name, remedy=f"write for example {begin + '-a'!r}"
@@ -169,6 +169,8 @@ class Claim(Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[str] = "jet"
+    #: Whether such claims can be decided where roots are adjoined.
+    of_frames: ClassVar[bool] = False
 
     paper: str
     id: str
@@ -211,8 +213,20 @@ class Claim(Displayed):
                 remedy="name the error, or leave the field out",
             )
 
+        if kind_of(self.curve).adjoins_roots and not self.of_frames:
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
+                where="curve",
+                remedy="splines and degrees have no roots: state an identity",
+            )
+
     def validate(self) -> None:
         """Refuse combinations that say nothing, with `ClaimError`."""
+
+    @property
+    def begin_of_key(self) -> str:
+        """The id as it stands in the key."""
+        return re.sub(r"[ .]+", "", self.id)
 
     @property
     def named(self) -> tuple[str, ...]:
@@ -266,8 +280,10 @@ class Claim(Displayed):
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it says anything about single curves of that dimension and kind."""
-        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+        """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod

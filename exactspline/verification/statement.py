@@ -22,6 +22,7 @@ from exactspline.verification.claims import select
 from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.verdict import Finding
+from exactspline.verification.vocabulary import Scope
 
 NAIVE, REDUCED = "naive", "reduced"
 
@@ -145,13 +146,9 @@ def _dimension(formula: Formula, claim: Claim) -> int:
 
 def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
     formula = claim.find(name)
-    parameter, counting = "s", ""
-    if isinstance(claim, DegreeClaim):
-        parameter, counting = str(claim.parameter), str(claim.counting)
+    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
     handed = (
-        DegreeReading(parameter=parameter, counting=counting).argument(
-            formula.kind, _dimension(formula, claim), polynomial=polynomial
-        )
+        DegreeReading("d", *counts).argument(formula.kind, _dimension(formula, claim), polynomial=polynomial)
         if formula.kind is not TABLE
         else degree_table()
     )
@@ -160,7 +157,7 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
 
 
 def _size(name: str, claim: Claim) -> int:
-    degree = _degree(name, claim, claim.of == "polynomial")
+    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
     return degree.at(dict.fromkeys(degree.names, 3))
 
 
