@@ -91,6 +91,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
+    from exactspline.papers import load_paper as load_paper
     from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
     from exactspline.readings.jet import JetReading as JetReading
@@ -124,6 +125,7 @@ if TYPE_CHECKING:
     from exactspline.verification.generic_proof import factor_of as factor_of
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
     from exactspline.verification.questions import verify as verify
@@ -197,6 +199,7 @@ _HOMES = {
     "det": "language.vector:det",
     "dot": "language.vector:dot",
     "find": "papers:find",
+    "load_paper": "papers:load_paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
     "norm2": "language.vector:norm2",
@@ -225,6 +228,7 @@ _HOMES = {
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
     "parse_degree": "readings.degree:parse",
+    "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
