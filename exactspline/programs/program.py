@@ -254,6 +254,11 @@ def _program(formula: Formula, signature: Signature) -> Program:
     return Program(value, reading, signature)
 
 
+def program_of(formula: Formula, signature: Signature) -> Program:
+    """The program of a formula for arguments with a signature; made once."""
+    return _program(formula, signature)
+
+
 def program_for(formula: Formula, argument: Evaluated) -> Program:
     """The program of a formula for arguments like this one; made once.
 
