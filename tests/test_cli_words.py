@@ -40,6 +40,9 @@ DOCUMENTS = {
     "conditioning": ["conditioning", "ellipse_skew", "--json"],
     "curves": ["curves", "--json"],
     "glossary": ["glossary", "--json"],
+    "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
+    "questions": ["oracle", "--list", "--json"],
+    "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
 }
 
 
@@ -56,7 +59,9 @@ def test_json_follows_its_schema_and_every_row_has_a_key_of_its_own(name):
 
 def test_every_schema_is_published():
     listed = json.loads(run("schema").stdout)["schemas"]
-    assert set(DOCUMENTS) | {"figures"} == set(listed) == set(schemas())
+    assert set(DOCUMENTS) | {"figures", "bench"} == set(schemas())
+    assert set(schemas()) | {"sweep_line"} == set(listed)
+    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 1"
     assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 1"
 
 

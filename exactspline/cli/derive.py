@@ -61,6 +61,7 @@ def _list(out: Output) -> None:
     """What can be derived: the constructions with their variants, and the formulas."""
     from exactspline.display.sheet import Sheet
     from exactspline.geometry.constructions import all_constructions
+    from exactspline.language.kinds import CURVE, PLANE, SPACE
     from exactspline.papers import all_formulas
 
     rows = [
@@ -69,7 +70,7 @@ def _list(out: Output) -> None:
     ] + [
         {"key": f"formula {name}", "name": name, "kind": "formula", "curve": str(f.curve), "variants": []}
         for name, f in all_formulas().items()
-        if str(f.curve) in ("curve", "plane", "space")
+        if f.kind in (CURVE, PLANE, SPACE)
     ]
 
     def sheets() -> list[Sheet]:

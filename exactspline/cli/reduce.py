@@ -39,12 +39,15 @@ def reduce(
     degree.
     """
     from exactspline.display.reductions import reduction_rows, reduction_sheet
+    from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas
     from exactspline.symbolic.reduction import reduce as reduction
 
     one = bool(name) and not everything
     chosen = (
-        [_guarded(name, lambda: _formula(name))] if one else [f for f in all_formulas().values() if f.curve != "table"]
+        [_guarded(name, lambda: _formula(name))]
+        if one
+        else [f for f in all_formulas().values() if f.kind is not TABLE and not f.kind.adjoins_roots]
     )
     calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
     found = tracked(calls, "reducing")

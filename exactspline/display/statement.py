@@ -6,7 +6,7 @@ from exactspline.errors import ClaimError, nearest
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import all_claims, matches
 from exactspline.verification.errata import name_of
-from exactspline.verification.kinds import Identity
+from exactspline.verification.kinds import Count, DegreeClaim, Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.vocabulary import Status
 
@@ -58,11 +58,11 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
             (side.role, side.latex if latex else side.text),
             ("of which", f"{side.name}, {side.source}, degree {side.degrees}"),
         ]
-    is_number = c.kind in ("degree", "count")
+    is_number = isinstance(c, DegreeClaim | Count)
     told += [
-        ("claimed", f.claimed if c.kind != "identity" else f"factor {f.claimed}"),
+        ("claimed", f.claimed if not isinstance(c, Identity) else f"factor {f.claimed}"),
         ("found", _found(s) if not is_number else f.computed),
-        ("factor", f.factor if c.kind not in ("degree", "identity") else ""),
+        ("factor", f.factor if not isinstance(c, DegreeClaim | Identity) else ""),
         ("witness", f.witness),
         ("assumes", c.assumed),
         ("used", ", ".join(f.assumptions)),

@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar, overload
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
     Ends,
@@ -32,6 +32,7 @@ from exactspline.geometry.joints import (
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
@@ -77,7 +78,7 @@ class ZeroForm:
     zeros: ZeroSet
     seconds: float
 
-    def sign_at(self, root: Root, side: str = "right") -> int:
+    def sign_at(self, root: Root, side: Side | str = Side.RIGHT) -> int:
         """The sign of the form at a root of whatever form (at a knot the limit from a side): from the certified zeros
         alone, nothing is evaluated.
         """
@@ -151,7 +152,7 @@ class Facts:
 
     # ---- forms
 
-    def zero_form(self, name: str, variant: str = MINIMAL) -> ZeroForm:
+    def zero_form(self, name: str, variant: Variant | str = Variant.MINIMAL) -> ZeroForm:
         """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
         zeros; `ShapeError` for a curve of another dimension.
         """
@@ -183,7 +184,7 @@ class Facts:
         f = form()
         return ZeroForm(f, zeros(f, periodic=self.closed), perf_counter() - start)
 
-    def sign_of(self, name: str, root: Root, side: str = "right") -> int:
+    def sign_of(self, name: str, root: Root, side: Side | str = Side.RIGHT) -> int:
         """The sign of a zero-set construction at a root of whatever form, exactly: apart from what form answers it."""
         return self.zero_form(name).sign_at(root, side)
 
@@ -248,7 +249,7 @@ class Facts:
     def _met(self, before: int, behind: int) -> Joint:
         """The joint of two segments."""
         t, seam = self.breaks[behind], before < 0
-        left, right = self.ends.jet(before, "left"), self.ends.jet(behind, "right")
+        left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
             return Joint(t, JointKind.GAP, -1, seam, gap=distance(left[0], right[0]))
         if self.standing[before] and self.standing[behind]:
@@ -275,7 +276,7 @@ class Facts:
     def _directions(self, v: Vector[BSpline], t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
         """The directions of a vector just left and just right of a knot."""
         left, right = self.sides(t)
-        return limit_direction(v, left, "left"), limit_direction(v, right, "right")
+        return limit_direction(v, left, Side.LEFT), limit_direction(v, right, Side.RIGHT)
 
     def binormal_limits(self, t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
         """The directions of the binormal just left and just right of a knot; zeros where the curve is straight."""
@@ -294,7 +295,7 @@ class Facts:
         resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
         knots = [Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1") for joint in resting]
         if not self.closed:
-            ends = zip((self.breaks[0], self.breaks[-1]), ("right", "left"), strict=True)
+            ends = zip((self.breaks[0], self.breaks[-1]), (Side.RIGHT, Side.LEFT), strict=True)
             stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
         return sorted(inner + knots, key=lambda f: f.root)

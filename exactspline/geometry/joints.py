@@ -18,6 +18,7 @@ from exactspline.exact import mpq, ratio
 from exactspline.geometry.angles import Angle, angle_between
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surd import Surd, square_root
@@ -69,7 +70,7 @@ class Ends:
         self._p = [[x.d(k) for k in range(ORDER + 1)] for x in curve.p]
         self._w = [] if curve.polynomial else [curve.w.d(k) for k in range(ORDER + 1)]
 
-    def jet(self, segment: int, side: str) -> Jet:
+    def jet(self, segment: int, side: Side | str) -> Jet:
         """The jet at the right end of a segment (``left``: what a knot has on its left) or at its left end."""
         rows = [[_end(f, segment, side) for f in x] for x in self._p]
         if self._w:
@@ -79,11 +80,11 @@ class Ends:
         return first, second, third, fourth
 
 
-def _end(f: BSpline, segment: int, side: str) -> mpq:
+def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
     """The value of a spline at an end of a segment."""
     if f.degree < 0:
         return mpq(0)
-    return ratio(f.polynomials[segment][f.degree if side == "left" else 0], f.denominators[segment])
+    return ratio(f.polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
 
 
 def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -109,7 +110,7 @@ def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
     return bool(product > 0 and product**2 == dot(Vector(*a), Vector(*a)) * dot(Vector(*b), Vector(*b)))
 
 
-def limit_direction(v: Vector[BSpline], t: mpq, side: str) -> Point:
+def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:
     """The direction in which a vector points just beside a parameter; zeros where it vanishes all along that side.
 
     >>> s = BSpline.identity(-1, 1)
@@ -119,7 +120,7 @@ def limit_direction(v: Vector[BSpline], t: mpq, side: str) -> Point:
     for order in range(v.degree + 1):
         values = tuple(c.d(order)(t, side) for c in v)
         if any(values):
-            return tuple(-x for x in values) if side == "left" and order % 2 else values
+            return tuple(-x for x in values) if side == Side.LEFT and order % 2 else values
     return (mpq(0),) * len(v)
 
 

@@ -192,7 +192,7 @@ class Program:
         """What the terms of the value are on the segments of an argument."""
         operands = given.splines
         below = [operands[k].denominators for k in self.groups]
-        columns = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
+        columns: Any = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
         inner, count = len(given.mesh) - 1, len(self.terms)
         continuities = [f.continuity for f in operands]
         leaves = tuple(zip(self.leaves, [f.provenance for f in operands], strict=True))

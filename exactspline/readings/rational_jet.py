@@ -17,7 +17,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import Jet, JetRing
 
 
 class JetFraction(FieldOperand):
@@ -42,7 +42,7 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -54,7 +54,7 @@ class JetFraction(FieldOperand):
         left = _gcd(top, shared)
         return JetFraction(self.ring, top / left, mine * its * (shared / left))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -140,6 +140,10 @@ class RationalJetReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Every operand an indeterminate."""
-        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
-        argument: Evaluated = jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
-        return argument
+        ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
+
+        def fraction(x: Jet) -> JetFraction:
+            return JetFraction(ring, x.polynomial, ring.context.constant(1))
+
+        one = fraction(ring.number(1))
+        return kind.argument(dimension, lambda symbol: fraction(ring[symbol.name]), one, polynomial=polynomial)

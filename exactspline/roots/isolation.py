@@ -17,6 +17,7 @@ from typing import NamedTuple
 from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline.exact import mpq, ratio
+from exactspline.language.factorization import Factorization, multiplied
 from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
@@ -98,7 +99,7 @@ class Isolation(NamedTuple):
     points: list[tuple[int, int]]
     #: Square-free factors with their multiplicities, when they were needed; the leaves then belong to the product of
     #: the factors, each taken once.
-    factors: list[tuple[fmpz_poly, int]] | None
+    factors: Factorization[Factor] | None
 
 
 #: The leaves where all coefficients have one sign.
@@ -123,12 +124,10 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     search = _Search(inner, DEPTH)
     if search.finished:
         return Isolation(at_left, at_right, signs, search.zeros(), search.leaves, search.points(), None)
-    factors = [(g, int(k)) for g, k in inner.factor_squarefree()[1]]
-    radical = fmpz_poly([1])
-    for g, _ in factors:
-        radical = radical * g
+    factors = Factorization((Factor(g), int(k)) for g, k in inner.factor_squarefree()[1])
+    radical = multiplied(Factorization((factor.polynomial, 1) for factor, _ in factors), fmpz_poly([1]))
     search = _Search(radical, None)
-    zeros = _attributed(inner, [(Factor(g), k) for g, k in factors], search.zeros())
+    zeros = _attributed(inner, factors, search.zeros())
     return Isolation(at_left, at_right, signs, zeros, search.leaves, search.points(), factors)
 
 
@@ -195,7 +194,7 @@ def certainly_square_free(c: fmpz_poly) -> bool:
     return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
 
 
-def _attributed(c: fmpz_poly, factors: list[tuple[Factor, int]], zeros: list[LocalZero]) -> list[LocalZero]:
+def _attributed(c: fmpz_poly, factors: Factorization[Factor], zeros: list[LocalZero]) -> list[LocalZero]:
     """The zeros of the product of the factors, each with the one factor it belongs to, and with the signs of the form
     itself.
     """

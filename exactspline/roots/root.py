@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz_poly
 
 from exactspline.errors import NumberError
-from exactspline.exact import Number, lcm, mpq, mpz, nearest_double, rational, text, to_fmpq
+from exactspline.exact import Number, double_between, lcm, mpq, mpz, rational, text, to_fmpq
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
 from exactspline.roots.isolation import LocalZero
@@ -270,7 +270,7 @@ class Root(Immutable, Displayed):
 
         Raises `OverflowError` beyond the largest.
         """
-        return nearest_double(self.refine, self._against_number)
+        return double_between(self.refine, self._against_number)
 
     def mpf(self, digits: int = 15) -> mpf:
         """The root as an ``mpmath.mpf`` that is off by at most ``10^−digits``; mpmath's own precision is not

@@ -6,13 +6,11 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from flint import fmpz_poly
-
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq, ratio, text
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
-from exactspline.roots.isolation import Factor, Isolation, isolate
+from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 
@@ -50,19 +48,32 @@ class Jump:
 
 @dataclass(frozen=True)
 class ZeroInterval:
-    """An interval [low, high] on which the spline vanishes, with its sign before and behind (None where the domain
-    ends).
+    """A stretch on which the spline vanishes, with its sign before and behind (None where the domain ends).
 
-    On a periodic spline an interval across the seam begins before the end of the domain, and `high` lies beyond the end
-    by as much as the interval goes on behind the start.
+    `parts` are its intervals in the domain in the order of the run: one, or on a periodic spline two where it crosses
+    the seam, up to the end of the domain and on from its start. It begins at `low` and ends at `high`, which is the
+    smaller one exactly if it crosses the seam.
+
+    >>> f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
+    >>> zeros(f, periodic=True).intervals[0]
+    <ZeroInterval [3, 4] and [0, 1]>
     """
 
-    low: mpq
-    high: mpq
+    parts: tuple[tuple[mpq, mpq], ...]
     signs: tuple[int | None, int | None]
 
+    @property
+    def low(self) -> mpq:
+        """Where it begins."""
+        return self.parts[0][0]
+
+    @property
+    def high(self) -> mpq:
+        """Where it ends."""
+        return self.parts[-1][1]
+
     def __repr__(self) -> str:
-        return f"<ZeroInterval [{text(self.low)}, {text(self.high)}]>"
+        return f"<ZeroInterval {' and '.join(f'[{text(a)}, {text(b)}]' for a, b in self.parts)}>"
 
 
 class ZeroSet(Immutable, Displayed):
@@ -93,8 +104,7 @@ class ZeroSet(Immutable, Displayed):
         )
 
     def __reduce__(self) -> tuple[object, ...]:
-        isolations = [i and i._replace(factors=_pickled(i.factors)) for i in self.isolations]
-        return _restored, (self.spline, self.periodic, isolations, self.roots, self.jumps, self.intervals)
+        return _restored, (self.spline, self.periodic, self.isolations, self.roots, self.jumps, self.intervals)
 
     def _facts(self) -> tuple[Any, ...]:
         roots = [(r, r.left_multiplicity, r.right_multiplicity, r.signs) for r in self.roots]
@@ -138,17 +148,10 @@ class ZeroSet(Immutable, Displayed):
         return certificate(self)
 
 
-def _pickled(factors: list[tuple[fmpz_poly, int]] | None) -> Any:
-    return factors and [(Factor(p), k) for p, k in factors]
-
-
-def _restored(
-    spline: BSpline, periodic: bool, isolations: list[Any], roots: Any, jumps: Any, intervals: Any
-) -> ZeroSet:
+def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
     """What was pickled, its roots as far as they were refined."""
     found = object.__new__(ZeroSet)
-    back = [i and i._replace(factors=i.factors and [(f.polynomial, k) for f, k in i.factors]) for i in isolations]
-    fill(found, spline=spline, periodic=periodic, isolations=tuple(back), roots=roots, jumps=jumps, intervals=intervals)
+    fill(found, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals)
     return found
 
 
@@ -234,7 +237,7 @@ def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bo
     """The segments without isolation, adjacent ones merged."""
     breaks, count = f.mesh.breaks, len(isolations)
     if not any(isolations):
-        return [ZeroInterval(breaks[0], breaks[-1], (None, None))]
+        return [ZeroInterval(((breaks[0], breaks[-1]),), (None, None))]
     runs: list[list[int]] = []
     for i, isolation in enumerate(isolations):
         if isolation is None and runs and runs[-1][1] == i:
@@ -243,15 +246,16 @@ def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bo
             runs.append([i, i + 1])
     if periodic and len(runs) > 1 and runs[0][0] == 0 and runs[-1][1] == count:
         runs[-1][1] += runs.pop(0)[1]
-    period = breaks[-1] - breaks[0]
     result = []
     for first, last in runs:
         before = isolations[first - 1] if first or periodic else None
         behind = isolations[last % count] if last < count or periodic else None
         signs = (before and before.signs[1], behind and behind.signs[0])
-        result.append(
-            ZeroInterval(breaks[first], breaks[last] if last <= count else breaks[last - count] + period, signs)
+        over = (
+            (breaks[first], breaks[min(last, count)]),
+            *([(breaks[0], breaks[last - count])] if last > count else []),
         )
+        result.append(ZeroInterval(over, signs))
     return result
 
 

@@ -35,7 +35,8 @@ class Assumption:
 
     ``name`` is how claims write it, ``words`` how it is read, ``meaning`` what is said of a factor that has no zero
     because of it. ``polynomial`` gives the polynomial in any reading of an argument of one of the ``kinds``; it depends
-    on the parameter of the second curve where ``second`` is set.
+    on the parameter of the second curve where ``second`` is set. ``formula`` is the name of the formula that gives it
+    (its squared length, where that is a vector); a denominator of a curve has none.
     """
 
     name: str
@@ -45,6 +46,11 @@ class Assumption:
     kinds: tuple[str, ...]
     everywhere: bool = True
     second: bool = False
+    formula: str = ""
+
+    def speaks_of(self, kind: Kind) -> bool:
+        """Whether its polynomial exists on arguments of a kind."""
+        return any(kind.takes(kind_of(name), n) for name in self.kinds for n in kind.dimensions)
 
     def __str__(self) -> str:
         return self.name
@@ -82,7 +88,14 @@ _EVERYWHERE = (
         PAIR,
         second=True,
     ),
-    Assumption("γ′", "γ′ has no zero", "positive where the curve is regular", _formula("D1_squared"), (*ALONE, *PAIR)),
+    Assumption(
+        "γ′",
+        "γ′ has no zero",
+        "positive where the curve is regular",
+        _formula("D1_squared"),
+        (*ALONE, *PAIR),
+        formula="D1_squared",
+    ),
     Assumption(
         "γ̄′",
         "γ̄′ has no zero",
@@ -90,6 +103,7 @@ _EVERYWHERE = (
         _of_second("D1_squared"),
         PAIR,
         second=True,
+        formula="D1_squared",
     ),
     Assumption(
         "γ′×γ″",
@@ -97,13 +111,20 @@ _EVERYWHERE = (
         "positive where the curve is regular and its curvature is not zero",
         _formula("binormal_form_squared"),
         SPACE,
+        formula="binormal_form_squared",
     ),
 )
 
 
 def _somewhere(name: str, formula: str, kinds: tuple[str, ...]) -> Assumption:
     return Assumption(
-        f"{name} ≢ 0", f"{name} vanishes on no whole segment", "", _formula(formula), kinds, everywhere=False
+        f"{name} ≢ 0",
+        f"{name} vanishes on no whole segment",
+        "",
+        _formula(formula),
+        kinds,
+        everywhere=False,
+        formula=formula,
     )
 
 

@@ -9,10 +9,10 @@ from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, nearest
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import kind_of
+from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
@@ -22,6 +22,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import Assumption, assumption
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -30,6 +31,7 @@ from exactspline.verification.verdict import (
     VERIFIED,
     ContradictionError,
     Finding,
+    undecided,
     vacuous,
 )
 from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, word
@@ -50,12 +52,12 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 def formula_name(claim: Claim, name: str, value: str) -> str:
     """The name of a formula that can be handed what the claim speaks of."""
-    formula = claim.find(value)
-    if formula.curve not in claim.kinds_of(name):
+    formula, handed = claim.find(value), claim.kind_of_field(name)
+    if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
-            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {str(claim.curve)!r}",
+            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {claim.curve!r}",
             where=name,
-            remedy=f"name a formula of {' or '.join(map(repr, claim.kinds_of(name)))}",
+            remedy=f"name a formula that can be handed a {handed.name!r}",
         )
     return str(value)
 
@@ -63,6 +65,14 @@ def formula_name(claim: Claim, name: str, value: str) -> str:
 def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
     """Several of them."""
     return tuple(formula_name(claim, name, each) for each in value)
+
+
+def kind_name(claim: Claim, name: str, value: str) -> str:
+    """The name of a kind of argument."""
+    try:
+        return kind_of(str(value)).name
+    except FormulaError as error:
+        raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
 
 
 def example_name(claim: Claim, name: str, value: str) -> str:
@@ -81,7 +91,7 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     """Assumptions by their names, each about what the claim speaks of."""
     found = tuple(each if isinstance(each, Assumption) else assumption(each) for each in value)
     for each in found:
-        if claim.curve != ArgumentKind.TABLE and not set(claim.curve.formulas) & set(each.kinds):
+        if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} says nothing of {str(claim.curve)!r}",
                 where=name,
@@ -92,7 +102,8 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
 
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
-    names = {"d1", "d2"} if claim.curve == ArgumentKind.TABLE else {"d"}
+    kind = kind_of(claim.curve)
+    names = set().union(*[parse(s.degree).names for s in kind.symbols(kind.dimensions[0]) if s.parameter and s.degree])
     if unknown := parse(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
@@ -114,8 +125,8 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 
 
 def identifier(claim: Claim, name: str, value: str) -> str:
-    """A key: the id of the claim without spaces, a hyphen, and a short name."""
-    begin = re.sub(r"[ .]+", "", claim.id)
+    """A key: the id of the claim without spaces and dots, and words after hyphens."""
+    begin = claim.begin_of_key
     if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
         raise ClaimError(
             f"the key {value!r} does not begin with the id", where=name, remedy=f"write for example {begin + '-a'!r}"
@@ -128,7 +139,7 @@ class Claim(Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
-    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (see `ArgumentKind`), ``of``
+    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (a kind of argument), ``of``
     whether of polynomial curves, of rational ones or of both. ``assumes`` are assumptions of
     `exactspline.symbolic.assumptions`; ``context`` says in words what the letters mean. ``error`` joins the statements
     that fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
@@ -139,13 +150,15 @@ class Claim(Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[str] = "jet"
+    #: Whether such claims can be decided where roots are adjoined.
+    of_frames: ClassVar[bool] = False
 
     paper: str
     id: str
     source: str
     statement: str
     status: Status = field(metadata=read(one_of(Status)))
-    curve: ArgumentKind = field(default=ArgumentKind.CURVE, metadata=read(one_of(ArgumentKind)))
+    curve: str = field(default="curve", metadata=read(kind_name))
     of: Scope = field(default=Scope.BOTH, metadata=read(one_of(Scope)))
     key: str = field(metadata=read(identifier))
     words: str = ""
@@ -181,8 +194,20 @@ class Claim(Displayed):
                 remedy="name the error, or leave the field out",
             )
 
+        if kind_of(self.curve).adjoins_roots and not self.of_frames:
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
+                where="curve",
+                remedy="splines and degrees have no roots: state an identity",
+            )
+
     def validate(self) -> None:
         """Refuse combinations that say nothing, with `ClaimError`."""
+
+    @property
+    def begin_of_key(self) -> str:
+        """The id as it stands in the key."""
+        return re.sub(r"[ .]+", "", self.id)
 
     @property
     def named(self) -> tuple[str, ...]:
@@ -194,13 +219,22 @@ class Claim(Displayed):
                 chosen += [value] if isinstance(value, str) else value
         return tuple(name for name in chosen if name)
 
-    def kinds_of(self, name: str) -> tuple[str, ...]:
-        """The kinds of formulas that may stand in that field."""
-        return self.curve.formulas
+    def kind_of_field(self, name: str) -> Kind:
+        """What the formula in that field is handed."""
+        return kind_of(self.curve)
 
     def find(self, name: str) -> Formula:
         """A formula of its paper, or of one that this paper uses."""
         return paper_named(self.paper).find(name)
+
+    @property
+    def of_pair(self) -> bool:
+        """Whether it speaks of two curves."""
+        return isinstance(kind_of(self.curve), PairKind)
+
+    def symbol(self, name: str) -> str:
+        """The LaTeX name of a formula of its paper."""
+        return symbol(name, self.find)
 
     @property
     def assumed(self) -> str:
@@ -218,8 +252,10 @@ class Claim(Displayed):
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it says anything about single curves of that dimension and kind."""
-        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+        """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
@@ -320,7 +356,7 @@ def combined(claim: Claim) -> tuple[str, Finding]:
     try:
         reading, finding = claim.prove()
     except ExactSplineError as error:
-        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+        return claim.reading, undecided(claim.claims, error)
     if finding.verdict in (PROVED, UNDECIDED):
         example_finding = claim.refuted_on_examples()
         if example_finding.verdict == REFUTED:

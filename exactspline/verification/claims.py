@@ -8,13 +8,16 @@ Several entries may share the id of the paper's claim; each has a key of its own
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from dataclasses import MISSING
+from dataclasses import MISSING, fields
+from enum import StrEnum
 from functools import cache
 from typing import Any
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.papers import Paper, Table, paper, papers
+from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim, entries
 from exactspline.verification.kinds import KINDS
 
@@ -57,7 +60,38 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
         raise ClaimError(
             f"no error is called {claim.error!r}", where="error", remedy=nearest(claim.error, list(source.errors))
         )
+    _check_words_of_key(claim)
     return claim
+
+
+def _check_words_of_key(claim: Claim) -> None:
+    """Each word of a key stands elsewhere in the entry too, so that no key is misspelled unnoticed."""
+    known = set(claim.kind.split())
+    for f in fields(claim):
+        if f.name not in ("id", "key", "paper", "words", "context", "note"):
+            known |= key_words(getattr(claim, f.name))
+    for each in claim.key.removeprefix(claim.begin_of_key + "-").split("-"):
+        if each not in known:
+            raise ClaimError(
+                f"the word {each!r} of the key {claim.key!r} stands nowhere else in the entry",
+                where="key",
+                remedy=f"use names of its formulas and words of its fields; {nearest(each, sorted(known))}",
+            )
+
+
+def key_words(value: object) -> set[str]:
+    """The words of a field that may stand in a key.
+
+    >>> from exactspline.language.choices import Parameter
+    >>> sorted(key_words(("4d − 2", Parameter.SECOND)))
+    ['2', '4d', 's', 'second']
+    """
+    if isinstance(value, Assumption):
+        return key_words(value.name)
+    if isinstance(value, tuple):
+        return {word for each in value for word in key_words(each)}
+    own = {value.name.lower()} if isinstance(value, StrEnum) else set()
+    return own | set(re.findall(r"[\w′]+", str(value)))
 
 
 @cache

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 
+from exactspline.language.choices import Parameter
 from exactspline.language.services import Displayed
 from exactspline.papers import papers
 from exactspline.readings.printing.text import symbol_text
@@ -17,7 +18,7 @@ from exactspline.verification.claims import claims_of
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
-from exactspline.verification.vocabulary import Measure, Parameter, Status
+from exactspline.verification.vocabulary import Measure, Scope, Status
 
 
 @dataclass(frozen=True)
@@ -152,12 +153,12 @@ def check(claim: Claim) -> tuple[str, ...]:
             f'print(lowest_degree(find("{claim.formula}"), {d}))',
         )
     if isinstance(claim, DegreeClaim):
-        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.S else ""
+        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.FIRST else ""
         return (
             "from exactspline.papers import find",
             "from exactspline.readings.degree import DegreeReading",
             f'print(DegreeReading({parameter}).of(find("{claim.formula}"), {d}, '
-            f"polynomial={claim.of == 'polynomial'}).degree)",
+            f"polynomial={claim.of == Scope.POLYNOMIAL}).degree)",
         )
     if isinstance(claim, Count):
         return (

@@ -38,7 +38,7 @@ def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[str], t
     others have none.
     """
     assumed, names, used = list(assumed), [], []
-    for name, polynomial, _ in factor.powers:
+    for (name, polynomial), _ in factor.powers:
         reason = zero_free(Jet(factor.ring, polynomial), assumed)
         if reason is None:
             names.append(name)

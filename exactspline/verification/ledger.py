@@ -12,7 +12,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, contradict
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.verdict import REFUTED, UNDECIDED, ContradictionError, Finding, Row, row
+from exactspline.verification.verdict import REFUTED, ContradictionError, Finding, Row, row, undecided
 from exactspline.verification.vocabulary import ArgumentKind
 
 UNNAMED = "(unnamed curve)"
@@ -79,7 +79,7 @@ def _proof(claim: Claim) -> tuple[str, Finding]:
     except ContradictionError:
         raise
     except ExactSplineError as error:
-        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+        return claim.reading, undecided(claim.claims, error)
 
 
 def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
@@ -97,7 +97,7 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
     except ContradictionError:
         raise
     except ExactSplineError as error:
-        finding = Finding(UNDECIDED, claim.claims, witness=str(error))
+        finding = undecided(claim.claims, error)
     if finding.verdict == REFUTED:
         contradict(claim, proofs[claim][1], finding)
     is_example = name in example_names() and own.curve is example(name)

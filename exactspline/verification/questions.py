@@ -19,7 +19,7 @@ from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import Factor, find_factor
+from exactspline.symbolic.factorization import Factor, find_factor, jets_with_roots
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 
@@ -37,8 +37,10 @@ class Proof:
     factor: str
     dimension: int
     holds: bool
-    #: What the left side over the right one is in truth; None for vectors that are not parallel.
+    #: What the left side over the right one is in truth; None for vectors that are not parallel, and over roots.
     quotient: Factor | None
+    #: Whether roots are adjoined: then a quotient is no product of polynomials.
+    roots: bool = False
 
     def __bool__(self) -> bool:
         return self.holds
@@ -47,7 +49,8 @@ class Proof:
         statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
         if self.holds:
             return f"{statement} for all curves in R{self.dimension}"
-        truth = "they are not parallel" if self.quotient is None else f"the quotient is {self.quotient}"
+        different = "they differ" if self.roots else "they are not parallel"
+        truth = different if self.quotient is None else f"the quotient is {self.quotient}"
         return f"not {statement} in R{self.dimension}: {truth}"
 
 
@@ -101,12 +104,15 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     _check_kinds(kind, sides, n)
     named = [find(name) for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS]
     _check_kinds(kind, named, n)
-    curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
-    quotient = find_factor(sides[0](curve), sides[1](curve))
+    if kind.adjoins_roots:
+        curve, quotient = jets_with_roots((*sides, *named), factor, n), None
+    else:
+        curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
+        quotient = find_factor(sides[0](curve), sides[1](curve))
     top, bottom = factor_of_text(factor, curve)
     (ps, _), (qs, _) = (split(f(curve)) for f in sides)
     holds = len(ps) == len(qs) and all(p * bottom == top * q for p, q in zip(ps, qs, strict=True))
-    return Proof(sides[0].name, sides[1].name, factor, n, holds, quotient)
+    return Proof(sides[0].name, sides[1].name, factor, n, holds, quotient, kind.adjoins_roots)
 
 
 def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:

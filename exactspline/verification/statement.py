@@ -24,6 +24,7 @@ from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import Finding
+from exactspline.verification.vocabulary import Scope
 
 NAIVE, REDUCED = "naive", "reduced"
 
@@ -141,13 +142,9 @@ def _dimension(name: str, claim: Claim) -> int:
 
 def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
     formula = find(name)
-    parameter, counting = "s", ""
-    if isinstance(claim, DegreeClaim):
-        parameter, counting = str(claim.parameter), str(claim.counting)
+    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
     handed = (
-        DegreeReading(parameter=parameter, counting=counting).argument(
-            formula.kind, _dimension(name, claim), polynomial=polynomial
-        )
+        DegreeReading("d", *counts).argument(formula.kind, _dimension(name, claim), polynomial=polynomial)
         if formula.kind is not TABLE
         else degree_table()
     )
@@ -156,7 +153,7 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
 
 
 def _size(name: str, claim: Claim) -> int:
-    degree = _degree(name, claim, claim.of == "polynomial")
+    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
     return degree.at(dict.fromkeys(degree.names, 3))
 
 

@@ -17,7 +17,7 @@ from exactspline.verification.claim import Claim, worst
 from exactspline.verification.claim_factor import factor_of_text
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding, Row, row, vacuous
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding, Row, row, undecided, vacuous
 
 #: The kinds of claims that it decides.
 DECIDED = (Identity, Vanishing, SameSurface, IsoCurve)
@@ -40,7 +40,7 @@ def judged(claim: Claim) -> Row:
         cases = [(n, polynomial) for polynomial in claim.of.worlds for n in claim.dimensions]
         finding = worst([decide(claim, _argument(claim, n, polynomial)) for n, polynomial in cases])
     except ExactSplineError as error:
-        finding = Finding(UNDECIDED, claim.claims, witness=str(error))
+        finding = undecided(claim.claims, error)
     return row(claim, SympyReading.name, "", finding, perf_counter() - start)
 
 

@@ -15,7 +15,6 @@ from exactspline.splines.examples import example
 from exactspline.verification.claim import ExampleClaim, formula_name, read
 from exactspline.verification.conditioning.condition_number import Interval, condition_number
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 
 BETTER = "better at every common zero"
@@ -51,7 +50,7 @@ class Condition(ExampleClaim):
     @property
     def latex(self) -> str:
         """Both names."""
-        return rf"{symbol(self.left)} \;\text{{is better conditioned than}}\; {symbol(self.right)}"
+        return rf"{self.symbol(self.left)} \;\text{{is better conditioned than}}\; {self.symbol(self.right)}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Where enclosures do not tell two condition numbers apart nothing is decided."""

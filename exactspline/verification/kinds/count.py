@@ -15,7 +15,6 @@ from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Counter, word
 
@@ -69,7 +68,7 @@ class Count(ExampleClaim):
     @property
     def latex(self) -> str:
         """The formula with the numbers."""
-        return rf"{symbol(self.formula)}: \;\text{{{self.claimed}}}"
+        return rf"{self.symbol(self.formula)}: \;\text{{{self.claimed}}}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only what is claimed is computed."""
