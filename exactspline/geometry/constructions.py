@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cache
+from typing import cast
 
 from exactspline.errors import FormulaError, nearest
 from exactspline.language.arguments import Curve
@@ -100,11 +101,9 @@ class Construction:
         value_of = value_of or (lambda formula: formula(curve))
         if variant != Variant.MINIMAL:
             value = value_of(self.formula(variant))
-            taken: BSpline | SplineVector = numerator(value) if self.zero_set else joined(value)
-            return taken
+            return cast("BSpline | SplineVector", numerator(value) if self.zero_set else joined(value))
         if not self.zero_set:
-            reduced: BSpline | SplineVector = joined(in_lowest_terms(value_of(self.formula(variant))))
-            return reduced
+            return cast("BSpline | SplineVector", joined(in_lowest_terms(value_of(self.formula(variant)))))
         formula, power = _lowest(self.wronskian_of if not curve.polynomial else "", self.lifted, *self._first)
         form = value_of(formula)
         assert isinstance(form, BSpline)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from exactspline.language.services import Displayed
@@ -49,7 +49,7 @@ class Evaluated(Argument):
         """The same operands in an argument of its own."""
 
     @abstractmethod
-    def operands(self) -> Mapping[str, object]:
+    def operands(self) -> dict[str, Any]:
         """The operands by name."""
 
     @abstractmethod

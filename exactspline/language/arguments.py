@@ -32,7 +32,7 @@ class Operands(Evaluated):
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
 
-    def operands(self) -> dict[str, object]:
+    def operands(self) -> dict[str, Any]:
         """The operands by name."""
         return {name: value for name, value in vars(self).items() if name != "_values"}
 

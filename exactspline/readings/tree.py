@@ -62,8 +62,10 @@ class Node(Operand, OwnVectors):
     __slots__ = ("args", "is_vector", "op", "value")
     is_vector: bool
 
-    def __init__(self, op: Operation, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False) -> None:
-        self.op, self.args, self.value, self.is_vector = op, args, value, vector
+    def __init__(
+        self, op: Operation | str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False
+    ) -> None:
+        self.op, self.args, self.value, self.is_vector = Operation(op), args, value, vector
 
     def _node(self, other: object) -> Node | None:
         if isinstance(other, Node):
