@@ -17,14 +17,18 @@ from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
+    from exactspline.verification.claim import Claim
 
 __all__ = [
     "CURVE_HELP",
     "CurveFiles",
     "Digits",
     "Exact",
+    "Papers",
+    "Trust",
     "also_in_their_planes",
     "check_output",
+    "claims_of_papers",
     "curves_in",
     "described",
     "load_curve",
@@ -44,6 +48,18 @@ _SEVERAL = re.compile(rb'^\s*\{\s*"(curves|shape)"')
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
 ]
+Papers = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--paper",
+        metavar="PAPER",
+        help="A folder with formulas.py and claims.toml, the name of a paper that comes with exactspline, or all. "
+        "May be repeated.",
+    ),
+]
+Trust = Annotated[
+    bool, typer.Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
+]
 Digits = Annotated[
     int,
     typer.Option(
@@ -51,6 +67,14 @@ Digits = Annotated[
     ),
 ]
 Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
+
+
+def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
+    """The claims of papers named by their names or folders; of those that are meant where none is named."""
+    from exactspline.papers import named_papers
+    from exactspline.verification.claims import claims_in
+
+    return claims_in(named_papers(names or [], trust=trust))
 
 
 def load_curve(name: str) -> Nurbs:
