@@ -213,7 +213,14 @@ class Writer:
             return f"{node.op} [{'; '.join(map(self, arguments))}]"
         elif node.op is Operation.JOIN:
             return f"({' ++ '.join(self.joined(each) for each in arguments)})"
-        elif node.op in (Operation.DOT, Operation.CROSS, Operation.PERP, Operation.RULED, Operation.DIRECTRIX, Operation.GENERATOR):
+        elif node.op in (
+            Operation.DOT,
+            Operation.CROSS,
+            Operation.PERP,
+            Operation.RULED,
+            Operation.DIRECTRIX,
+            Operation.GENERATOR,
+        ):
             name = node.op
         else:
             raise FormulaError(f"the operation {node.op!r} has no word in Coq", remedy="add one to the base")
