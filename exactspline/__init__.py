@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from exactspline.display.plot.curves import plot_evolute as plot_evolute
     from exactspline.display.plot.curves import plot_features as plot_features
     from exactspline.display.plot.curves import plot_quotient as plot_quotient
-    from exactspline.display.plot.functions import greville_abscissae as greville_abscissae
     from exactspline.display.plot.functions import plot_function as plot_function
     from exactspline.display.plot.functions import plot_roots as plot_roots
     from exactspline.display.plot.surfaces import plot_bisector as plot_bisector
@@ -110,6 +109,7 @@ if TYPE_CHECKING:
     from exactspline.splines.examples import example_names as example_names
     from exactspline.splines.examples import load as load
     from exactspline.splines.knots import KnotVector as KnotVector
+    from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
     from exactspline.splines.surd import Surd as Surd
@@ -252,7 +252,7 @@ _HOMES = {
     "figure_4": "display.figures.bisectors:figure_4",
     "figure_5": "display.figures.bisectors:figure_5",
     "figure_6": "display.figures.bisectors:figure_6",
-    "greville_abscissae": "display.plot.functions:greville_abscissae",
+    "greville_abscissae": "splines.knots:greville_abscissae",
     "new_figure": "display.plot.canvas:new_figure",
     "plot": "display.plot.anything:plot",
     "plot_approaches": "display.plot.comparisons:plot_approaches",
