@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs, zeros
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import all_formulas, find, known_as
 from exactspline.splines.bernstein import from_bezier
 from exactspline.splines.examples import example
 from exactspline.symbolic.covariants import degree_at
@@ -389,3 +389,12 @@ def test_what_conditioning_leaves_out_is_named():
     assert told.left_out == ("[0, 1], where the form vanishes identically",)
     assert told.roots == ()
     assert told.verdicts == {}
+
+
+def test_a_formula_is_known_by_a_name_that_finds_it():
+    """Two papers may share a name: tables measure the one they speak of."""
+    assert all(find(known_as(f)) is f for f in all_formulas().values())
+    assert len({known_as(f) for f in all_formulas().values()}) == len(all_formulas())
+    curve = example("rational_cubic")
+    told = [measure(f, curve).formula for f in measurable(2)]
+    assert len(set(told)) == len(told)
