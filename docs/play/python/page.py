@@ -145,4 +145,10 @@ def _curve(data: dict[str, Any]) -> Any:
     return xs.Nurbs(data["degree"], data["knots"], data["points"], data["weights"])
 
 
-QUESTIONS: dict[str, Callable[[Any], Any]] = {"features": features, "digits": digits, "forms": forms, "reduce": reduce, "bisector": bisector}
+QUESTIONS: dict[str, Callable[[Any], Any]] = {
+    "features": features,
+    "digits": digits,
+    "forms": forms,
+    "reduce": reduce,
+    "bisector": bisector,
+}
