@@ -91,7 +91,9 @@ def test_formulas_contain_no_branch_no_comparison_no_float(path):
 def test_rooms_are_small_and_without_floats(path):
     text = path.read_text(encoding="utf-8")
     assert text.count("\n") <= 500
-    if path.relative_to(ROOT).parts[0] not in ("display", "roots", "verification"):
+    # what libraries in doubles are given and asked is doubles
+    grading = path.relative_to(ROOT).parts[:2] == ("batch", "grade")
+    if path.relative_to(ROOT).parts[0] not in ("display", "roots", "verification") and not grading:
         assert not [
             n.value for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Constant) and isinstance(n.value, float)
         ]

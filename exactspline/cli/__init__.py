@@ -18,6 +18,7 @@ from exactspline.cli import (
     errata,
     figures,
     glossary,
+    grade,
     inspect,
     oracle,
     prove,
@@ -61,6 +62,11 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "oracle circle --ask value@1/3 --ask length",
         "oracle drawing.svg --ask inflections --ask bounding_box --json",
         "oracle --list",
+    ),
+    grade.grade: (
+        "Libraries held against exact answers.",
+        "grade scipy geomdl --cases 20",
+        "grade --cache truths.jsonl.gz --page scoreboard.md",
     ),
     bisector.bisector: (
         "Bisectors of curves and points.",
