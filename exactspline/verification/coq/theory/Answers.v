@@ -681,8 +681,21 @@ Definition spans (c : nurbs) : list nat :=
 (** A form in pieces: the right end of each, and its polynomial; the last one holds at its right end, too. *)
 Definition pieces : Type := list (Q * polynomial).
 
+(** Without zeros at the end, which change nothing. *)
+Fixpoint trimmed (a : polynomial) : polynomial :=
+  match a with
+  | [] => []
+  | c :: a => match trimmed a with [] => if Qeq_bool c 0 then [] else [c] | b => c :: b end
+  end.
+
+Lemma at_trimmed a t : at_real (trimmed a) t = at_real a t.
+Proof.
+  induction a as [|c a IH]; [reflexivity|]. simpl. rewrite <- IH. destruct (trimmed a) as [|d b]; [|reflexivity].
+  destruct (Qeq_bool c 0) eqn:E; [|reflexivity]. apply Qeq_bool_eq, Qeq_eqR in E. rewrite Q2R_0 in E. simpl. lra.
+Qed.
+
 Definition form_pieces (form : curve polynomial -> polynomial) (c : nurbs) : pieces :=
-  map (fun j => (nth (S j) (knots c) 0%Q, form (curve_piece c j))) (spans c).
+  map (fun j => (nth (S j) (knots c) 0%Q, trimmed (form (curve_piece c j)))) (spans c).
 
 Fixpoint form_value (f : pieces) (t : R) : R :=
   match f with
