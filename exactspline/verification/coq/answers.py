@@ -20,7 +20,10 @@ from exactspline.verification.coq.formulas import Formulas, comment
 
 #: The forms by the dimension of the curve: the name of the theorem, the formula, and what vanishes with it.
 FORMS = {
-    2: (("curvature", "f2", "the curvature"), ("curvature_derivative", "vertices_lifted", "the derivative of the curvature")),
+    2: (
+        ("curvature", "f2", "the curvature"),
+        ("curvature_derivative", "vertices_lifted", "the derivative of the curvature"),
+    ),
     3: (("torsion", "torsion_zeros_lifted", "the torsion"),),
 }
 
