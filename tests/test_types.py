@@ -30,7 +30,7 @@ ALLOWED: dict[str, str] = {
     "batch/bench/inline.py: one_parameter": PEERS,
     "batch/bench/inline.py: torsion": PEERS,
     "batch/bench/inline.py: vertices": PEERS,
-    "batch/bench/peers.py: sympy_polys": FOREIGN,
+    "batch/bench/peers.py: sympy_polys": PEERS,
     "language/argument.py: Argument.calls": RESULT,
     "language/argument.py: Evaluated.calls": RESULT,
     "language/argument.py: Evaluated.mapped": OPERANDS,
