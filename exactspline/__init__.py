@@ -14,6 +14,9 @@ from typing import TYPE_CHECKING
 from exactspline.language.services import register
 
 if TYPE_CHECKING:
+    from exactspline.batch.families import Family as Family
+    from exactspline.batch.oracle import oracle as oracle
+    from exactspline.batch.sweep import sweep as sweep
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
     from exactspline.display.figures.bisectors import figure_6 as figure_6
@@ -49,7 +52,9 @@ if TYPE_CHECKING:
     from exactspline.exact import from_floats as from_floats
     from exactspline.exact import rational as rational
     from exactspline.geometry.analysis import analyse as analyse
-    from exactspline.geometry.any_bisector import bisector as bisector
+    from exactspline.geometry.bisector.any_pair import bisector as bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
+    from exactspline.geometry.constructions import Variant as Variant
     from exactspline.geometry.constructions import construction as construction
     from exactspline.geometry.curvature import curvature as curvature
     from exactspline.geometry.derived import derive as derive
@@ -62,10 +67,18 @@ if TYPE_CHECKING:
     from exactspline.geometry.features import joints as joints
     from exactspline.geometry.features import singular_points as singular_points
     from exactspline.geometry.features import torsion_zeros as torsion_zeros
+    from exactspline.geometry.floats import floats as floats
+    from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.zero_forms import zero_form as zero_form
+    from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
+    from exactspline.interchange.bridges.geomdl import to_geomdl as to_geomdl
+    from exactspline.interchange.bridges.scipy import from_scipy as from_scipy
+    from exactspline.interchange.bridges.scipy import to_scipy as to_scipy
+    from exactspline.interchange.files import read as read
+    from exactspline.interchange.files import write as write
+    from exactspline.language.choices import Side as Side
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
     from exactspline.language.rational import Rational as Rational
@@ -79,6 +92,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
+    from exactspline.papers import load_paper as load_paper
     from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
     from exactspline.readings.jet import JetReading as JetReading
@@ -111,6 +125,7 @@ if TYPE_CHECKING:
     from exactspline.verification.generic_proof import factor_of as factor_of
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
     from exactspline.verification.questions import verify as verify
@@ -136,10 +151,21 @@ _HOMES = {
     "TensorSpline": "splines.tensor:TensorSpline",
     "Vector": "language.vector:Vector",
     "ZeroSet": "roots.zero_set:ZeroSet",
+    # words that are chosen from
+    "Approach": "geometry.inspection:Approach",
+    "Side": "language.choices:Side",
+    "Variant": "geometry.constructions:Variant",
     # numbers and files
     "from_float": "exact:from_float",
     "from_floats": "exact:from_floats",
+    "floats": "geometry.floats:floats",
+    "from_geomdl": "interchange.bridges.geomdl:from_geomdl",
+    "from_scipy": "interchange.bridges.scipy:from_scipy",
     "rational": "exact:rational",
+    "read": "interchange.files:read",
+    "to_geomdl": "interchange.bridges.geomdl:to_geomdl",
+    "to_scipy": "interchange.bridges.scipy:to_scipy",
+    "write": "interchange.files:write",
     "curve_from_text": "splines.curve_files:curve_from_text",
     "example": "splines.examples:example",
     "example_names": "splines.examples:example_names",
@@ -158,20 +184,22 @@ _HOMES = {
     "zero_form": "geometry.zero_forms:zero_form",
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",
+    "oracle": "batch.oracle:oracle",
     # what is made of curves
-    "bisector": "geometry.any_bisector:bisector",
+    "bisector": "geometry.bisector.any_pair:bisector",
     "curvature": "geometry.curvature:curvature",
     "derive": "geometry.derived:derive",
     "evolute": "geometry.derived:evolute",
     "focal_curve": "geometry.derived:focal_curve",
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
-    "trimmed_bisector": "geometry.trimmed_bisector:trimmed_bisector",
+    "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
     # the language of formulas
     "cross": "language.vector:cross",
     "det": "language.vector:det",
     "dot": "language.vector:dot",
     "find": "papers:find",
+    "load_paper": "papers:load_paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
     "norm2": "language.vector:norm2",
@@ -200,11 +228,15 @@ _HOMES = {
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
     "parse_degree": "readings.degree:parse",
+    "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
     "verify": "verification.questions:verify",
+    # many curves
+    "Family": "batch.families:Family",
+    "sweep": "batch.sweep:sweep",
     # tables
     "Grid": "display.tables:Grid",
     "approaches_table": "display.tables:approaches_table",
@@ -241,7 +273,9 @@ _HOMES = {
 #: What objects offer though it lives further right than they do (see `exactspline.language.services`).
 _SERVICES = {
     "at": "roots.enclosure:at",
+    "at_floats": "geometry.floats:at_floats",
     "curvature": "geometry.values_along:curvature",
+    "curvature_floats": "geometry.floats:curvature_floats",
     "formula_text": "readings.printing.text:print_text",
     "html": "display.notebook:html",
     "latex": "display.latex:latex",
@@ -249,6 +283,7 @@ _SERVICES = {
     "quotient": "language.rational:Rational",
     "short": "display.notebook:short",
     "torsion": "geometry.values_along:torsion",
+    "torsion_floats": "geometry.floats:torsion_floats",
 }
 register({name: f"exactspline.{home}" for name, home in _SERVICES.items()})
 

@@ -11,10 +11,11 @@ import operator
 import re
 from collections.abc import Callable, Iterable
 from decimal import Decimal
+from enum import StrEnum
 from fractions import Fraction
 from math import inf, isfinite, nextafter
-from numbers import Integral
-from typing import Any, SupportsIndex, TypeAlias, cast, overload
+from numbers import Integral, Rational, Real
+from typing import Any, SupportsIndex, TypeAlias, TypeGuard, cast, overload
 
 import flint
 from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
@@ -25,16 +26,20 @@ __all__ = [
     "MAX_EXPONENT",
     "MAX_TEXT",
     "Number",
+    "Rounding",
+    "checked_rounding",
+    "double",
+    "double_between",
     "from_float",
     "from_floats",
     "gcd",
     "iroot",
+    "is_float",
     "is_square",
     "isqrt",
     "lcm",
     "mpq",
     "mpz",
-    "nearest_double",
     "ratio",
     "rational",
     "text",
@@ -98,18 +103,27 @@ def rational(value: Number) -> mpq:
 
 
 def from_float(value: float) -> mpq:
-    """The exact binary value of a float: the one door through which a float enters.
+    """The exact binary value of a float, of Python or of numpy: the one door through which a float enters.
 
     >>> from_float(0.5), from_float(0.1) == rational("0.1")
     (mpq(1,2), False)
 
     Raises `NumberError` for NaN, infinities and anything that is not a float.
     """
-    if not isinstance(value, float):
+    if not is_float(value):
         raise NumberError(f"{value!r} is not a float", remedy="exact numbers go through rational()")
     if not isfinite(value):
         raise NumberError(f"{float(value)} has no exact value", remedy="write a finite number")
-    return mpq(*float(value).as_integer_ratio())
+    return mpq(*map(int, value.as_integer_ratio()))
+
+
+def is_float(value: object) -> TypeGuard[float]:
+    """Whether something is a float of Python or of numpy, of whatever width.
+
+    >>> is_float(0.5), is_float(1), is_float("0.5")
+    (True, False, False)
+    """
+    return isinstance(value, float) or (isinstance(value, Real) and not isinstance(value, Rational | Decimal))
 
 
 @overload
@@ -135,36 +149,83 @@ def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq
     return found
 
 
-def nearest_double(enclosed: Callable[[int], tuple[mpq, mpq]], sign_above: Callable[[mpq], int]) -> float:
-    """The double nearest to a real number, of two equally near ones the even one.
+class Rounding(StrEnum):
+    """To which double a real number is rounded."""
+
+    #: The nearest, of two equally near ones the even one.
+    NEAREST = "nearest"
+    #: The largest that is not above the number, and the smallest that is not below it.
+    DOWN = "down"
+    UP = "up"
+
+
+def checked_rounding(rounding: str) -> Rounding:
+    """The way of rounding with a name; `NumberError` with the names there are."""
+    try:
+        return Rounding(rounding)
+    except ValueError:
+        raise NumberError(f"no way of rounding is called {shown(rounding)}", remedy=f"{', '.join(Rounding)}") from None
+
+
+def double(value: mpq, rounding: str = Rounding.NEAREST) -> float:
+    """The correctly rounded double of a rational number.
+
+    >>> double(mpq(1, 3)), double(mpq(1, 3), "up") - double(mpq(1, 3), "down") == 2.0**-54
+    (0.3333333333333333, True)
+
+    Raises `OverflowError` for a number beyond the largest double (but not where that is what is asked for), like
+    ``float`` of an int; `NumberError` for an unknown way of rounding.
+    """
+    return _finite(_rounded(value, checked_rounding(rounding)))
+
+
+def double_between(
+    enclosed: Callable[[int], tuple[mpq, mpq]], sign_above: Callable[[mpq], int], rounding: str = Rounding.NEAREST
+) -> float:
+    """The correctly rounded double of a real number.
 
     ``enclosed(digits)`` are rational numbers with the number between them, at most ``10^−digits`` apart, and
     ``sign_above(t)`` is the sign of the number minus t, exactly.
 
     >>> third = mpq(1, 3)
-    >>> nearest_double(lambda digits: (third, third), lambda t: (third > t) - (third < t)) == 1 / 3
+    >>> double_between(lambda digits: (third, third), lambda t: (third > t) - (third < t)) == 1 / 3
     True
 
-    Raises `OverflowError` for a number beyond the largest double, like ``float`` of an int.
+    Raises what `double` raises. Source: A. Ziv, Fast evaluation of elementary mathematical functions with correctly
+    rounded last bit, ACM TOMS 1991; a number on a border is told from its neighbours exactly.
     """
-    digits = 20
+    way, digits = checked_rounding(rounding), 20
     while True:
-        low, high = map(_rounded, enclosed(digits))
+        low, high = (_rounded(end, way) for end in enclosed(digits))
         if low == high:
             return _finite(low)
         if nextafter(low, inf) == high:
-            middle = (_unrounded(low) + _unrounded(high)) / 2
-            side = sign_above(middle)
-            return _finite(high if side > 0 else low if side < 0 else _rounded(middle))
+            return _finite(_one_of(low, high, sign_above, way))
         digits *= 2
 
 
-def _rounded(value: mpq) -> float:
-    """The nearest double to a rational number, infinite beyond the largest."""
+def _one_of(low: float, high: float, sign_above: Callable[[mpq], int], rounding: Rounding) -> float:
+    """Which of two neighbours a number between them is rounded to."""
+    if rounding is Rounding.DOWN:
+        return high if sign_above(_unrounded(high)) >= 0 else low
+    if rounding is Rounding.UP:
+        return low if sign_above(_unrounded(low)) <= 0 else high
+    middle = (_unrounded(low) + _unrounded(high)) / 2
+    side = sign_above(middle)
+    return high if side > 0 else low if side < 0 else _rounded(middle, rounding)
+
+
+def _rounded(value: mpq, rounding: Rounding) -> float:
+    """The rounded double, infinite beyond the largest."""
     try:
-        return int(value.numerator) / int(value.denominator)
+        found = int(value.numerator) / int(value.denominator)
     except OverflowError:
-        return inf if value > 0 else -inf
+        found = inf if value > 0 else -inf
+    if rounding is Rounding.DOWN and (found == inf or _unrounded(found) > value):
+        return nextafter(found, -inf)
+    if rounding is Rounding.UP and (found == -inf or _unrounded(found) < value):
+        return nextafter(found, inf)
+    return found
 
 
 def _unrounded(value: float) -> mpq:

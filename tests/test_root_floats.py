@@ -8,7 +8,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.exact import nearest_double
+from exactspline.exact import double_between
 from exactspline.splines.surd import square_root
 
 
@@ -105,4 +105,4 @@ def test_a_wrong_side_would_be_seen():
         width = mpq(1, 10**digits)
         return third - width / 3, third + width / 7
 
-    assert nearest_double(enclosed, lambda t: (third > t) - (third < t)) == 1 / 3
+    assert double_between(enclosed, lambda t: (third > t) - (third < t)) == 1 / 3

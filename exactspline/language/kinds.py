@@ -22,6 +22,8 @@ __all__ = [
     "CURVE",
     "DIMENSIONS",
     "FRAMED",
+    "FRAMED_PLANE",
+    "FRAMED_SPACE",
     "HODOGRAPH",
     "IMPLICIT",
     "IMPLICIT_SURFACE",
@@ -167,10 +169,13 @@ class TableKind(Kind):
 
 
 class FramedKind(CurveKind):
-    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide."""
+    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide.
 
-    def __init__(self) -> None:
-        super().__init__("framed", (2, 3))
+    >>> FRAMED_SPACE.takes(SPACE, 3), FRAMED_SPACE.takes(POINT_IN_SPACE, 3), SPACE.takes(FRAMED_SPACE, 3)
+    (True, False, False)
+    """
+
+    adjoins_roots = True
 
     def names(self, dimension: int) -> dict[str, bool]:
         """Those of a curve, and the roots."""
@@ -198,12 +203,14 @@ def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[An
 CURVE, PLANE, SPACE = CurveKind("curve", (2, 3)), CurveKind("plane", (2,)), CurveKind("space", (3,))
 PLANE_POINT, POINT_IN_SPACE = CurveKind("plane point", (2,), with_point=True), CurveKind("point", (3,), with_point=True)
 PAIR, PLANE_PAIR = PairKind("pair", SPACE), PairKind("plane pair", PLANE)
-TABLE, FRAMED = TableKind(), FramedKind()
+TABLE, FRAMED = TableKind(), FramedKind("framed", (2, 3))
+FRAMED_PLANE, FRAMED_SPACE = FramedKind("framed plane", (2,)), FramedKind("framed space", (3,))
 #: The kinds by their names.
 KINDS: dict[str, Kind] = {
     kind.name: kind
     for kind in (
-        *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED),
+        *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT),
+        *(FRAMED, FRAMED_PLANE, FRAMED_SPACE),
         *(HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION),
     )
 }

@@ -7,7 +7,7 @@ primes) has nominal B-spline degree ``kd − m``.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -62,7 +62,7 @@ class JetRing:
         if name in self.rules:
             if name not in self._derivatives:
                 known = {each: self[each] for each in self.symbols}
-                self._derivatives[name] = self.rules[name](known).polynomial
+                self._derivatives[name] = cast(Jet, self.rules[name](known)).polynomial
             return self._derivatives[name]
         if order == self.order:
             raise FormulaError(
@@ -92,19 +92,19 @@ class Jet(Operand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented

@@ -17,6 +17,7 @@ from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational, text, to_fmpz
+from exactspline.language.choices import Side, choice
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -120,6 +121,19 @@ class BSpline(Immutable, _Parts, Operand):
         polynomials, denominators = zip(*forms, strict=True)
         return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
 
+    @classmethod
+    def from_parts(
+        cls,
+        degree: int,
+        mesh: Mesh,
+        continuity: tuple[int, ...],
+        polynomials: tuple[fmpz_poly, ...],
+        denominators: tuple[fmpz, ...],
+        provenance: Provenance,
+    ) -> BSpline:
+        """The spline with these forms, polynomials and denominators apart; the caller vouches for the rest."""
+        return _make(degree, mesh, continuity, polynomials, denominators, provenance)
+
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller vouches that they are the same functions."""
         made = BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance)
@@ -211,13 +225,13 @@ class BSpline(Immutable, _Parts, Operand):
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
         return _make(0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Any, name: int) -> Any:
         if type(other) is not BSpline:
             if not isinstance(other, CONSTANTS):
                 return NotImplemented
@@ -238,7 +252,7 @@ class BSpline(Immutable, _Parts, Operand):
             n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
         )
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
@@ -290,7 +304,7 @@ class BSpline(Immutable, _Parts, Operand):
 
     # ---- the function
 
-    def __call__(self, t: Number, side: str = "right") -> mpq:
+    def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
         """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the `side`
         asked for.
 
@@ -470,11 +484,9 @@ def checked_degree(degree: object) -> int:
     return degree
 
 
-def checked_side(side: str) -> bool:
+def checked_side(side: Side | str) -> bool:
     """Whether the side is the left one; `DomainError` unless it is ``left`` or ``right``."""
-    if side not in ("left", "right"):
-        raise DomainError(f"{side!r} is no side", remedy="'left' or 'right'")
-    return side == "left"
+    return side is not Side.RIGHT and choice(Side, side, "side", raised=DomainError) is Side.LEFT
 
 
 def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:

@@ -5,11 +5,12 @@ ask for.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.exact import Number, mpq, text
+from exactspline.exact import Number, from_float, is_float, mpq, rational, text
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable
 from exactspline.language.vector import Vector
 from exactspline.splines import nurbs_operations as operations
@@ -95,6 +96,36 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         return cls(degree, knots, cartesian, [row[-1] for row in rows], name=name, source=source, note=note)
 
     @classmethod
+    def from_floats(
+        cls,
+        degree: int,
+        knots: Iterable[float],
+        control_points: Iterable[Iterable[float]],
+        weights: Iterable[float] | None = None,
+        *,
+        snap: bool = False,
+        name: str = "",
+    ) -> Nurbs:
+        """The curve of floating-point data, integers among it: lists, or numpy's arrays of any width.
+
+        Every float counts with its binary value; with `snap`, as the shortest decimal that it prints as.
+
+        >>> curve = Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)])
+        >>> curve(0)[0] == mpq(1, 10), curve(1)
+        (False, (mpq(1,2), mpq(1,1)))
+        >>> Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)], snap=True)(0)
+        (mpq(1,10), mpq(0,1))
+
+        Raises `NumberError` for NaN and infinities, and what `Nurbs` raises.
+        """
+
+        def row(values: Iterable[float]) -> list[mpq]:
+            return [_exact(x, snap) for x in values]
+
+        exact = None if weights is None else row(weights)
+        return cls(degree, row(knots), [row(point) for point in control_points], exact, name=name)
+
+    @classmethod
     def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
         """The curve ``p/w`` (or ``p``), of splines with degrees and knots of their own.
 
@@ -136,7 +167,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
     # ---- the curve
 
-    def __call__(self, t: Number, side: str = "right") -> tuple[mpq, ...]:
+    def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The exact point at a parameter (at a jump the limit from the right, or from the `side` asked for)."""
         w = self.w(t, side)
         return tuple(x(t, side) / w for x in self.p)
@@ -164,8 +195,13 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     @property
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
-        a, b = self.domain
-        return self(a) == self(b, "left")
+        w, n = self.w.polynomials, self.w.degree
+        # the denominators are those of one segment each, so that only the integers at the ends count
+        start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
+        return all(
+            x.polynomials[0][0] * x.denominators[-1] * end == x.polynomials[-1][x.degree] * x.denominators[0] * start
+            for x in self.p
+        )
 
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"
@@ -257,6 +293,13 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
     _check_weight(w)
     operands = Curve(Vector(*splines), w, polynomial=polynomial)
     return vars(operands) | {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
+
+
+def _exact(value: float, snap: bool) -> mpq:
+    """The value of a float, or of the decimal that it prints as; an integer is one."""
+    if not is_float(value):
+        return rational(cast(int, value))
+    return rational(str(value)) if snap else from_float(value)
 
 
 def _restored(

@@ -7,7 +7,7 @@ from functools import total_ordering
 from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import NumberError
-from exactspline.exact import Number, is_square, isqrt, mpq, mpz, nearest_double, text
+from exactspline.exact import Number, double_between, is_square, isqrt, mpq, mpz, text
 from exactspline.language.immutable import Immutable, fill
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ class Surd(Immutable):
 
     def __float__(self) -> float:
         """The correctly rounded double."""
-        return nearest_double(self.enclosed, lambda t: 1 if self > t else -1)
+        return double_between(self.enclosed, lambda t: 1 if self > t else -1)
 
     def __repr__(self) -> str:
         return f"Surd({text(self.coefficient)}, {self.radicand})"
@@ -119,6 +119,10 @@ class Surd(Immutable):
         p, q = self.coefficient.numerator, self.coefficient.denominator
         times = {1: "", -1: "-"}.get(int(p)) if abs(p) == 1 else text(mpq(p))
         return f"{times}√{self.radicand}" + (f"/{q}" if q != 1 else "")
+
+
+#: Whose squares are taken out of a radicand.
+_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(isqrt(p)) + 1))]
 
 
 def square_root(q: mpq) -> mpq | Surd:
@@ -135,7 +139,7 @@ def square_root(q: mpq) -> mpq | Surd:
     if is_square(n):
         return mpq(isqrt(n), q.denominator)
     root = mpz(1)
-    for prime in range(2, 1000):
+    for prime in _PRIMES:
         while n % (prime * prime) == 0:
             n, root = n // (prime * prime), root * prime
     return Surd(mpq(root, q.denominator), int(n))

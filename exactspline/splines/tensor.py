@@ -152,13 +152,13 @@ class TensorSpline(Immutable, TensorParts, Operand):
         a, b = self.meshes[0].domain
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Any, name: int) -> Any:
         right = other if type(other) is TensorSpline else self.beside(other)
         if right is None:
             return NotImplemented
@@ -190,7 +190,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             (name, self.provenance, right.provenance),
         )
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if type(other) is not TensorSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)

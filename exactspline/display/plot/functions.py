@@ -174,9 +174,14 @@ def draw_roots(
                 label=counted,
                 zorder=5,
             )
-    for i, interval in enumerate(getattr(roots, "intervals", [])):
-        ends = [(interval.low, mpq(0)), (min(interval.high, domain[1]), mpq(0))]
+    for i, (low, high) in enumerate(stretches(roots)):
+        ends = [(low, mpq(0)), (high, mpq(0))]
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
+
+
+def stretches(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
+    """The intervals on which all is zero, cut at the seam."""
+    return [part for stretch in getattr(roots, "intervals", []) for part in stretch.parts]
 
 
 def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
@@ -217,14 +222,9 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
-    for i, interval in enumerate(getattr(roots, "intervals", [])):
-        draw(
-            ax,
-            [(interval.low, mpq(-1)), (interval.high, mpq(-1))],
-            color=color,
-            linewidth=6,
-            label="_stretch" if i else "zero throughout",
-        )
+    for i, (low, high) in enumerate(stretches(roots)):
+        ends = [(low, mpq(-1)), (high, mpq(-1))]
+        draw(ax, ends, color=color, linewidth=6, label="_stretch" if i else "zero throughout")
     ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])
     ax.set_ylabel("root")
     ax.set_xlabel("parameter")

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 from exactspline.exact import Number
-from exactspline.interchange.bridges.values import doubles, exact
+from exactspline.interchange.bridges.values import doubles
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -38,5 +38,4 @@ def points_at(curve: Nurbs, parameters: Iterable[Number]) -> np.ndarray:
     """
     import numpy as np
 
-    rows = np.array([doubles(curve(exact(t))) for t in parameters], dtype=float)
-    return np.reshape(rows, (-1, curve.dimension))
+    return np.reshape(np.array(curve.at_floats(parameters), dtype=float), (-1, curve.dimension))

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable
-from numbers import Integral
-from typing import Any, cast
 
 from exactspline.errors import NumberError, shown
-from exactspline.exact import mpq
+from exactspline.exact import from_float, is_float, mpq
 from exactspline.interchange.numbers import finite_double
 
 
@@ -19,13 +18,12 @@ def exact(value: object) -> mpq:
 
     Raises `NumberError` for NaN, infinities, complex numbers and what is no number.
     """
-    if isinstance(value, Integral):
-        return mpq(int(value))
+    if is_float(value):
+        return from_float(value)
     try:
-        numerator, denominator = cast(Any, value).as_integer_ratio()
-    except (AttributeError, ValueError, OverflowError, TypeError):
+        return mpq(operator.index(value))  # type: ignore[arg-type]  # asked whether it is an integer
+    except TypeError:
         raise NumberError(f"{shown(value)} is no finite number", remedy="pass integers or floats") from None
-    return mpq(int(numerator), int(denominator))
 
 
 def exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:

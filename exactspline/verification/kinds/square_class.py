@@ -53,7 +53,7 @@ class SquareClass(Claim):
         if any(x.is_zero for f in (formula, right) for x in split(f(c))[0]):
             return vacuous("a square")
         factor = factor_of(formula, right, dimension, polynomial=polynomial)
-        odd = "not proportional" if factor is None else "·".join(name for name, _, e in factor.powers if e % 2)
+        odd = "not proportional" if factor is None else "·".join(base.name for base, e in factor.powers if e % 2)
         quotient = f"{self.formula}/{self.right} = {factor}"
         if not odd:
             return Finding(PROVED, "a square", "a square", quotient)

@@ -104,7 +104,7 @@ class SameSurface(Claim):
 
 def _poles(factor: Factor) -> Factor:
     """The denominator of a factor."""
-    return Factor(factor.constant, tuple(power for power in factor.powers if power[2] < 0), factor.ring)
+    return Factor(factor.constant, factor.powers.below, factor.ring)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -23,10 +23,12 @@ from flint import fmpz, fmpz_mpoly, fmpz_poly
 from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq, rational, text
 from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
-from exactspline.geometry.bisectors import STILL, THROUGH, exact_point
+from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
+from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.features import joints, singular_points
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.papers import find
@@ -39,8 +41,6 @@ from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import common_factor, lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly
-
-AROUND = "the curve is an arc here of a circle through the point, and all its normals meet in the centre"
 
 #: An exact parameter: rational, or a certified root.
 Parameter = mpq | Root
@@ -154,7 +154,7 @@ def _around(curve: Nurbs, q: tuple[mpq, ...]) -> Curve[BSpline]:
 
 def _refuse_point_on(c: Curve[BSpline]) -> None:
     on = zeros(common_factor(c.p))
-    knots = [t for t in c.w.breakpoints if any(all(x(t, side) == 0 for x in c.p) for side in ("left", "right"))]
+    knots = [t for t in c.w.breakpoints if any(all(x(t, side) == 0 for x in c.p) for side in Side)]
     if len(on) or knots:
         where = text(knots[0]) if knots else repr(on[0])
         raise ShapeError(

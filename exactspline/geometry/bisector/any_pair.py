@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 from exactspline.errors import ShapeError
 from exactspline.exact import Number
-from exactspline.geometry.bisectors import CurveBisector, PointBisector, curve_bisector, exact_point, point_bisector
+from exactspline.geometry.bisector.point_and_curve import PointBisector, exact_point, point_bisector
+from exactspline.geometry.bisector.two_curves import CurveBisector, curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
