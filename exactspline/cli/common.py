@@ -33,6 +33,7 @@ __all__ = [
     "described",
     "load_curve",
     "loaded",
+    "quiet_fonts",
     "tell_skipped",
     "tracked",
 ]
@@ -185,6 +186,13 @@ def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
     from rich.progress import track
 
     return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
+
+
+def quiet_fonts() -> None:
+    """Let fontTools keep to itself what it thinks of the dates in a font: nothing of it concerns outlines."""
+    import logging
+
+    logging.getLogger("fontTools").setLevel(logging.ERROR)
 
 
 def described(c: Nurbs) -> str:

@@ -57,7 +57,17 @@ def prove(
     ] = None,
     judge: Annotated[
         str,
-        typer.Option("--judge", metavar="JUDGE", help="Who decides the identities once more, for all curves: sympy."),
+        typer.Option(
+            "--judge",
+            metavar="JUDGE",
+            help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (a column).",
+        ),
+    ] = "",
+    emit_coq: Annotated[
+        str,
+        typer.Option(
+            "--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."
+        ),
     ] = "",
     rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
     html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
@@ -87,6 +97,9 @@ def prove(
     from exactspline.display.ledger_page import write_page
     from exactspline.verification.ledger import tasks
 
+    if emit_coq:
+        _emit(emit_coq)
+        return
     wanted = [_word(each, WORDS) for each in verdict or []]
     claims = _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or [])
     given, good = loaded(curve or [])
@@ -94,6 +107,7 @@ def prove(
     if judge and curve:
         raise OptionsError("--judge and --curve", remedy="another judge decides for all curves: leave --curve out")
     found = tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving")
+    kernel = _kernel(claims) if judge == "coq" else None
     chosen = [row for row in found if not wanted or word(row) in wanted]
     if html:
         write_page(html, chosen)
@@ -102,7 +116,7 @@ def prove(
 
         write_report(report, claims, found)
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
-    pages = _Ledger(chosen, claims, curves, digits, exact)
+    pages = _Ledger(chosen, claims, curves, digits, exact, kernel)
     out.give(
         "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
     )
@@ -146,11 +160,37 @@ def _told(text: str) -> None:
 
 def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
     """What gives the calls of another judge."""
+    if name == "coq":
+        from exactspline.verification import ledger
+
+        return ledger.tasks
     if name != "sympy":
-        raise ClaimError(f"no judge is called {name!r}", remedy="there is sympy")
+        raise ClaimError(f"no judge is called {name!r}", remedy="there are sympy and coq")
     from exactspline.verification import sympy_judge
 
     return sympy_judge.tasks
+
+
+def _kernel(claims: Sequence[Claim]) -> dict[tuple[str, str], str]:
+    """The column of the kernel: what Coq says, claim by claim."""
+    from exactspline.verification.coq_judge import opinions
+
+    return {key: str(opinion) for key, opinion in opinions(claims).items()}
+
+
+def _emit(directory: str) -> None:
+    """Write the theorems, and say how many there are and what has none."""
+    from pathlib import Path
+
+    from exactspline.display import console
+    from exactspline.verification.coq.emission import emit
+
+    made = emit(Path(directory))
+    shown = console.console()
+    theorems = [each for own in made.theorems.values() for each in own if not each.reason]
+    console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
+    for each in made.unstated:
+        console.lines(shown, f"{each.claim.key}: no theorem, {each.reason}")
 
 
 def _word(name: str, known: Sequence[str]) -> str:
@@ -181,9 +221,16 @@ class _Ledger:
     """The rows of a run, for programs and for people."""
 
     def __init__(
-        self, rows: list[Row], claims: Sequence[Claim], curves: list[Any] | None, digits: int, exact: bool
+        self,
+        rows: list[Row],
+        claims: Sequence[Claim],
+        curves: list[Any] | None,
+        digits: int,
+        exact: bool,
+        kernel: dict[tuple[str, str], str] | None = None,
     ) -> None:
         self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
+        self.kernel = kernel
 
     @property
     def own(self) -> bool:
@@ -197,9 +244,15 @@ class _Ledger:
         from exactspline.display.ledger import keyed
 
         return [
-            row.data() | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            row.data()
+            | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            | self._said(row)
             for key, word, row in keyed(self.rows)
         ]
+
+    def _said(self, row: Row) -> dict[str, object]:
+        """What the kernel says, where it was asked."""
+        return {} if self.kernel is None else {"kernel": self.kernel.get((row.paper, row.key), "")}
 
     def sheets(self) -> list[Sheet]:
         """The ledger, curve by curve."""
@@ -209,7 +262,8 @@ class _Ledger:
         for name in dict.fromkeys(row.curve for row in self.rows):
             own = [row for row in self.rows if row.curve == name]
             title = name or "For all curves"
-            shown.append(ledger(own, title, self.digits, exact=self.exact, name=name or "all curves"))
+            told = None if name else self.kernel
+            shown.append(ledger(own, title, self.digits, exact=self.exact, name=name or "all curves", kernel=told))
         return shown
 
     def print(self, out: Output, found: Sequence[Row], *, listed: bool, everything: bool) -> None:

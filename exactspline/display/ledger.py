@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -85,13 +85,23 @@ def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
     return "" if said else decimals(row.witness, digits, exact=exact)
 
 
-def ledger(rows: Iterable[Row], title: str = "", digits: int = 0, *, exact: bool = False, name: str = "") -> Sheet:
-    """The rows of one curve (or of all curves), one a line."""
-    columns = ("verdict", "claim", "statement", "found", "witness")
-    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness"), heads=2)
+def ledger(
+    rows: Iterable[Row],
+    title: str = "",
+    digits: int = 0,
+    *,
+    exact: bool = False,
+    name: str = "",
+    kernel: Mapping[tuple[str, str], str] | None = None,
+) -> Sheet:
+    """The rows of one curve (or of all curves), one a line; with `kernel`, what the kernel of Coq says of each claim."""
+    asked = () if kernel is None else ("kernel",)
+    columns = ("verdict", "claim", "statement", "found", "witness", *asked)
+    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {row.expected})"
-        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact))
+        says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
+        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact), *says)
     return made
 
 

@@ -99,15 +99,16 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
 
 
-def jets_with_roots(formulas: Iterable[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
-    """The same with the roots of the frame adjoined. Where neither formulas nor factor speak of the denominator, γ has
-    indeterminate coordinates: w = 1.
-    """
-    chosen = list(formulas)
-    alone = (
-        all(speaks_of_gamma_alone(each, dimension) for each in chosen) and "w" not in factor.replace("^", " ").split()
-    )
-    return jets_for(chosen, dimension, polynomial=polynomial or alone)
+def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
+    """Whether neither the formulas nor a factor as claims write it speak of the denominator, but of γ alone."""
+    weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
+    return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
+
+
+def jets_with_roots(formulas: Sequence[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
+    """The same with the roots of the frame adjoined; for formulas of γ alone γ has indeterminate coordinates."""
+    alone = without_denominator(formulas, factor, dimension)
+    return jets_for(formulas, dimension, polynomial=polynomial or alone)
 
 
 def find_factor(left: Value, right: Value) -> Factor | None:

@@ -127,7 +127,8 @@ def _side(name: str, role: str, claim: Claim) -> Side:
     formula = claim.find(name)
     tree = telling_tree(formula, _dimension(formula, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    degrees = [str(_degree(name, claim, polynomial)) for polynomial in (False, True)]
+    counted = [_degree(name, claim, polynomial) for polynomial in (False, True)]
+    degrees = ["–" if degree is None else str(degree) for degree in counted]
     return Side(
         role,
         name,
@@ -144,8 +145,11 @@ def _dimension(formula: Formula, claim: Claim) -> int:
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
-def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
+def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
+    """The degree of a formula, None where it has roots."""
     formula = claim.find(name)
+    if formula.kind.adjoins_roots:
+        return None
     counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
     handed = (
         DegreeReading("d", *counts).argument(formula.kind, _dimension(formula, claim), polynomial=polynomial)
@@ -158,7 +162,7 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
 
 def _size(name: str, claim: Claim) -> int:
     degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
-    return degree.at(dict.fromkeys(degree.names, 3))
+    return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:

@@ -8,8 +8,8 @@ from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_bin
 from exactspline.readings.tree import Node, Operation
 
 _GREEK = {
-    **{"gamma": "γ", "sigma": "σ", "rho": "ρ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"},
-    **{"lambda": "λ", "omega": "ω", "nabla": "∇"},
+    **{"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"},
+    **{"lambda": "λ", "sigma": "σ", "rho": "ρ", "omega": "ω", "nabla": "∇"},
 }
 _SUBSCRIPT = {ord("_"): None, **str.maketrans("123", "₁₂₃")}
 _SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
