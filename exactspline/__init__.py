@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from exactspline.display.plot.curves import plot_evolute as plot_evolute
     from exactspline.display.plot.curves import plot_features as plot_features
     from exactspline.display.plot.curves import plot_quotient as plot_quotient
-    from exactspline.display.plot.functions import greville_abscissae as greville_abscissae
     from exactspline.display.plot.functions import plot_function as plot_function
     from exactspline.display.plot.functions import plot_roots as plot_roots
     from exactspline.display.plot.surfaces import plot_bisector as plot_bisector
@@ -92,6 +91,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
+    from exactspline.papers import load_paper as load_paper
     from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
     from exactspline.readings.jet import JetReading as JetReading
@@ -110,6 +110,7 @@ if TYPE_CHECKING:
     from exactspline.splines.examples import example_names as example_names
     from exactspline.splines.examples import load as load
     from exactspline.splines.knots import KnotVector as KnotVector
+    from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
     from exactspline.splines.surd import Surd as Surd
@@ -124,6 +125,7 @@ if TYPE_CHECKING:
     from exactspline.verification.generic_proof import factor_of as factor_of
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
     from exactspline.verification.questions import verify as verify
@@ -197,6 +199,7 @@ _HOMES = {
     "det": "language.vector:det",
     "dot": "language.vector:dot",
     "find": "papers:find",
+    "load_paper": "papers:load_paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
     "norm2": "language.vector:norm2",
@@ -225,6 +228,7 @@ _HOMES = {
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
     "parse_degree": "readings.degree:parse",
+    "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
@@ -252,7 +256,7 @@ _HOMES = {
     "figure_4": "display.figures.bisectors:figure_4",
     "figure_5": "display.figures.bisectors:figure_5",
     "figure_6": "display.figures.bisectors:figure_6",
-    "greville_abscissae": "display.plot.functions:greville_abscissae",
+    "greville_abscissae": "splines.knots:greville_abscissae",
     "new_figure": "display.plot.canvas:new_figure",
     "plot": "display.plot.anything:plot",
     "plot_approaches": "display.plot.comparisons:plot_approaches",

@@ -192,7 +192,7 @@ class Program:
         """What the terms of the value are on the segments of an argument."""
         operands = given.splines
         below = [operands[k].denominators for k in self.groups]
-        columns = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
+        columns: Any = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
         inner, count = len(given.mesh) - 1, len(self.terms)
         continuities = [f.continuity for f in operands]
         leaves = tuple(zip(self.leaves, [f.provenance for f in operands], strict=True))
@@ -252,6 +252,11 @@ def _program(formula: Formula, signature: Signature) -> Program:
     reading = ProgramReading(signature.degrees, signature.groups, unit_widths=signature.unit_widths)
     value = formula(reading.argument(signature.kind, signature.dimension, polynomial=signature.polynomial))
     return Program(value, reading, signature)
+
+
+def program_of(formula: Formula, signature: Signature) -> Program:
+    """The program of a formula for arguments with a signature; made once."""
+    return _program(formula, signature)
 
 
 def program_for(formula: Formula, argument: Evaluated) -> Program:

@@ -47,6 +47,9 @@ class Operation(StrEnum):
     #: A directrix with its generator; a normal with its height, brought to one denominator.
     RULED = "ruled"
     LEVEL = "level"
+    #: A part of a ruled surface that is called by its name.
+    DIRECTRIX = "directrix"
+    GENERATOR = "generator"
 
 
 #: What carries nothing out.
@@ -270,7 +273,7 @@ def evaluate(node: Node, c: Any) -> Any:
 
     def visit(n: Node) -> Any:
         if id(n) not in known:
-            known[id(n)] = _apply(n, [visit(a) for a in n.args], c)
+            known[id(n)] = applied(n, [visit(a) for a in n.args], c)
         return known[id(n)]
 
     return visit(node)
@@ -282,7 +285,8 @@ _BINARY = {Operation.PLUS: add, Operation.MINUS: sub, Operation.TIMES: mul, Oper
 _PRODUCTS = {Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)}
 
 
-def _apply(n: Node, args: list[Any], c: Any) -> Any:
+def applied(n: Node, args: list[Any], c: Any) -> Any:
+    """The value of one node from those of its arguments, in the reading of the curve `c`."""
     if n.op is Operation.LEAF:
         return attrgetter(n.value)(c)
     if n.op is Operation.NUMBER:
@@ -301,6 +305,8 @@ def _apply(n: Node, args: list[Any], c: Any) -> Any:
         return args[0][n.value]
     if n.op is Operation.LEVEL:
         return level(args[0], args[1])[n.value]
+    if n.op in (Operation.DIRECTRIX, Operation.GENERATOR):
+        return getattr(args[0], n.op)
     return _PRODUCTS[n.op](*args)
 
 

@@ -10,7 +10,7 @@ from typing import overload
 from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import text
+from exactspline.exact import PRIME, text
 from exactspline.language.parts import split
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
@@ -20,9 +20,6 @@ from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineSurface, SplineValue, SplineVector
-
-#: The prime modulo which polynomials are first held against one another.
-PRIME = (1 << 61) - 1
 
 
 def common_factor(v: Vector[BSpline]) -> BSpline:

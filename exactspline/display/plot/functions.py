@@ -30,6 +30,7 @@ from exactspline.exact import mpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import greville_abscissae
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,19 +41,6 @@ POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
 #: Into how many pieces a leg of a control polygon is cut where the scale bends it.
 BENDS = 64
 SCALES = ("linear", "symlog", "clip")
-
-
-def greville_abscissae(f: BSpline) -> list[mpq]:
-    """The parameters over which the control points of a function are drawn: means of n consecutive knots (of a
-    constant: the middles of segments).
-
-    >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))
-    [mpq(0,1), mpq(1,2), mpq(3,2), mpq(2,1)]
-    """
-    n, t = f.degree, f.knots.knots
-    if n == 0:
-        return [(a + b) / 2 for a, b in pairwise(t)]
-    return [sum(t[i + 1 : i + n + 1], mpq(0)) / n for i in range(len(f.control_points))]
 
 
 def plot_function(

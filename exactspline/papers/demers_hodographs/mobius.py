@@ -10,7 +10,7 @@ PAIR = "space"
 WITH_CONSTANTS = "space with a, b, m, n"
 
 
-@formula("In the plane, Möbius is a linear map", on="plane", symbol="1/z")
+@formula("In the plane, Möbius is a linear map", on="plane")
 def real_inversion(c):
     """``1/z = z̄/|z|²`` of a rational curve."""
     return conjugate(c.p) * c.w / norm2(c.p)
@@ -35,7 +35,7 @@ def complex_wronskian(c):
     return complex_product(p.d(1), q) - complex_product(p, q.d(1))
 
 
-@formula("PH in one line", on=PAIR, symbol="z'")
+@formula("PH in one line", on=PAIR)
 def complex_velocity(c):
     """The derivative of ``z = P/Q``."""
     return complex_quotient(complex_numerator(c), complex_denominator(c)).d(1)
@@ -86,15 +86,15 @@ def _form(a, b, e):
     return norm2(b) - a * e
 
 
-@formula("Möbius invariance is two lines", symbol=r"\langle P, P\rangle")
+@formula("Möbius invariance is two lines", on="space")
 def conformal_square(c):
     """The form on P."""
     lift = conformal_lift(c)
-    return _form(lift[0], lift[1 : c.dimension + 1], lift[c.dimension + 1])
+    return _form(lift[0], lift[1:4], lift[4])
 
 
-@formula("Möbius invariance is two lines", symbol=r"\langle P', P'\rangle")
+@formula("Möbius invariance is two lines", on="space")
 def conformal_speed_squared(c):
     """The form on P′: h², the squared numerator of the speed."""
     lift = conformal_lift(c).d(1)
-    return _form(lift[0], lift[1 : c.dimension + 1], lift[c.dimension + 1])
+    return _form(lift[0], lift[1:4], lift[4])

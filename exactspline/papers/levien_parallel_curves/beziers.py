@@ -55,7 +55,7 @@ def basic_direction(c):
     return 2 * quadratic_2(c) - bezier_1(c) - quadratic_3(c)
 
 
-@formula("QuadBez.map_to_basic", on="plane", symbol=r"\mathrm{cross}")
+@formula("QuadBez.map_to_basic", on="plane")
 def basic_cross(c):
     """``(x2 − x0) ddy − (y2 − y0) ddx``."""
     return det(quadratic_3(c) - bezier_1(c), basic_direction(c))

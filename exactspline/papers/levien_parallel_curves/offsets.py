@@ -12,13 +12,13 @@ from exactspline.language.vector import det, dot, join, norm2, perp
 KIND = "plane with delta"
 
 
-@formula("complex notation", on="plane", symbol="x'")
+@formula("complex notation", on="plane", symbol="V")
 def root_velocity(c):
     """``x′ = (u + iv)²``."""
     return complex_product(c.p, c.p)
 
 
-@formula("complex notation", on="plane", symbol="|x'|")
+@formula("complex notation", on="plane", symbol=r"\sigma")
 def root_speed(c):
     """``|x′| = u² + v²``."""
     return norm2(c.p)
@@ -36,13 +36,13 @@ def root_speed_squared(c):
     return root_speed(c) ** 2
 
 
-@formula("Cusp finding", on="plane", symbol=r"\kappa_{\mathrm{printed}}")
+@formula("Cusp finding", on="plane", symbol=r"\kappa")
 def offset_curvature_printed(c):
     """``(x″ × x′) / |x′|³``."""
     return det(root_velocity(c).d(1), root_velocity(c)) / root_speed(c) ** 3
 
 
-@formula("curvature in complex notation", on="plane", symbol=r"\kappa")
+@formula("curvature in complex notation", on="plane")
 def curvature_by_root(c):
     """``2 (u v′ − v u′) / (u² + v²)²``: positive where the curve turns left."""
     return 2 * det(c.p, c.p.d(1)) / root_speed(c) ** 2
@@ -99,7 +99,7 @@ def offset_distance_squared(c):
     return norm2(offset_step(c))
 
 
-@formula("the parallel curve", on=KIND, symbol=r"\delta^2")
+@formula("the parallel curve", on=KIND)
 def distance_squared(c):
     """``δ²``."""
     return c.delta**2
@@ -117,7 +117,7 @@ def offset_tangent_turned(c):
     return det(root_velocity(c), offset_velocity(c))
 
 
-@formula("the parallel curve", on=KIND, symbol=r"1 + \kappa_{\mathrm{printed}} \delta")
+@formula("the parallel curve", on=KIND)
 def shrinking(c):
     """``1 + κδ`` for the curvature that is printed."""
     return cusp_function(c) / root_speed(c) ** 3

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
-from exactspline.readings.tree import Node, Traced
+from exactspline.readings.tree import Node, Operation, Traced
 
 
 class Called(NamedTuple):
@@ -22,17 +22,17 @@ class Call(Node):
     __slots__ = ()
 
     def __init__(self, body: Node, called: Called) -> None:
-        super().__init__("call", (body,), called, vector=body.is_vector)
+        super().__init__(Operation.NAMED, (body,), called, vector=body.is_vector)
 
     @property
     def generator(self) -> Node:
         """The generator of the ruled surface that is called."""
-        return Node("generator", (self,), vector=True)
+        return Node(Operation.GENERATOR, (self,), vector=True)
 
     @property
     def directrix(self) -> Node:
         """The directrix of the ruled surface that is called."""
-        return Node("directrix", (self,), vector=True)
+        return Node(Operation.DIRECTRIX, (self,), vector=True)
 
 
 class Calling(Traced):
