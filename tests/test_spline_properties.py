@@ -332,8 +332,8 @@ def test_bezier_segments(f):
     st.integers(0, 9), st.integers(1, 6), st.sampled_from([3, 10**17]), st.booleans(), st.randoms(use_true_random=False)
 )
 def test_the_form_of_a_span_has_the_blossom_for_its_points(n, runs, denominator, is_clamped, numbers):
-    """Knots of any multiplicity, clamped or not: each form in lowest terms, its Bézier points the polar form at the ends of
-    the span.
+    """Knots of any multiplicity, clamped or not: each form is in lowest terms, and its Bézier points are the polar form
+    at the ends of the span.
     """
     places = sorted({mpq(numbers.randint(0, 99 * denominator), denominator) for _ in range(runs + 1)} | {mpq(-1)})
     multiplicities = [numbers.randint(1, n + 1) for _ in places]
