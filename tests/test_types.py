@@ -18,6 +18,8 @@ CHECKOUT = ROOT.parent
 RESULT = "what a formula returns depends on the formula and on the reading"
 DEGREE = "a degree is a number, two of them or an expression, as the reading counts"
 OPERANDS = "operands are of one reading, which the argument does not know"
+DATA = "data just parsed: what it holds is what is checked"
+PEERS = "runs over the polynomials of any library, typed or not"
 #: Public signatures with Any, each with its reason.
 ALLOWED: dict[str, str] = {
     "batch/bench/inline.py: bisector_patch": PEERS,
@@ -29,7 +31,6 @@ ALLOWED: dict[str, str] = {
     "batch/bench/inline.py: one_parameter": PEERS,
     "batch/bench/inline.py: torsion": PEERS,
     "batch/bench/inline.py: vertices": PEERS,
-    "batch/bench/peers.py: sympy_polys": FOREIGN,
     "language/argument.py: Argument.calls": RESULT,
     "language/argument.py: Evaluated.calls": RESULT,
     "language/argument.py: Evaluated.mapped": OPERANDS,
@@ -41,8 +42,17 @@ ALLOWED: dict[str, str] = {
     "language/rational.py: Rational.degree": DEGREE,
     "language/reading.py: Reading.of": RESULT,
     "language/services.py: service": "a service is whatever was registered under its name",
+    "papers/folder.py: read_toml": DATA,
+    "papers/folder.py: told_of": DATA,
+    "programs/compiled.py: compiled": "runs over whatever integers and polynomials it is given",
     "readings/tree.py: Traced.calls": RESULT,
+    "readings/tree.py: applied": RESULT,
     "readings/tree.py: evaluate": RESULT,
+    "symbolic/motions.py: Map.of_vector": OPERANDS,
+    "symbolic/motions.py: rotation": OPERANDS,
+    "verification/coq/explicit.py: ExplicitCurve.argument": RESULT,
+    "verification/coq/settings.py: Setting.argument": RESULT,
+    "verification/kinds/invariance.py: components": RESULT,
 }
 
 

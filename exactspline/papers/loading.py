@@ -8,7 +8,7 @@ from functools import wraps
 from importlib.resources.abc import Traversable
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import TracebackType
+from types import ModuleType, TracebackType
 from typing import Any
 
 from exactspline.errors import ExactSplineError, FormulaError
@@ -44,7 +44,7 @@ def trusted_formulas(file: Traversable) -> dict[str, Formula]:
     return {f.name: guarded(f, place) for f in found}
 
 
-def run_file(file: Path) -> Any:
+def run_file(file: Path) -> ModuleType:
     """A file of Python run as a module of its own, which is not kept.
 
     Raises `FormulaError` for whatever goes wrong in it.
