@@ -78,14 +78,19 @@ if TYPE_CHECKING:
     from exactspline.interchange.files import read as read
     from exactspline.interchange.files import write as write
     from exactspline.language.choices import Side as Side
+    from exactspline.language.complex_numbers import complex_product as complex_product
+    from exactspline.language.complex_numbers import complex_quotient as complex_quotient
+    from exactspline.language.complex_numbers import conjugate as conjugate
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
     from exactspline.language.rational import Rational as Rational
+    from exactspline.language.ruled import ruled as ruled
     from exactspline.language.vector import Vector as Vector
     from exactspline.language.vector import cross as cross
     from exactspline.language.vector import det as det
     from exactspline.language.vector import dot as dot
     from exactspline.language.vector import generalized_cross as generalized_cross
+    from exactspline.language.vector import join as join
     from exactspline.language.vector import norm2 as norm2
     from exactspline.language.vector import perp as perp
     from exactspline.language.vector import triple as triple
@@ -198,6 +203,9 @@ _HOMES = {
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
     # the language of formulas
+    "complex_product": "language.complex_numbers:complex_product",
+    "complex_quotient": "language.complex_numbers:complex_quotient",
+    "conjugate": "language.complex_numbers:conjugate",
     "cross": "language.vector:cross",
     "det": "language.vector:det",
     "dot": "language.vector:dot",
@@ -205,8 +213,10 @@ _HOMES = {
     "load_paper": "papers:load_paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
+    "join": "language.vector:join",
     "norm2": "language.vector:norm2",
     "perp": "language.vector:perp",
+    "ruled": "language.ruled:ruled",
     "triple": "language.vector:triple",
     "wronskian": "language.vector:wronskian",
     # readings: what a formula can be handed
