@@ -57,7 +57,7 @@ class Proof:
                 continue
             self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
             assert isinstance(value, JetFraction)  # a constant follows
-            if value.bottom == 1:
+            if value.bottom.is_one():
                 self.known.append(((*[0] * len(self.atoms), 1), ()))
                 self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
             else:
