@@ -84,7 +84,8 @@ def _rotation(n: int, k: Constants) -> list[list[Any]]:
 
 
 def _reflected(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
-    return Vector(-p[0], *p[1:]), w
+    """In whatever line or plane, and moved: every isometry that turns round."""
+    return _moved(Vector(-p[0], *p[1:]), w, k)
 
 
 def _scaled(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
@@ -137,7 +138,7 @@ MAPS = {
     "translation": Map(_move, _translated, None),
     "rotation": Map(_turn, _rotated, None),
     "motion": Map(lambda n: [*_turn(n), *_move(n)], _moved, None),
-    "reflection": Map(lambda n: [], _reflected, lambda p, w, k: w.constant(-1)),
+    "reflection": Map(lambda n: [*_turn(n), *_move(n)], _reflected, lambda p, w, k: w.constant(-1)),
     "scaling": Map(lambda n: ["scale"], _scaled, lambda p, w, k: k["scale"]),
     "similarity": Map(lambda n: ["scale", *_turn(n), *_move(n)], _similar, lambda p, w, k: k["scale"]),
     "affine map": Map(lambda n: [*_matrix(n), *_move(n)], _affine, _determinant(lambda n: n)),

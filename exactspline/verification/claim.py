@@ -327,6 +327,10 @@ class Claim(Displayed):
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """What holds on one curve, as the argument of its formulas."""
 
+    def beside(self, own: Evaluation) -> str:
+        """What is said of a check beside the name of the curve."""
+        return own.beside(self.curve)
+
     def missing(self, argument: Handed) -> str:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when
         all exist.

@@ -90,6 +90,10 @@ class Contact(Claim):
             return Finding(REFUTED, self.claims, higher, witness=f"{told(self.order + 1, '= 0')} on every curve")
         return Finding(PROVED, self.claims, self.claims)
 
+    def beside(self, own: Evaluation) -> str:
+        """A claim of all curves is tried on the first segment."""
+        return ", first segment"
+
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On the first segment of the curve, at more parameters than the derivatives can have zeros."""
         curve: Nurbs = own.curve

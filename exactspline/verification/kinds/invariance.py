@@ -158,6 +158,10 @@ class Invariance(Claim):
             told = f"under {_a(name)} it is {factor} times what is claimed"
         return Finding(REFUTED, self.claims, told, witness=self.refuted_on_examples().witness or told)
 
+    def beside(self, own: Evaluation) -> str:
+        """A claim of all curves is tried on the first segment."""
+        return ", first segment"
+
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On the first segment of the curve, which is reparametrized by a quadratic polynomial, or moved by numbers."""
         assert isinstance(argument, Curve)
