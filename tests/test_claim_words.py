@@ -28,7 +28,7 @@ def misspelled(table):
         for i, each in enumerate(values):
             changed = copy.deepcopy(table.entry)
             if isinstance(each, int):
-                # a weight or an order may be 0, and must be a number
+                # a weight and an order of contact may be 0
                 wrong = "q" if field in ("weight", "order") else 0
             else:
                 place = {"id": 1, "factor": len(each) - 1, "claimed": len(each) - 1}.get(field, len(each))
