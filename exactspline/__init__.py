@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING
 from exactspline.language.services import register
 
 if TYPE_CHECKING:
+    from exactspline.batch.families import Family as Family
     from exactspline.batch.oracle import oracle as oracle
+    from exactspline.batch.sweep import sweep as sweep
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
     from exactspline.display.figures.bisectors import figure_6 as figure_6
@@ -29,7 +31,6 @@ if TYPE_CHECKING:
     from exactspline.display.plot.curves import plot_evolute as plot_evolute
     from exactspline.display.plot.curves import plot_features as plot_features
     from exactspline.display.plot.curves import plot_quotient as plot_quotient
-    from exactspline.display.plot.functions import greville_abscissae as greville_abscissae
     from exactspline.display.plot.functions import plot_function as plot_function
     from exactspline.display.plot.functions import plot_roots as plot_roots
     from exactspline.display.plot.surfaces import plot_bisector as plot_bisector
@@ -50,7 +51,9 @@ if TYPE_CHECKING:
     from exactspline.exact import from_floats as from_floats
     from exactspline.exact import rational as rational
     from exactspline.geometry.analysis import analyse as analyse
-    from exactspline.geometry.any_bisector import bisector as bisector
+    from exactspline.geometry.bisector.any_pair import bisector as bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
+    from exactspline.geometry.constructions import Variant as Variant
     from exactspline.geometry.constructions import construction as construction
     from exactspline.geometry.curvature import curvature as curvature
     from exactspline.geometry.derived import derive as derive
@@ -64,9 +67,9 @@ if TYPE_CHECKING:
     from exactspline.geometry.features import singular_points as singular_points
     from exactspline.geometry.features import torsion_zeros as torsion_zeros
     from exactspline.geometry.floats import floats as floats
+    from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
     from exactspline.interchange.bridges.geomdl import to_geomdl as to_geomdl
@@ -74,6 +77,7 @@ if TYPE_CHECKING:
     from exactspline.interchange.bridges.scipy import to_scipy as to_scipy
     from exactspline.interchange.files import read as read
     from exactspline.interchange.files import write as write
+    from exactspline.language.choices import Side as Side
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
     from exactspline.language.rational import Rational as Rational
@@ -87,6 +91,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
+    from exactspline.papers import load_paper as load_paper
     from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
     from exactspline.readings.jet import JetReading as JetReading
@@ -105,6 +110,7 @@ if TYPE_CHECKING:
     from exactspline.splines.examples import example_names as example_names
     from exactspline.splines.examples import load as load
     from exactspline.splines.knots import KnotVector as KnotVector
+    from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
     from exactspline.splines.surd import Surd as Surd
@@ -119,6 +125,7 @@ if TYPE_CHECKING:
     from exactspline.verification.generic_proof import factor_of as factor_of
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
     from exactspline.verification.questions import verify as verify
@@ -144,6 +151,10 @@ _HOMES = {
     "TensorSpline": "splines.tensor:TensorSpline",
     "Vector": "language.vector:Vector",
     "ZeroSet": "roots.zero_set:ZeroSet",
+    # words that are chosen from
+    "Approach": "geometry.inspection:Approach",
+    "Side": "language.choices:Side",
+    "Variant": "geometry.constructions:Variant",
     # numbers and files
     "from_float": "exact:from_float",
     "from_floats": "exact:from_floats",
@@ -175,19 +186,20 @@ _HOMES = {
     "check_certificate": "roots.checker:check",
     "oracle": "batch.oracle:oracle",
     # what is made of curves
-    "bisector": "geometry.any_bisector:bisector",
+    "bisector": "geometry.bisector.any_pair:bisector",
     "curvature": "geometry.curvature:curvature",
     "derive": "geometry.derived:derive",
     "evolute": "geometry.derived:evolute",
     "focal_curve": "geometry.derived:focal_curve",
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
-    "trimmed_bisector": "geometry.trimmed_bisector:trimmed_bisector",
+    "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
     # the language of formulas
     "cross": "language.vector:cross",
     "det": "language.vector:det",
     "dot": "language.vector:dot",
     "find": "papers:find",
+    "load_paper": "papers:load_paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
     "norm2": "language.vector:norm2",
@@ -216,11 +228,15 @@ _HOMES = {
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
     "parse_degree": "readings.degree:parse",
+    "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
     "verify": "verification.questions:verify",
+    # many curves
+    "Family": "batch.families:Family",
+    "sweep": "batch.sweep:sweep",
     # tables
     "Grid": "display.tables:Grid",
     "approaches_table": "display.tables:approaches_table",
@@ -240,7 +256,7 @@ _HOMES = {
     "figure_4": "display.figures.bisectors:figure_4",
     "figure_5": "display.figures.bisectors:figure_5",
     "figure_6": "display.figures.bisectors:figure_6",
-    "greville_abscissae": "display.plot.functions:greville_abscissae",
+    "greville_abscissae": "splines.knots:greville_abscissae",
     "new_figure": "display.plot.canvas:new_figure",
     "plot": "display.plot.anything:plot",
     "plot_approaches": "display.plot.comparisons:plot_approaches",

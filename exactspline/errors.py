@@ -97,6 +97,10 @@ class FormulaError(ExactSplineError):
     """An operation that formulas must not use, or a formula that does not fit its operands."""
 
 
+class InapplicableError(FormulaError):
+    """A reading that says nothing of arguments of a kind."""
+
+
 class ClaimError(ExactSplineError):
     """A claim file that cannot be read, or a claim id that does not exist."""
 

@@ -1,7 +1,8 @@
 """``./run mutate``: the mutants of this seed, their verdicts as JSON lines, and a score.
 
-A run that was interrupted goes on where it stopped. Survivors that are known and explained stand in ``survivors.toml``;
-any other is printed, and the exit code is 1.
+A run that was interrupted goes on where it stopped; what was changed since is judged anew. Survivors that are known and
+explained stand in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` engines are
+judged by the tests on record in ``witnesses.json`` alone, in a minute: the exit code is 1 below the target.
 """
 
 from __future__ import annotations
@@ -12,24 +13,36 @@ import subprocess
 import sys
 import tomllib
 from collections import Counter
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from mutation.coverage_map import MAP, ROOT
-from mutation.mutants import Mutant, drawn
+from mutation.coverage_map import MAP, ROOT, fingerprint
+from mutation.mutants import Mutant, drawn, node_of
 
 RESULTS = MAP.parent / "results.jsonl"
 SURVIVORS = ROOT / "mutation" / "survivors.toml"
 #: Verdicts that are no failure: refuted, or no change at all. A run that did not end, or broke, says nothing.
 HARMLESS = ("killed", "equivalent")
+#: How many of the mutants of engines that nobody explained must be noticed, in per cent.
+TARGET = 95
+Known = dict[str, dict[str, Any]]
 
 
-def read(path: Path) -> dict[str, dict[str, Any]]:
-    """The verdicts so far, by the name of the mutant."""
+@cache
+def key(mutant: Mutant) -> str:
+    """A mutant by what it changes, wherever that stands now."""
+    node = node_of(mutant.file, mutant.function)
+    return f"{mutant.file}:{mutant.function}#{mutant.number}@{fingerprint(node)}"
+
+
+def read(path: Path) -> Known:
+    """The verdicts so far, by the keys of the mutants."""
     if not path.is_file():
         return {}
-    return {r["mutant"]: r for line in path.read_text(encoding="utf-8").splitlines() if (r := json.loads(line))}
+    return {r["key"]: r for line in path.read_text(encoding="utf-8").splitlines() if (r := json.loads(line))}
 
 
 def explained() -> dict[str, str]:
@@ -46,8 +59,8 @@ def stable(name: str) -> str:
     return f"{file}:{function}:{rest}"
 
 
-def main() -> int:
-    """Judge what is left to judge."""
+def arguments() -> argparse.Namespace:
+    """What is asked for."""
     parser = argparse.ArgumentParser(
         prog="./run mutate", description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
@@ -57,69 +70,118 @@ def main() -> int:
     )
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=40, help="stop after so many minutes; the next run goes on")
+    parser.add_argument("--budget", type=float, default=30, help="so many seconds of tests for one mutant of an engine")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--file", default="", help="only mutants of files whose names contain this")
     parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
     parser.add_argument("--results", type=Path, default=RESULTS)
-    options = parser.parse_args()
-    known, end = read(options.results), monotonic() + 60 * options.minutes
+    parser.add_argument("--witnesses", action="store_true", help="engines by the tests on record, nothing kept")
+    parser.add_argument("--record", action="store_true", help="write witnesses.json from the verdicts so far")
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Judge what is left to judge."""
+    options = arguments()
+    known, end = {} if options.witnesses else read(options.results), monotonic() + 60 * options.minutes
     known = {name: result for name, result in known.items() if result["verdict"] not in options.again.split(",")}
     options.results.parent.mkdir(parents=True, exist_ok=True)
-    chosen: list[Mutant] = []
 
     def told(mutant: Mutant, result: dict[str, Any]) -> bool:
-        known[mutant.name] = {"mutant": mutant.name, **result}
-        with options.results.open("a", encoding="utf-8") as stream:
-            stream.write(json.dumps(known[mutant.name], ensure_ascii=False) + "\n")
+        known[key(mutant)] = {"key": key(mutant), "mutant": mutant.name, **result}
+        if not options.witnesses:
+            with options.results.open("a", encoding="utf-8") as stream:
+                stream.write(json.dumps(known[key(mutant)], ensure_ascii=False) + "\n")
         return monotonic() < end
 
+    if options.record:
+        return record(known)
+    chosen: list[Mutant] = []
     if options.only != "engines":
-        from mutation import formulas
+        chosen += judge_formulas(options, known, told)
+    if options.only != "formulas":
+        chosen += judge_engines(options, known, told)
+    return report(chosen, known, by_score=options.witnesses)
 
-        mine = _drawn(formulas.all_mutants(), options, 10**6)
-        chosen += mine
-        todo = [m for m in mine if m.name not in known]
-        for mutant, result in formulas.judged(todo, 120, options.jobs) if todo else ():
+
+def judge_formulas(
+    options: argparse.Namespace, known: Known, told: Callable[[Mutant, dict[str, Any]], bool]
+) -> list[Mutant]:
+    """Judge the mutants of formulas; all that were drawn."""
+    from mutation import formulas
+
+    chosen = _drawn(formulas.all_mutants(), options, 10**6)
+    if todo := [m for m in chosen if key(m) not in known]:
+        for mutant, result in formulas.judged(todo, 120, options.jobs):
             if not told(mutant, result):
                 break
-    if options.only != "formulas":
-        from mutation import engines
+    return chosen
 
-        if not MAP.is_file():
-            print("which tests execute what: the suite runs once under coverage", flush=True)
-            subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "mutation.coverage_map"], cwd=ROOT, check=False)
-        mine = _drawn(engines.all_mutants(), options, 500)
-        chosen += mine
-        todo = [m for m in mine if m.name not in known]
-        if todo and monotonic() < end:
-            engines.judged(todo, told, 150, options.jobs)
-    return report(chosen, known)
+
+def judge_engines(
+    options: argparse.Namespace, known: Known, told: Callable[[Mutant, dict[str, Any]], bool]
+) -> list[Mutant]:
+    """Judge the mutants of engines; all that were drawn."""
+    from mutation import engines
+
+    everything = engines.all_mutants()
+    chosen = _drawn(everything, options, 500)
+    todo = [m for m in chosen if key(m) not in known]
+    if not todo:
+        return chosen
+    if options.witnesses:
+        witnesses = engines.Witnesses()
+        engines.judged(engines.Judge(todo, witnesses, options.budget, options.jobs), told, witnesses.files(todo))
+        return chosen
+    if not MAP.is_file():
+        print("which tests execute what: the suite runs once under coverage", flush=True)
+        subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "mutation.coverage_map"], cwd=ROOT, check=False)
+    tests = engines.Tests()
+    tests.learn((m, known[key(m)]) for m in everything if key(m) in known)
+
+    def learned(mutant: Mutant, result: dict[str, Any]) -> bool:
+        tests.learn([(mutant, result)])
+        return told(mutant, result)
+
+    engines.judged(engines.Judge(todo, tests, options.budget, options.jobs), learned, tests.files)
+    return chosen
+
+
+def record(known: Known) -> int:
+    """Write what noticed what, for samples."""
+    from mutation import engines
+
+    found = engines.recorded((m, known[key(m)]) for m in engines.all_mutants() if key(m) in known)
+    engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+    print(f"{len(found)} functions with their tests in {engines.WITNESSES.relative_to(ROOT)}")
+    return 0
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
     return drawn([m for m in mutants if options.file in m.file], options.sample or most, options.seed)
 
 
-def report(chosen: list[Mutant], known: dict[str, dict[str, Any]]) -> int:
+def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
     """Print the score and the survivors that nobody explained."""
     why = explained()
-    judged = [m for m in chosen if m.name in known]
+    judged = [m for m in chosen if key(m) in known]
+    scores = []
     for sort in ("papers", "engines"):
         mine = [m for m in judged if ("/papers/" in m.file) == (sort == "papers")]
         if not mine:
             continue
-        counts = Counter(known[m.name]["verdict"] for m in mine)
-        real = len(mine) - counts["equivalent"]
-        told = sum(known[m.name]["verdict"] == "survived" and stable(m.name) in why for m in mine)
+        counts = Counter(known[key(m)]["verdict"] for m in mine)
+        told = sum(known[key(m)]["verdict"] == "survived" and stable(m.name) in why for m in mine)
+        real = len(mine) - counts["equivalent"] - told
         words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
-        score = 100 * counts["killed"] / real if real else 100
-        print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {score:.1f} %")
-    left = [m.name for m in judged if known[m.name]["verdict"] not in HARMLESS and stable(m.name) not in why]
-    for name in left:
-        print(f"{known[name]['verdict']}: {name} ({known[name].get('by', '')})")
+        scores.append(100 * counts["killed"] / real if real else 100.0)
+        print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {scores[-1]:.1f} %")
+    left = [m for m in judged if known[key(m)]["verdict"] not in HARMLESS and stable(m.name) not in why]
+    for m in left:
+        print(f"{known[key(m)]['verdict']}: {m.name} ({known[key(m)].get('by', '')})")
     if len(judged) < len(chosen):
         print(f"{len(chosen) - len(judged)} mutants are left: run it again")
-    return 1 if left else 0
+    return int(min(scores, default=100) < TARGET if by_score else bool(left))
 
 
 if __name__ == "__main__":

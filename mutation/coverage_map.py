@@ -1,90 +1,117 @@
-"""Which tests execute which functions, and how long each test takes: a pytest plugin that writes ``coverage.json``.
+"""Which tests execute which lines of the engines, and how long each takes: a plugin that writes ``coverage.json``.
 
-``python -m pytest -p mutation.coverage_map`` runs the suite once under coverage, a context for each test; of a part of
-the suite what is known of the rest is kept.
+``python -m pytest -p mutation.coverage_map`` runs tests once under coverage, a context for each; of a part of the suite
+what is known of the rest is kept. Every test starts with empty caches and fixtures of its own, so that what it needs is
+not hidden by what ran before; a test that fails without any mutant is left out.
 """
 
 from __future__ import annotations
 
 import ast
+import gc
+import hashlib
 import json
 import os
 from collections.abc import Iterator
+from functools import _lru_cache_wrapper
 from pathlib import Path
 from time import perf_counter
 from typing import Any
-
-import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 #: Where the map is kept between runs.
 MAP = ROOT / "mutation" / ".state" / "coverage.json"
 #: The packages whose mutants are judged by tests.
 ENGINE = ("readings", "symbolic", "roots", "verification")
+#: Caches that hold what was read from files, the same for every mutant.
+READ = ("papers", "_formulas", "all_formulas", "service", "example", "example_names")
+#: The tests of a function by line, counted from its first.
+Lines = dict[str, list[str]]
 
 
-def functions_of(path: Path) -> list[tuple[str, int, int]]:
-    """The functions and methods of a file: qualified name, first and last line of the body."""
-    found: list[tuple[str, int, int]] = []
+def functions_of(path: Path) -> Iterator[tuple[str, ast.FunctionDef]]:
+    """The functions and methods of a file by qualified name."""
 
-    def visit(node: ast.AST, prefix: str) -> None:
+    def visit(node: ast.AST, prefix: str) -> Iterator[tuple[str, ast.FunctionDef]]:
         for child in ast.iter_child_nodes(node):
             if isinstance(child, ast.ClassDef):
-                visit(child, f"{prefix}{child.name}.")
+                yield from visit(child, f"{prefix}{child.name}.")
             elif isinstance(child, ast.FunctionDef):
-                found.append((prefix + child.name, child.body[0].lineno, child.end_lineno or child.lineno))
+                yield prefix + child.name, child
 
-    visit(ast.parse(path.read_text(encoding="utf-8")), "")
-    return found
+    yield from visit(ast.parse(path.read_text(encoding="utf-8")), "")
 
 
-def key(path: Path, name: str) -> str:
-    """A function by its file and its qualified name."""
-    return f"{path.relative_to(ROOT).as_posix()}:{name}"
+def fingerprint(function: ast.FunctionDef) -> str:
+    """A function by what it says, wherever it stands."""
+    return hashlib.sha256(ast.unparse(function).encode()).hexdigest()[:16]
+
+
+def caches() -> list[Any]:
+    """The caches of all functions of the project and its tests, without what was read from files."""
+    found = [o for o in gc.get_objects() if isinstance(o, _lru_cache_wrapper)]
+    ours = ("exactspline", "tests", "test_", "proofs")
+    return [c for c in found if str(c.__module__).startswith(ours) and c.__name__ not in READ]
 
 
 class Mapper:
-    """Collects the lines of each test."""
+    """Runs the tests, each in a context of its own."""
 
     def __init__(self) -> None:
         import coverage
 
-        source = [str(ROOT / "exactspline" / room) for room in ENGINE]
-        self.measured = coverage.Coverage(data_file=None, include=[f"{room}/*" for room in source], config_file=False)
+        include = [str(ROOT / "exactspline" / room / "*") for room in ENGINE]
+        self.measured = coverage.Coverage(data_file=None, include=include, config_file=False)
         self.seconds: dict[str, float] = {}
-
-    @pytest.hookimpl(hookwrapper=True)
-    def pytest_runtest_protocol(self, item: Any) -> Iterator[None]:
-        """A context for each test."""
-        self.measured.switch_context(item.nodeid)
-        start = perf_counter()
-        yield
-        self.seconds[item.nodeid] = round(perf_counter() - start, 3)
-        self.measured.switch_context("")
 
     def pytest_sessionstart(self) -> None:
         """Measuring begins before the tests are collected."""
         self.measured.start()
 
+    def pytest_runtestloop(self, session: Any) -> bool:
+        """Every test as if it were the only one."""
+        from _pytest.runner import runtestprotocol
+
+        emptied = caches()
+        for item in session.items:
+            for cache in emptied:
+                cache.cache_clear()
+            self.measured.switch_context(item.nodeid)
+            start = perf_counter()
+            reports = runtestprotocol(item, log=False, nextitem=None)
+            if all(report.passed for report in reports):
+                self.seconds[item.nodeid] = round(perf_counter() - start, 3)
+            self.measured.switch_context("")
+        return True
+
     def pytest_sessionfinish(self) -> None:
         """The map is written."""
         self.measured.stop()
-        data, by_function = self.measured.get_data(), {}
+        known = json.loads(MAP.read_text(encoding="utf-8")) if MAP.is_file() else {"functions": {}, "seconds": {}}
+        others = set(known["seconds"]) - set(self.seconds)
+        functions = {}
         for room in ENGINE:
             for path in sorted((ROOT / "exactspline" / room).rglob("*.py")):
-                contexts = data.contexts_by_lineno(str(path))
-                for name, low, high in functions_of(path):
-                    tests = {t for line in range(low, high + 1) for t in contexts.get(line, ()) if t}
-                    by_function[key(path, name)] = sorted(tests)
+                contexts = self.measured.get_data().contexts_by_lineno(str(path))
+                for name, node in functions_of(path):
+                    key = f"{path.relative_to(ROOT).as_posix()}:{name}"
+                    before = known["functions"].get(key, {"lines": {}})["lines"]
+                    functions[key] = {
+                        "fingerprint": fingerprint(node),
+                        "lines": self._lines(node, contexts, before, others),
+                    }
         MAP.parent.mkdir(exist_ok=True)
-        if MAP.is_file():
-            known = json.loads(MAP.read_text(encoding="utf-8"))
-            others = set(known["seconds"]) - set(self.seconds)
-            for name, tests in known["functions"].items():
-                by_function[name] = sorted({*by_function.get(name, ()), *others.intersection(tests)})
-            self.seconds = {**known["seconds"], **self.seconds}
-        text = json.dumps({"functions": by_function, "seconds": self.seconds}, ensure_ascii=False, indent=0)
+        text = json.dumps({"functions": functions, "seconds": {**known["seconds"], **self.seconds}}, ensure_ascii=False)
         MAP.write_text(text, encoding="utf-8")
+
+    def _lines(self, node: ast.FunctionDef, contexts: dict[int, list[str]], before: Lines, others: set[str]) -> Lines:
+        lines = {}
+        for line in range(node.body[0].lineno, (node.end_lineno or node.lineno) + 1):
+            offset = str(line - node.lineno)
+            tests = {*self.seconds} & {*contexts.get(line, ())} | others & {*before.get(offset, ())}
+            if tests:
+                lines[offset] = sorted(tests)
+        return lines
 
 
 def pytest_configure(config: Any) -> None:

@@ -1,18 +1,24 @@
 """Mutants of the engines (readings, symbolic, roots, verification), judged by the tests that execute them.
 
-A pytest plugin: the tests are collected once, then every mutant gets a forked process that runs its tests, fast ones
-first, until one fails. The ledger is one of the tests.
+A pytest plugin: everything is imported and collected once, then every mutant gets a forked process that runs the tests
+of its line until one fails: first what noticed other mutants of the function, then the fast ones. The ledger is one of
+the tests.
 """
 
 from __future__ import annotations
 
+import ast
 import json
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from mutation.coverage_map import ENGINE, MAP, ROOT
-from mutation.forked import Result, forked
-from mutation.mutants import Mutant, mutants
+from mutation.coverage_map import ENGINE, MAP, ROOT, caches, fingerprint
+from mutation.forked import Result, end_after, forked
+from mutation.mutants import Mutant, mutants, node_of
+
+#: What noticed the mutants of each function, in the repository: with it a sample is judged without a map.
+WITNESSES = ROOT / "mutation" / "witnesses.json"
 
 
 def files() -> list[str]:
@@ -29,64 +35,138 @@ def all_mutants() -> list[Mutant]:
     return [mutant for file in files() for mutant in mutants(file)]
 
 
+def place(mutant: Mutant) -> str:
+    """The function that it changes."""
+    return f"{mutant.file}:{mutant.function}"
+
+
+def lines(mutant: Mutant) -> range:
+    """The lines of the statement that it changes, of a compound one the head, counted from the function's first."""
+    node = node_of(mutant.file, mutant.function)
+    around = [s for s in ast.walk(node) if isinstance(s, ast.stmt) and s is not node and _holds(s, mutant.line)]
+    inner = max(around, key=lambda s: s.lineno)
+    return range(inner.lineno - node.lineno, _last(inner) - node.lineno + 1)
+
+
+def _holds(statement: ast.stmt, line: int) -> bool:
+    return statement.lineno <= line <= _last(statement)
+
+
+def _last(statement: ast.stmt) -> int:
+    body = getattr(statement, "body", None)
+    return body[0].lineno - 1 if body else statement.end_lineno or statement.lineno
+
+
+class Tests:
+    """Which tests execute a mutant, and how long they take."""
+
+    def __init__(self) -> None:
+        found = json.loads(MAP.read_text(encoding="utf-8"))
+        self.seconds: dict[str, float] = found["seconds"]
+        self.functions = found["functions"]
+        self.noticed: dict[str, Counter[str]] = {}
+
+    @property
+    def files(self) -> list[str]:
+        """The files of these tests."""
+        return sorted({name.partition("::")[0] for name in self.seconds})
+
+    def learn(self, known: Iterable[tuple[Mutant, Result]]) -> None:
+        """What noticed which mutant."""
+        for mutant, result in known:
+            if result["verdict"] == "killed" and result["by"] in self.seconds:
+                self.noticed.setdefault(place(mutant), Counter())[result["by"]] += 1
+                self.noticed.setdefault(mutant.file, Counter())[result["by"]] += 1
+
+    def of(self, mutant: Mutant) -> list[str]:
+        """The tests of the changed line in the order in which they are run; those of the function where that has
+        changed since.
+        """
+        entry = self.functions.get(place(mutant), {"fingerprint": "", "lines": {}})
+        fresh = entry["fingerprint"] == fingerprint(node_of(mutant.file, mutant.function))
+        chosen = [str(k) for k in lines(mutant)] if fresh else [*entry["lines"]]
+        tests = {test for k in chosen for test in entry["lines"].get(k, ())}
+        near, far = (self.noticed.get(key, Counter[str]()) for key in (place(mutant), mutant.file))
+        promising = {t for t in tests if self.seconds[t] < 3 and (near[t] or far[t] > 1)}
+        first = sorted(promising, key=lambda t: (-near[t], -far[t], self.seconds[t]))[:12]
+        return first + sorted(tests - {*first}, key=lambda t: self.seconds[t])
+
+
+class Witnesses:
+    """The few tests on record for each function: what a sample is judged by where nobody made a map."""
+
+    def __init__(self) -> None:
+        self.recorded: dict[str, list[str]] = json.loads(WITNESSES.read_text(encoding="utf-8"))
+        self.seconds: dict[str, float] = {}
+
+    def of(self, mutant: Mutant) -> list[str]:
+        """Those of the function, then those of the other functions of its file."""
+        own = self.recorded.get(place(mutant), [])
+        beside = [t for key, tests in self.recorded.items() if key.startswith(mutant.file + ":") for t in tests[:1]]
+        return list(dict.fromkeys([*own, *beside]))
+
+    def files(self, chosen: list[Mutant]) -> list[str]:
+        """The files of these tests."""
+        return sorted({test.partition("::")[0] for mutant in chosen for test in self.of(mutant)})
+
+
+def recorded(known: Iterable[tuple[Mutant, Result]], most: int = 12) -> dict[str, list[str]]:
+    """For every function the tests that noticed its mutants, those first that noticed most."""
+    found: dict[str, Counter[str]] = {}
+    for mutant, result in known:
+        if result["verdict"] == "killed" and "::" in result["by"]:
+            found.setdefault(place(mutant), Counter())[result["by"]] += 1
+    return {key: [name for name, _ in counts.most_common(most)] for key, counts in sorted(found.items())}
+
+
 class Judge:
     """The plugin: the verdicts instead of a run of the tests."""
 
-    def __init__(
-        self,
-        chosen: list[Mutant],
-        told: Callable[[Mutant, Result], bool],
-        seconds: float = 120,
-        jobs: int = 1,
-        budget: float = 60,
-    ) -> None:
-        self.chosen, self.told, self.seconds, self.jobs, self.budget = chosen, told, seconds, jobs, budget
-        self.map = json.loads(MAP.read_text(encoding="utf-8"))
+    def __init__(self, chosen: list[Mutant], tests: Tests | Witnesses, budget: float, jobs: int = 1) -> None:
+        self.chosen, self.tests, self.budget, self.jobs = chosen, tests, budget, jobs
+        self.told: Callable[[Mutant, Result], bool] = lambda mutant, result: True
 
     def pytest_runtestloop(self, session: Any) -> bool:
         """Every mutant, until `told` says that it is enough."""
         from _pytest.runner import runtestprotocol
 
         items = {item.nodeid: item for item in session.items}
+        emptied = caches()
 
         def work(mutant: Mutant) -> Result:
-            tests, cut = self.selected(mutant, items)
-            if not tests:
-                return {"verdict": "survived", "by": "no test executes it"}
             mutant.apply()
-            for item in tests:
-                for report in runtestprotocol(item, log=False, nextitem=None):
+            for cache_of in emptied:
+                cache_of.cache_clear()
+            ran = 0
+            for name in self.within(mutant, items):
+                ran += 1
+                end_after(10 + 10 * self.tests.seconds.get(name, 1))
+                for report in runtestprotocol(items[name], log=False, nextitem=None):
                     if report.failed:
-                        return {"verdict": "killed", "by": item.nodeid}
-            return {"verdict": "survived", "by": f"{len(tests)} tests{', more would take too long' if cut else ''}"}
+                        return {"verdict": "killed", "by": name}
+            return {"verdict": "survived", "by": f"{ran} tests" if ran else "no test executes it"}
 
-        for mutant, result in forked(self.chosen, work, self.seconds, self.jobs):
+        for mutant, result in forked(self.chosen, work, 10 * self.budget, self.jobs):
             if not self.told(mutant, result):
                 break
         return True
 
-    def selected(self, mutant: Mutant, items: dict[str, Any]) -> tuple[list[Any], bool]:
-        """The tests that execute the function, fast ones first, as many as fit the budget; whether some do not."""
-        names = self.map["functions"].get(f"{mutant.file}:{mutant.function}", [])
-        known = self.map["seconds"]
-        ordered = sorted((n for n in names if n in items), key=lambda n: known[n])
-        chosen, total = [], 0.0
-        for name in ordered:
-            total += known[name]
-            if total > self.budget:
-                return chosen, True
-            chosen.append(items[name])
-        return chosen, False
+    def within(self, mutant: Mutant, items: dict[str, Any]) -> Iterator[str]:
+        """Its tests, as many as fit into the budget."""
+        from time import monotonic
+
+        start = monotonic()
+        for name in self.tests.of(mutant):
+            if monotonic() - start > self.budget:
+                break
+            if name in items:
+                yield name
 
 
-def judged(chosen: list[Mutant], told: Callable[[Mutant, Result], bool], seconds: float, jobs: int) -> None:
-    """Collect the tests and let the judge run."""
+def judged(judge: Judge, told: Callable[[Mutant, Result], bool], where: Iterable[str] = ()) -> None:
+    """Collect the tests, those of some files only where these are named, and let the judge run."""
     import pytest
 
-    arguments = ["-q", "-p", "no:cacheprovider", "-p", "no:warnings", "--rootdir", str(ROOT)]
-    pytest.main(arguments, plugins=[Judge(chosen, told, seconds, jobs)])
-
-
-def survivors(results: dict[str, Result]) -> Iterator[str]:
-    """The names of those that survived."""
-    return (name for name, result in results.items() if result["verdict"] == "survived")
+    judge.told = told
+    arguments = ["-q", "-p", "no:cacheprovider", "-p", "no:warnings", "--rootdir", str(ROOT), *where]
+    pytest.main(arguments, plugins=[judge])

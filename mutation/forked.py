@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -13,6 +14,8 @@ from typing import Any, TypeVar
 
 Task = TypeVar("Task")
 Result = dict[str, Any]
+#: What a forked process may take: a mutant may never stop allocating.
+MEMORY = 3 << 30
 
 
 def forked(
@@ -52,7 +55,16 @@ def forked(
 
 def _silent(done: int, status: int) -> Result:
     """The result of a process that left none: it took too long, or it crashed."""
-    return {"verdict": "killed", "by": f"crash, status {status}"} if done else {"verdict": "timeout"}
+    if not done:
+        return {"verdict": "timeout"}
+    endless = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM
+    return {"verdict": "killed", "by": "a test does not end" if endless else f"crash, status {status}"}
+
+
+def end_after(seconds: float) -> None:
+    """Let this process die when it is not told otherwise in so many seconds."""
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
 
 
 def _child(task: Any, work: Callable[[Any], Result], file: Any) -> None:
@@ -62,6 +74,7 @@ def _child(task: Any, work: Callable[[Any], Result], file: Any) -> None:
     for stream in (0, 1, 2):
         os.dup2(nothing, stream)
     sys.setrecursionlimit(3000)
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     try:
         json.dump(work(task), file)
         file.flush()

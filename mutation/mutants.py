@@ -101,6 +101,12 @@ def parsed(file: str) -> ast.Module:
     return ast.parse((ROOT / file).read_text(encoding="utf-8"))
 
 
+@cache
+def node_of(file: str, function: str) -> ast.FunctionDef:
+    """A function in the syntax tree of its file."""
+    return dict(functions(parsed(file)))[function]
+
+
 def functions(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.FunctionDef]]:
     """The functions and methods by qualified name."""
     for child in ast.iter_child_nodes(tree):

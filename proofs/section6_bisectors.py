@@ -13,8 +13,9 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline.geometry.bisectors import curve_bisector, point_bisector
-from exactspline.geometry.trimmed_bisector import trimmed_bisector
+from exactspline.geometry.bisector.point_and_curve import point_bisector
+from exactspline.geometry.bisector.trimmed import trimmed_bisector
+from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.papers import find
 from exactspline.splines.examples import example, example_names
 from exactspline.verification.check_arguments import point_beside

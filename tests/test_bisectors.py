@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from exactspline import Nurbs
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.bisectors import AXES, CURVE_FORMS, curve_bisector, point_bisector
+from exactspline.geometry.bisector.point_and_curve import AXES, point_bisector
+from exactspline.geometry.bisector.two_curves import CURVE_FORMS, curve_bisector
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names

@@ -28,7 +28,7 @@ def test_every_verdict_is_as_recorded():
 
 def test_ids_select_what_they_begin():
     assert {c.id for c in select(["C4.1"])} == {"C4.1a", "C4.1b", "C4.1c", "C4.1d"}
-    assert [c.key for c in select(["T1"])] == ["T1-row", "T1-identity"]
+    assert [c.key for c in select(["T1"])] == ["T1-degree", "T1-identity"]
     with pytest.raises(ClaimError, match="no claim has the id 'C9'"):
         select(["C9"])
 

@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 
 from exactspline import Nurbs
 from exactspline.cli import app
-from exactspline.geometry.bisectors import curve_bisector
+from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.splines.curve_files import curve_data, curve_from_text, read_curve, write_json
 from exactspline.splines.examples import example
 from tests.bisector_oracle import FAMILIES

@@ -10,7 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ReductionError
-from exactspline.geometry.constructions import LIFTED, MINIMAL, all_constructions, construction
+from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.ruled_surfaces import same_surface
 from exactspline.language.parts import split
 from exactspline.papers import find
@@ -43,7 +43,7 @@ def test_generic_curves_attain_the_proved_degree_and_no_lower(name, degree, poly
     dimension = DIMENSION[c.curve]
     curve = generic(degree, dimension, polynomial=polynomial)
     try:
-        value = c.on(curve, MINIMAL)
+        value = c.on(curve, Variant.MINIMAL)
     except ReductionError:
         assert degree == 2  # a parabola in space has no torsion and no focal curve
         return
@@ -58,7 +58,7 @@ def test_generic_curves_attain_the_proved_degree_and_no_lower(name, degree, poly
 def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
     c = construction(name)
     curve = example("rational_cubic_spline" if c.curve == "plane" else "rational_space_cubic")
-    naive, minimal = c.formula(next(iter(c.variants)))(curve), c.on(curve, MINIMAL)
+    naive, minimal = c.formula(next(iter(c.variants)))(curve), c.on(curve, Variant.MINIMAL)
     if c.ruled:
         reduced = in_lowest_terms(naive)
         assert same_surface(naive, reduced) is not None
@@ -84,13 +84,13 @@ def test_the_sign_of_the_minimal_form_is_that_of_the_first_form_for_negative_wei
     c = construction(name)
     plus = generic(3, c.dimension, polynomial=False)
     minus = Nurbs(3, plus.knots, plus.control_points, [-w for w in plus.weights])
-    forms = [c.on(curve, MINIMAL) for curve in (plus, minus)]
+    forms = [c.on(curve, Variant.MINIMAL) for curve in (plus, minus)]
     assert forms[0] == forms[1]
     first = c.formula(next(iter(c.variants)))(minus)
     for i in range(1, 12):
         a, b = forms[1](mpq(i, 13)), first(mpq(i, 13))
         assert (a > 0, a < 0) == (b > 0, b < 0)
-        assert (c.sign(minus, LIFTED) < 0) == (c.power_of_w(LIFTED) % 2 == 1)
+        assert (c.sign(minus, Variant.LIFTED) < 0) == (c.power_of_w(Variant.LIFTED) % 2 == 1)
 
 
 def test_the_minimal_form_loses_what_it_shares_with_the_weight_function():
@@ -103,19 +103,19 @@ def test_the_minimal_form_loses_what_it_shares_with_the_weight_function():
     rows = [(x * common).control_points for x in (*plain.p, plain.w)]
     curve = Nurbs.from_homogeneous(4, [0] * 5 + [1] * 5, list(zip(*rows, strict=True)))
     made = construction("zero_curvature")
-    assert made.on(curve, LIFTED).true_degree == 6
-    assert made.on(curve, MINIMAL) == made.on(plain, MINIMAL) == t.constant(1)
+    assert made.on(curve, Variant.LIFTED).true_degree == 6
+    assert made.on(curve, Variant.MINIMAL) == made.on(plain, Variant.MINIMAL) == t.constant(1)
 
 
 def test_a_vertex_form_of_the_ellipse_has_degree_four():
     """96 by squaring, 12 in the paper, 4 in lowest terms; and an ellipse has four vertices."""
     ellipse = example("ellipse_skew")
     made = construction("critical_curvature")
-    assert [made.on(ellipse, variant).degree for variant in ("squaring", "paper", MINIMAL)] == [96, 12, 4]
+    assert [made.on(ellipse, variant).degree for variant in ("squaring", "paper", Variant.MINIMAL)] == [96, 12, 4]
 
 
 def test_the_torsion_form_of_a_rational_space_cubic_is_constant():
-    assert construction("zero_torsion").on(example("rational_space_cubic"), MINIMAL).degree == 0
+    assert construction("zero_torsion").on(example("rational_space_cubic"), Variant.MINIMAL).degree == 0
 
 
 def test_unknown_names_are_refused():

@@ -119,6 +119,8 @@ def test_roots_jumps_and_stretches_are_all_listed():
     found = zeros(f)
     text = text_of(found)
     assert all(repr(x) in text for x in (*found.jumps, *found.intervals))
+    across = zeros(BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0]), periodic=True)
+    assert "&lt;ZeroInterval [3, 4] and [0, 1]&gt;" in across._repr_html_()
     golden = zeros(BSpline.bezier([-1, "-1/2", 1]))
     assert latex(golden[0]).startswith(r"$\displaystyle s = 0.618")
     assert latex(zeros(BSpline.bezier([-1, 1]))[0]) == r"$\displaystyle s = \tfrac{1}{2}$"

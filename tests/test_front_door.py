@@ -197,7 +197,7 @@ IMPORT_BY_STRING = {
     "display/plot/canvas.py",
     "display/plot/html.py",
     "language/services.py",
-    "papers/__init__.py",
+    "papers/folder.py",
 }
 
 

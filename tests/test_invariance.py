@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.bisectors import curve_bisector
+from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.geometry.inspection import inspect_curve
 from exactspline.splines.examples import example
 from tests.same_curves import CHANGES, from_rows, homogeneous

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import LIFTED, MINIMAL, all_constructions, construction
+from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.derived import circle_centres, derive, evolute, focal_curve, torsion
 from exactspline.geometry.features import curvature_extrema
 from exactspline.geometry.plane_features import inflections
@@ -31,10 +31,10 @@ SPACE = [name for name in example_names() if example(name).dimension == 3]
 
 def test_an_ellipse_has_four_vertices_and_a_form_of_degree_four():
     for name in ("ellipse", "ellipse_skew"):
-        form = construction("critical_curvature").on(example(name), MINIMAL)
+        form = construction("critical_curvature").on(example(name), Variant.MINIMAL)
         assert form.degree <= 4
         assert len(curvature_extrema(example(name))) == 4
-    assert construction("critical_curvature").on(example("ellipse_skew"), MINIMAL).degree == 4
+    assert construction("critical_curvature").on(example("ellipse_skew"), Variant.MINIMAL).degree == 4
 
 
 def test_the_evolute_of_a_circle_is_its_centre():
@@ -50,7 +50,7 @@ def test_a_nondegenerate_rational_space_cubic_has_a_constant_torsion_numerator(n
         assert all(x.is_zero for x in split(find("D1_D2_D3")(example(name)))[0])
         return
     assert form.true_degree == 0
-    assert construction("zero_torsion").on(example(name), MINIMAL).degree == 0
+    assert construction("zero_torsion").on(example(name), Variant.MINIMAL).degree == 0
 
 
 def test_a_pythagorean_hodograph_quintic_loses_more_than_the_generic_quintic():
@@ -58,7 +58,7 @@ def test_a_pythagorean_hodograph_quintic_loses_more_than_the_generic_quintic():
     loses a factor σ.
     """
     curve = example("ph_quintic")
-    vertices = construction("critical_curvature").on(curve, MINIMAL)
+    vertices = construction("critical_curvature").on(curve, Variant.MINIMAL)
     assert vertices.degree == minimum_at(construction("critical_curvature"), 5, polynomial=True) == 13
     speed = find("speed_squared")(curve)
     sigma = BSpline.from_forms(4, speed.mesh, (), [(root_of(c), m) for c, m in primitive(speed).forms])
@@ -99,7 +99,7 @@ def test_the_theorem_guarantees_the_division(name, curve):
     """The lifted form of any curve can be lowered by m − j, on every segment, and stays the same function."""
     made = construction(name)
     part = reduction(made.lifted, 2, curve.polynomial).main
-    form = made.on(curve, LIFTED)
+    form = made.on(curve, Variant.LIFTED)
     if form.degree < 0:
         return
     lowered = form.reduce_degree(min(part.true.surplus, form.degree))
@@ -130,7 +130,7 @@ def test_continuity_of_the_minimal_form_of_a_zero_set(curve):
     """Where no segment has a factor in common with w the minimal form is the lifted one times a constant."""
     c = example(curve)
     made = construction("zero_curvature")
-    lifted, minimal = made.on(c, LIFTED), made.on(c, MINIMAL)
+    lifted, minimal = made.on(c, Variant.LIFTED), made.on(c, Variant.MINIMAL)
     assert without_factor(lifted, c.w, 3) is lifted
     assert primitive(lifted) == minimal
     assert minimal.continuity == tuple(min(r, minimal.degree) for r in lifted.continuity)
@@ -175,7 +175,7 @@ def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
 def test_library_functions_use_the_lowest_form_by_default(function):
     c = example("rational_cubic" if function is evolute else "rational_space_cubic")
     lowest, naive = function(c), function(c, "naive")
-    assert lowest.variant == MINIMAL
+    assert lowest.variant == Variant.MINIMAL
     assert lowest.pieces[0].value == naive.pieces[0].value
     assert lowest.pieces[0].value.degree < naive.pieces[0].value.degree
     proved = symbolic_minimum(construction(lowest.name), c.dimension)
@@ -186,7 +186,7 @@ def test_inflections_do_not_depend_on_the_form():
     for name in ("rational_cubic_s", "cubic_s", "six_segment_cubic"):
         found = [
             [(f.kind, f.root) for f in inflections(analyse(example(name)), form)]
-            for form in ("naive", "paper", LIFTED, MINIMAL)
+            for form in ("naive", "paper", Variant.LIFTED, Variant.MINIMAL)
         ]
         assert all(other == found[0] for other in found[1:])
 

@@ -8,7 +8,8 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import DomainError
-from exactspline.geometry.bisectors import curve_bisector, point_bisector
+from exactspline.geometry.bisector.point_and_curve import point_bisector
+from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.geometry.derived import derive
 from exactspline.papers import find
 from exactspline.readings.numeric import arithmetic, number, numeric_curve

@@ -14,7 +14,7 @@ from exactspline.display.plot.canvas import PlotError, new_figure
 from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import homogeneous
-from exactspline.display.plot.functions import plot_roots
+from exactspline.display.plot.functions import plot_function, plot_roots
 from exactspline.display.plot.html import Scene, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
@@ -103,7 +103,7 @@ def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
         assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum(
             (a - b) ** 2 for a, b in zip(p, q, strict=True)
         )
-    ax = plot_bisector(curve, q, variant=variant)
+    ax = plot_bisector(curve, q, formula=variant)
     assert f"bisector: degree {surface.degree}" in legend(ax)
 
 
@@ -138,6 +138,14 @@ def test_roots_are_inside_their_bars():
     assert [tuple(line.get_xdata()) for line in bars] == intervals
     assert all(low <= x <= high for (low, high), x in zip(intervals, dots, strict=True))
     assert "zero throughout" in legend(ax)
+
+
+def test_a_stretch_across_the_seam_is_drawn_in_the_domain_in_two_parts():
+    f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
+    found = zeros(f, periodic=True)
+    for ax in (plot_roots(found), plot_function(f, roots=found)):
+        stretches = [line for line in ax.lines if line.get_label() in ("zero throughout", "_stretch")]
+        assert [tuple(line.get_xdata()) for line in stretches] == [(3, 4), (0, 1)]
 
 
 def test_approaches_are_compared_by_what_they_cost():
@@ -188,7 +196,7 @@ def test_errors_say_what_would_be_right():
     with pytest.raises(ShapeError, match="two curves in space"):
         plot_bisector(example("ellipse"), example("circle"))
     with pytest.raises(FormulaError, match="'point'"):
-        plot_bisector(example("helix_like"), (0, 0, 0), variant="plane_bisector")
+        plot_bisector(example("helix_like"), (0, 0, 0), formula="plane_bisector")
 
 
 def test_a_surface_goes_with_the_curve_on_one_pair_of_axes():

@@ -17,7 +17,7 @@ from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.enclosures import curvature_sign, curvature_value, torsion_value
 from exactspline.geometry.features import constant_pieces, critical_points, inflections, straight_pieces, torsion_zeros
-from exactspline.geometry.inspection import SPACE_APPROACHES, compare_approaches, inspect_curve
+from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
 from exactspline.papers import find
 from exactspline.roots import checker
@@ -94,7 +94,7 @@ def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matri
 def check_agreement(curve):
     rows = {row.name: row for row in compare_approaches(curve)}
     assert not any(row.missing for row in rows.values())
-    found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in SPACE_APPROACHES]
+    found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in Approach]
     assert all(one == found[0] for one in found)
     assert (
         curve.degree < 3
@@ -187,7 +187,7 @@ def test_running_backwards_mirrors_the_parameters_and_nothing_else(curve):
 def test_the_sign_of_the_weights_does_not_matter(curve):
     minus = Nurbs(curve.degree, curve.knots, curve.control_points, [-w for w in curve.weights])
     assert signature(curve) == signature(minus)
-    for approach in SPACE_APPROACHES:
+    for approach in Approach:
         assert [(f.kind, f.root) for f in inspect_curve(minus, approach).critical] == [
             (f.kind, f.root) for f in inspect_curve(curve).critical
         ]

@@ -16,7 +16,7 @@ def test_a_jump_has_two_values():
     assert f.d().knots == KnotVector([0, 1, 2])
     assert (f * f)(1, "left") == 9
     assert (f * f).knots.multiplicity(1) == 3
-    with pytest.raises(DomainError, match="no side"):
+    with pytest.raises(DomainError, match="the side 'above' is unknown; there are left, right"):
         f(1, "above")
 
 

@@ -11,8 +11,8 @@ from mpmath import mp
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry import trimmed_bisector as module
-from exactspline.geometry.trimmed_bisector import trimmed_bisector
+from exactspline.geometry.bisector import trimmed as module
+from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.papers import find
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros

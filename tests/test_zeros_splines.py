@@ -1,6 +1,7 @@
 """Zero sets of splines: knots, intervals, jumps, the seam; and whatever hypothesis finds."""
 
 import itertools
+import re
 
 import pytest
 from gmpy2 import mpq
@@ -76,7 +77,27 @@ def test_seam():
     assert not zeros(open_ended).jumps
     assert [(j.parameter, j.sign_change) for j in zeros(open_ended, periodic=True).jumps] == [(0, True)]
     across = zeros(broken((0, 0, 0), (0, 1, 0), (0, 0, 0)), periodic=True)
-    assert [(s.low, s.high, s.signs) for s in across.intervals] == [(2, 4, (1, 1))]
+    assert [(s.parts, s.signs) for s in across.intervals] == [(((2, 3), (0, 1)), (1, 1))]
+
+
+PIECES = st.sampled_from([(0, 0, 0), (0, 0, 0), (1, 1, 0), (0, 1, 1), (1, -1, 1), (0, 1, 0)])
+
+
+@given(st.lists(PIECES, min_size=1, max_size=5))
+def test_no_parameter_lies_outside_the_domain_and_the_stretches_are_all_that_is_zero(pieces):
+    """Of a stretch across the seam, too: its parts, what it says of itself, and its certificate."""
+    f = broken(*pieces)
+    low, high = f.domain
+    found = zeros(f, periodic=True)
+    parts = [part for stretch in found.intervals for part in stretch.parts]
+    assert all(low <= a < b <= high for a, b in parts)
+    told = [mpq(t) for stretch in found.intervals for t in re.findall(r"-?\d+(?:/\d+)?", repr(stretch))]
+    told += [mpq(t) for stretch in found.certificate()["intervals"] for t in stretch]
+    assert all(low <= t <= high for t in told)
+    covered = {a for a, b in itertools.pairwise(f.breakpoints) if any(c <= a and b <= d for c, d in parts)}
+    assert covered == {a for a, p in zip(f.breakpoints, f.polynomials, strict=False) if not p}
+    assert all((stretch.high < stretch.low) == (len(stretch.parts) == 2) for stretch in found.intervals)
+    check(found.certificate())
 
 
 def test_one_periodic_segment():

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from exactspline.display.sheet import Sheet
     from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
-    from exactspline.geometry.bisectors import BisectorPatch, CurveBisector
+    from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
     from exactspline.splines.nurbs import Nurbs
 
 #: An equation longer than this is told by its degree.
@@ -114,7 +114,7 @@ def _coordinates(point: str) -> list[str]:
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display.bisector_data import curve_bisector_data, shown, sides_text
     from exactspline.display.plot.bisectors import plot_curve_bisector
-    from exactspline.geometry.bisectors import SurfaceVariant, curve_bisector
+    from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
 
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
     rows = [_surface_row(patch) for patch in found.patches]
@@ -216,7 +216,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
 def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
     from exactspline.display.bisector_data import shown, trimmed_data
     from exactspline.display.plot.bisectors import plot_trimmed_bisector
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector
 
     found = trimmed_bisector(c, point)
     data = {"name": "bisector", "curve": c.name, "point": point} | trimmed_data(found, digits)
@@ -236,7 +236,7 @@ def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
 def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) -> Answer:
     from exactspline.display.bisector_data import point_bisector_data, shown, sides_text
     from exactspline.display.plot.bisectors import plot_point_bisector
-    from exactspline.geometry.bisectors import point_bisector
+    from exactspline.geometry.bisector.point_and_curve import point_bisector
 
     found = point_bisector(c, point, variant or "direct")
     rows = [

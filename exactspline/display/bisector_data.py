@@ -21,9 +21,10 @@ from exactspline.geometry.bisector.components import (
     Solutions,
 )
 from exactspline.geometry.bisector.flats import Flat
+from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.polynomials import Parameter, Sides
-from exactspline.geometry.bisectors import BisectorPatch, CurveBisector, PointBisector
-from exactspline.geometry.trimmed_bisector import TrimmedBisector, TrimmedPiece
+from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
+from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
-from exactspline.papers import paper
+from exactspline.papers import Paper, paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import name_of, numbered
-from exactspline.verification.kinds import Identity
+from exactspline.verification.kinds import DegreeClaim, Identity, Vanishing
 from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 from exactspline.verification.verdict import VACUOUS as VACUOUS_WITNESS
-from exactspline.verification.vocabulary import Status
+from exactspline.verification.vocabulary import ArgumentKind, Status
 
 VACUOUS, INAPPLICABLE = "VACUOUS", "INAPPLICABLE"
 #: The words of the verdict column, in the order of the tables.
@@ -36,13 +36,13 @@ def word(row: Row) -> str:
 
 
 @cache
-def _claims(name: str) -> dict[str, Claim]:
-    return {claim.key: claim for claim in claims_of(name)}
+def _claims(source: Paper) -> dict[str, Claim]:
+    return {claim.key: claim for claim in claims_of(source)}
 
 
 def claim_of(row: Row) -> Claim:
     """The claim of which a row is a line."""
-    return _claims(row.paper)[row.key]
+    return _claims(paper(row.paper))[row.key]
 
 
 def section(claim: Claim) -> str:
@@ -56,7 +56,7 @@ def section(claim: Claim) -> str:
         return OURS
     if number := re.match(r"C(\d+(?:\.\d+)?)", claim.id):
         return f"§{number[1]}"
-    return {"T": "Table 1", "E": "equations", "F": "figures"}.get(claim.id[0], claim.id)
+    return claim.source_paper.sections.get(claim.id[0], claim.source)
 
 
 def found(row: Row) -> str:
@@ -69,10 +69,10 @@ def found(row: Row) -> str:
     if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
         left, right = name_of(claim, claim.left), name_of(claim, claim.right)
         return f"{left} = {right}" if row.factor == "1" else f"{left} = {row.factor} · {right}"
-    if claim.kind == "degree":
+    if isinstance(claim, DegreeClaim):
         computed = "identically zero" if row.computed == "-1" else row.computed
         return computed if row.verdict in HOLDS else f"{computed}, not {row.claimed}"
-    if claim.kind == "vanishing" and row.verdict in HOLDS:
+    if isinstance(claim, Vanishing) and row.verdict in HOLDS:
         return "identically zero"
     return f"{row.computed}: {row.factor}" if row.factor and row.verdict in HOLDS else row.computed
 
@@ -85,13 +85,23 @@ def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
     return "" if said else decimals(row.witness, digits, exact=exact)
 
 
-def ledger(rows: Iterable[Row], title: str = "", digits: int = 0, *, exact: bool = False, name: str = "") -> Sheet:
-    """The rows of one curve (or of all curves), one a line."""
-    columns = ("verdict", "claim", "statement", "found", "witness")
-    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness"), heads=2)
+def ledger(
+    rows: Iterable[Row],
+    title: str = "",
+    digits: int = 0,
+    *,
+    exact: bool = False,
+    name: str = "",
+    kernel: Mapping[tuple[str, str], str] | None = None,
+) -> Sheet:
+    """The rows of one curve (or of all curves), one a line; with `kernel`, what the kernel of Coq says of each claim."""
+    asked = () if kernel is None else ("kernel",)
+    columns = ("verdict", "claim", "statement", "found", "witness", *asked)
+    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {row.expected})"
-        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact))
+        says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
+        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact), *says)
     return made
 
 
@@ -151,12 +161,16 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
     return found
 
 
+#: Curves of a dimension alone, without anything beside them.
+OF_DIMENSION = {2: ArgumentKind.PLANE, 3: ArgumentKind.SPACE}
+
 #: What claims of these kinds of arguments speak of; of other kinds, of curves of that kind.
 ARGUMENTS = {
     "pair": "two space curves",
     "point": "a point and a space curve",
     "plane point": "a point and a plane curve",
-    "framed": "curves with their frames",
+    "framed plane": "plane curves with their frames",
+    "framed space": "space curves with their frames",
 }
 
 
@@ -170,9 +184,9 @@ def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
     """
     counts: Counter[str] = Counter()
     for claim in claims:
-        if claim.curve == "table":
+        if claim.curve == ArgumentKind.TABLE:
             counts["of Table 1"] += 1
-        elif claim.curve not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension, "")):
+        elif claim.curve not in (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension)):
             counts[f"of {ARGUMENTS.get(claim.curve, f'{claim.curve} curves')}"] += 1
         else:
             counts[f"of {claim.of} curves"] += 1

@@ -15,6 +15,7 @@ from exactspline.geometry.extent import turning_points
 from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature, Interval
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root, knot_root
@@ -107,14 +108,14 @@ def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, 
     facts = analyse(curve)
     joint = facts.joint(root.low) if root.at_knot else None
 
-    def shown(side: str) -> str:
-        at = root if joint is None else knot_root(facts.sides(root.low)[side == "right"])
+    def shown(side: Side | str) -> str:
+        at = root if joint is None else knot_root(facts.sides(root.low)[side == Side.RIGHT])
         with mp.workdps(digits + 10):
             value = quantity(curve, at, digits + 8, side)
             return str(nstr(value, digits, strip_zeros=True)) if value else "0"
 
     try:
-        values = [shown(side) for side in (("left", "right") if joint is not None else ("right",))]
+        values = [shown(side) for side in ((Side.LEFT, Side.RIGHT) if joint is not None else (Side.RIGHT,))]
     except ExactSplineError as error:
         return str(error)
     return " | ".join(dict.fromkeys(values))

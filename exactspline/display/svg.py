@@ -10,9 +10,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
 from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
-from exactspline.display.plot.functions import greville_abscissae
 from exactspline.exact import mpq
+from exactspline.language.choices import Side
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import greville_abscissae
 from exactspline.splines.nurbs import Nurbs
 
 #: Size in pixels, margin, samples in all and at least so many a segment.
@@ -62,7 +63,7 @@ def _there(points: Iterable[Point | None]) -> Iterator[Point]:
 def _parameters(breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, str]]]:
     count = max(LEAST, SAMPLES // (len(breaks) - 1))
     for a, b in pairwise(breaks):
-        yield [*[(a + (b - a) * mpq(k, count), "right") for k in range(count)], (b, "left")]
+        yield [*[(a + (b - a) * mpq(k, count), Side.RIGHT) for k in range(count)], (b, Side.LEFT)]
 
 
 def _seen(point: Sequence[mpq]) -> Point:

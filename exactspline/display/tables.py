@@ -18,11 +18,12 @@ from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.degree_tables import construction_table, generic_table
+from exactspline.verification.kinds import Count, DegreeClaim
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
-from exactspline.verification.vocabulary import Verdict
+from exactspline.verification.vocabulary import Status, Verdict
 
 #: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
@@ -232,14 +233,16 @@ def printed_numbers(*ids: str) -> Numbers:
 def numerical_claims(*ids: str) -> list[Claim]:
     """The claims with a degree or a count: those with these ids, or all of the paper (not those that go beyond it)."""
     return [
-        claim for claim in select(ids) if claim.kind in ("degree", "count") and (ids or not claim.id.startswith(BEYOND))
+        claim
+        for claim in select(ids)
+        if isinstance(claim, DegreeClaim | Count) and (ids or not claim.id.startswith(BEYOND))
     ]
 
 
 def _printed(s: Statement) -> tuple[str, ...]:
     claim, found = s.claim, s.finding
     claimed = str(getattr(claim, "claimed", claim.claims))
-    printed = claimed if claim.status == "printed" else f"({claimed})"
+    printed = claimed if claim.status == Status.PRINTED else f"({claimed})"
     return claim.id, claim.source, claim.statement, printed, found.computed, found.verdict
 
 

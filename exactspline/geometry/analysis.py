@@ -11,7 +11,7 @@ from threading import Lock
 
 from exactspline.errors import ShapeError
 from exactspline.geometry import plane_features, space_features
-from exactspline.geometry.constructions import MINIMAL
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Fact
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind
@@ -48,7 +48,7 @@ class Analysis(SpaceFacts):
         """The zeros of the curvature at regular points."""
         return space_features.flat_points(self) if self.in_space else plane_features.inflections(self)
 
-    def critical_points(self, variant: str = MINIMAL) -> list[Feature]:
+    def critical_points(self, variant: Variant | str = Variant.MINIMAL) -> list[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without one, from the form of a variant."""
 
         def compute() -> list[Feature]:

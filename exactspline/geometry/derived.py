@@ -11,9 +11,11 @@ from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import rational, text
-from exactspline.geometry.constructions import MINIMAL, all_constructions, construction
+from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.geometry.kinds import Interval
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -37,7 +39,7 @@ class Derived(Displayed):
     """A derived object in pieces, and the intervals on which it does not exist, each with the reason."""
 
     name: str
-    variant: str
+    variant: Variant
     pieces: tuple[Piece, ...]
     missing: tuple[tuple[Interval, str], ...]
     #: Whether it is a ruled surface: then the values are directrix and generator side by side.
@@ -87,12 +89,12 @@ def _shown(interval: Interval) -> str:
     return f"[{text(interval[0])}, {text(interval[1])}]"
 
 
-def derive(name: str, curve: Nurbs, variant: str = MINIMAL) -> Derived:
+def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `variant` is
-    ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the evolute of a straight
-    piece) the other pieces are returned and the missing ones named.
+    `what` is a construction (``evolute``, ``zero_curvature``, …) or any formula, itself or by its name (``f2``, ``g0``,
+    …; then `variant` is ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the
+    evolute of a straight piece) the other pieces are returned and the missing ones named.
 
     >>> from exactspline.splines.examples import example
     >>> derive("evolute", example("circle"))("1/2")
@@ -101,23 +103,26 @@ def derive(name: str, curve: Nurbs, variant: str = MINIMAL) -> Derived:
     Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where
     nothing is left.
     """
-    if name in all_constructions():
+    name = what if isinstance(what, str) else what.name
+    if isinstance(what, str) and name in all_constructions():
         made = construction(name)
-        needed, compute = made.curve, lambda c: made.on(c, variant)
+        needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
         formula = made.formula(variant)
     else:
-        formula = find(name)
-        if variant not in (MINIMAL, "naive"):
+        formula = find(what) if isinstance(what, str) else what
+        if variant not in (Variant.MINIMAL, Variant.NAIVE):
             raise FormulaError(
-                f"{name} has no variant {variant!r}",
-                remedy=f"a formula has the variants {MINIMAL} and naive (as it stands)",
+                f"{name} has no variant {str(variant)!r}",
+                remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as it stands)",
             )
-        needed = formula.curve
+        needed = formula.kind
         compute = (
-            (lambda c: joined(in_lowest_terms(formula(c)))) if variant == MINIMAL else (lambda c: joined(formula(c)))
+            (lambda c: joined(in_lowest_terms(formula(c))))
+            if variant == Variant.MINIMAL
+            else (lambda c: joined(formula(c)))
         )
-    if needed not in ("curve", {2: "plane", 3: "space"}.get(curve.dimension)):
-        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed} curve")
+    if needed not in (CURVE, PLANE, SPACE) or curve.dimension not in needed.dimensions:
+        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed.name} curve")
     found = formula(curve)
     ruled = isinstance(found, RuledSurface)
     exists, breaks = _exists(found), curve.breakpoints
@@ -130,10 +135,10 @@ def derive(name: str, curve: Nurbs, variant: str = MINIMAL) -> Derived:
             f"{curve.name or 'the curve'} has no {name}: {missing[0][1]} on its whole domain",
             remedy="choose another curve",
         )
-    return Derived(name, variant, pieces, missing, ruled)
+    return Derived(name, Variant(variant), pieces, missing, ruled)
 
 
-def evolute(curve: Nurbs, variant: str = MINIMAL) -> Derived:
+def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -145,7 +150,7 @@ def evolute(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     return derive("evolute", curve, variant)
 
 
-def focal_curve(curve: Nurbs, variant: str = MINIMAL) -> Derived:
+def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` tells
     the degree for all curves).
 
@@ -158,7 +163,7 @@ def focal_curve(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     return derive("focal_curve", curve, variant)
 
 
-def torsion(curve: Nurbs, variant: str = MINIMAL) -> Derived:
+def torsion(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -170,7 +175,7 @@ def torsion(curve: Nurbs, variant: str = MINIMAL) -> Derived:
     return derive("torsion", curve, variant)
 
 
-def circle_centres(curve: Nurbs, variant: str = MINIMAL) -> Derived:
+def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` tells
     the degree for all curves).
 

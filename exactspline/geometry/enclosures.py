@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from exactspline.exact import mpq, mpz
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.values_along import curvature, torsion
+from exactspline.language.choices import Side
 from exactspline.roots.enclosure import Enclosure
 from exactspline.roots.root import Root
 from exactspline.splines.surd import Surd, significant
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-def curvature_sign(curve: Nurbs, root: Root, side: str = "right") -> int:
+def curvature_sign(curve: Nurbs, root: Root, side: Side | str = Side.RIGHT) -> int:
     """The sign of κ at a root of whatever form, exactly: in space 1, or 0 where κ = 0."""
     analysis = analyse(curve)
     if not analysis.in_space:
@@ -30,7 +31,7 @@ def curvature_sign(curve: Nurbs, root: Root, side: str = "right") -> int:
     return int(not analysis.is_flat(root) if root.exact is None else any(analysis.bend(root.exact, side)))
 
 
-def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> mpf:
+def curvature_value(curve: Nurbs, root: Root, digits: int, side: Side | str = Side.RIGHT) -> mpf:
     """κ at a root as an mpmath number that is relatively off by less than ``10^−digits``; exactly 0 where κ = 0.
 
     >>> from exactspline import curvature_extrema, load
@@ -42,7 +43,7 @@ def curvature_value(curve: Nurbs, root: Root, digits: int, side: str = "right") 
     return _certain(lambda wanted: curvature(curve, root, digits=wanted, side=side), digits)
 
 
-def torsion_value(curve: Nurbs, root: Root, digits: int, side: str = "right") -> mpf:
+def torsion_value(curve: Nurbs, root: Root, digits: int, side: Side | str = Side.RIGHT) -> mpf:
     """τ at a root (where κ = 0 its limit) as an mpmath number that is relatively off by less than ``10^−digits``;
     exactly 0 where τ = 0.
 

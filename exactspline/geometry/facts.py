@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar, overload
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
     Ends,
@@ -32,13 +32,19 @@ from exactspline.geometry.joints import (
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
 from exactspline.papers import find
+from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
+from exactspline.splines.bernstein import variations
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.lowest_terms import certainly_coprime, common_factor
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.values import SplineValue
 
 T = TypeVar("T")
 
@@ -72,15 +78,19 @@ class ZeroForm:
     zeros: ZeroSet
     seconds: float
 
-    def sign_at(self, root: Root, side: str = "right") -> int:
+    def sign_at(self, root: Root, side: Side | str = Side.RIGHT) -> int:
         """The sign of the form at a root of whatever form (at a knot the limit from a side): from the certified zeros
         alone, nothing is evaluated.
         """
         breaks = self.form.mesh.breaks
-        if root.exact is not None:
-            value = self.form(root.exact, side)
+        if root.low == root.high:
+            value = self.form(root.low, side)
             return int(value > 0) - int(value < 0)
-        segment = bisect_right(breaks, root) - 1
+        segment = bisect_right(breaks, root.low) - 1
+        while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
+            segment += 1
+        if breaks[segment] == root:
+            return self.sign_at(knot_root(breaks[segment]), side)
         isolation = self.zeros.isolations[segment]
         if isolation is None:
             return 0
@@ -102,6 +112,8 @@ class ZeroForm:
 def located(found: ZeroSet) -> list[tuple[Root, bool]]:
     """The roots of a zero set and its changes of sign by a jump, in order, each with whether it is a jump."""
     jumps = [(jump_root(jump), True) for jump in found.jumps if jump.sign_change]
+    if not jumps:
+        return [(root, False) for root in found]
     return sorted([*((root, False) for root in found), *jumps], key=lambda pair: pair[0])
 
 
@@ -122,12 +134,10 @@ class Facts:
         self.curve = curve
         self._known: dict[Any, Any] = {}
         self._lock = RLock()
-        negative = curve.w(curve.domain[0]) < 0
+        negative = curve.w.polynomials[0][0] < 0
         #: The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
         #: change their sign with it.
-        self.operands = Curve(
-            -curve.p if negative else curve.p, -curve.w if negative else curve.w, polynomial=curve.polynomial
-        )
+        self.operands: Curve[BSpline] = Curve(-curve.p, -curve.w, polynomial=curve.polynomial) if negative else curve
         self.closed: bool = curve.closed
         self.breaks: tuple[mpq, ...] = curve.breakpoints
 
@@ -142,7 +152,7 @@ class Facts:
 
     # ---- forms
 
-    def zero_form(self, name: str, variant: str = MINIMAL) -> ZeroForm:
+    def zero_form(self, name: str, variant: Variant | str = Variant.MINIMAL) -> ZeroForm:
         """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
         zeros; `ShapeError` for a curve of another dimension.
         """
@@ -150,11 +160,23 @@ class Facts:
         {"plane": plane, "space": space}[made.curve](self.curve)
 
         def form() -> BSpline:
-            found = made.on(self.operands, variant)
+            found = made.on(self.operands, variant, self.value_of)
             assert isinstance(found, BSpline)
             return found
 
         return self.once((name, variant), lambda: self.solved(form))
+
+    @Fact
+    def _given(self) -> Given | None:
+        kind = PLANE if self.curve.dimension == 2 else SPACE
+        return operands_of(kind, self.operands)
+
+    def value_of(self, formula: Formula) -> SplineValue:
+        """The value of a formula on the curve (with a positive weight function)."""
+        if self._given is None:
+            value: SplineValue = formula(self.operands)
+            return value
+        return self._given.value(formula)
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -162,14 +184,14 @@ class Facts:
         f = form()
         return ZeroForm(f, zeros(f, periodic=self.closed), perf_counter() - start)
 
-    def sign_of(self, name: str, root: Root, side: str = "right") -> int:
+    def sign_of(self, name: str, root: Root, side: Side | str = Side.RIGHT) -> int:
         """The sign of a zero-set construction at a root of whatever form, exactly: apart from what form answers it."""
         return self.zero_form(name).sign_at(root, side)
 
     @Fact
     def velocity(self) -> Vector[BSpline]:
         """D1, a positive multiple of γ′."""
-        return Vector(*find("D1")(self.operands))
+        return Vector(*self._vector("D1"))
 
     @Fact
     def speed(self) -> ZeroForm:
@@ -179,7 +201,13 @@ class Facts:
     @Fact
     def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
-        return Vector(*find("binormal_form")(space(self.operands)))
+        space(self.operands)
+        return Vector(*self._vector("binormal_form"))
+
+    def _vector(self, formula: str) -> Vector[BSpline]:
+        found = self.value_of(find(formula))
+        assert isinstance(found, Vector)
+        return found
 
     # ---- knots
 
@@ -202,22 +230,26 @@ class Facts:
     def joints(self) -> tuple[Joint, ...]:
         """All joints in the order of the parameter, the seam of a closed curve first."""
         count = len(self.breaks) - 1
-        return tuple(self._joint(i - 1, i % count) for i in range(0 if self.closed else 1, count))
-
-    @Fact
-    def _joints_by_parameter(self) -> dict[mpq, Joint]:
-        found = {joint.parameter: joint for joint in self.joints}
-        if self.closed:
-            found[self.breaks[-1]] = self.joints[0]
-        return found
+        return tuple(self._joint(i) for i in range(0 if self.closed else 1, count))
 
     def joint(self, t: mpq) -> Joint | None:
         """The joint at a parameter, None where there is none."""
-        return self._joints_by_parameter.get(t)
+        i = bisect_left(self.breaks, t)
+        if self.breaks[i] != t:
+            return None
+        count = len(self.breaks) - 1
+        if i in (0, count):
+            return self._joint(0) if self.closed else None
+        return self._joint(i)
 
-    def _joint(self, before: int, behind: int) -> Joint:
+    def _joint(self, i: int) -> Joint:
+        """The joint at the i-th breakpoint, 0 the seam."""
+        return self.once(("joint", i), lambda: self._met(i - 1, i))
+
+    def _met(self, before: int, behind: int) -> Joint:
+        """The joint of two segments."""
         t, seam = self.breaks[behind], before < 0
-        left, right = self.ends.jet(before, "left"), self.ends.jet(behind, "right")
+        left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
             return Joint(t, JointKind.GAP, -1, seam, gap=distance(left[0], right[0]))
         if self.standing[before] and self.standing[behind]:
@@ -244,7 +276,7 @@ class Facts:
     def _directions(self, v: Vector[BSpline], t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
         """The directions of a vector just left and just right of a knot."""
         left, right = self.sides(t)
-        return limit_direction(v, left, "left"), limit_direction(v, right, "right")
+        return limit_direction(v, left, Side.LEFT), limit_direction(v, right, Side.RIGHT)
 
     def binormal_limits(self, t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
         """The directions of the binormal just left and just right of a knot; zeros where the curve is straight."""
@@ -257,19 +289,37 @@ class Facts:
         """The parameters where γ′ = 0; of an interval on which the curve stands still its ends."""
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
-            for root in self.speed.zeros
+            for root in (() if self._moves_between_knots else self.speed.zeros)
             if not root.at_knot
         ]
-        knots = [
-            Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1")
-            for joint in self.joints
-            if joint.kind is JointKind.SINGULAR
-        ]
+        resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
+        knots = [Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1") for joint in resting]
         if not self.closed:
-            ends = zip((self.breaks[0], self.breaks[-1]), ("right", "left"), strict=True)
+            ends = zip((self.breaks[0], self.breaks[-1]), (Side.RIGHT, Side.LEFT), strict=True)
             stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
         return sorted(inner + knots, key=lambda f: f.root)
+
+    @property
+    def _moves_between_knots(self) -> bool:
+        """Whether it is quickly seen that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
+        there, or two without a common factor; False says nothing.
+        """
+        return all(
+            any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
+            for parts in zip(*[x.polynomials for x in self.velocity], strict=True)
+        )
+
+    @property
+    def _knots_at_rest(self) -> list[int]:
+        """The breakpoints at which γ′ = 0 on one side at least, that of a closed curve's seam among them."""
+        ends = [(x.polynomials, x.degree) for x in self.velocity]
+        count = len(self.breaks) - 1
+        return [
+            i
+            for i in range(0 if self.closed else 1, count)
+            if all(c[i][0] == 0 for c, _ in ends) or all(c[i - 1][n] == 0 for c, n in ends)
+        ]
 
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:

@@ -8,7 +8,7 @@ seam is a knot like any other and counts once, at the start of the domain; no pa
 from __future__ import annotations
 
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import MINIMAL
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind
 from exactspline.splines.nurbs import Nurbs
@@ -62,7 +62,7 @@ def curvature_extrema(curve: Nurbs) -> list[Feature]:
     return analyse(curve).curvature_extrema
 
 
-def critical_points(curve: Nurbs, variant: str = MINIMAL) -> list[Feature]:
+def critical_points(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``), from the form of a
     variant.
 

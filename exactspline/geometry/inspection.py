@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from enum import StrEnum
 
-from exactspline.errors import FormulaError
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.facts import among, located
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature
 from exactspline.geometry.planarity import Plane
+from exactspline.language.choices import choice
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 
-#: The approaches to critical curvature by the names of the paper, and the forms they solve, in the plane and in space.
-APPROACHES = {"squaring": "squaring", "direct": "direct", "reduced": "paper", "lifted": "lifted", "minimal": MINIMAL}
 
+class Approach(StrEnum):
+    """The approaches to critical curvature, by the names of the paper and then by ours."""
 
-SPACE_APPROACHES = APPROACHES | {"reduced": "reduced"}
+    SQUARING = "squaring"
+    DIRECT = "direct"
+    REDUCED = "reduced"
+    LIFTED = "lifted"
+    MINIMAL = "minimal"
+
+    def variant(self, curve: Nurbs) -> Variant:
+        """The form that it solves on a curve: in space the paper reduces none."""
+        if self is Approach.REDUCED and curve.dimension == 2:
+            return Variant.PAPER
+        return Variant(self.value)
 
 
 @dataclass(frozen=True)
@@ -32,7 +43,7 @@ class Inspection:
     are then all regular points with κ = 0.
     """
 
-    approach: str
+    approach: Approach
     singular_points: list[Feature]
     inflections: list[Feature]
     critical: list[Feature]
@@ -45,8 +56,8 @@ class Inspection:
     plane: Plane | None = None
 
 
-def inspect_curve(curve: Nurbs, approach: str = "minimal") -> Inspection:
-    """The features of a curve in the plane or in space by one of the `APPROACHES`.
+def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> Inspection:
+    """The features of a curve in the plane or in space by one approach (`Approach`) to critical curvature.
 
     >>> from exactspline.splines.examples import example
     >>> len(inspect_curve(example("ellipse")).critical), len(inspect_curve(example("rational_space_cubic")).critical)
@@ -54,12 +65,11 @@ def inspect_curve(curve: Nurbs, approach: str = "minimal") -> Inspection:
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space, `FormulaError` for an unknown approach.
     """
-    if approach not in APPROACHES:
-        raise FormulaError(f"no approach is called {approach!r}", remedy=f"there are {', '.join(APPROACHES)}, all")
+    chosen = choice(Approach, approach, "approach")
     found = analyse(curve)
     return Inspection(
-        approach=approach,
-        critical=found.critical_points(_approaches(curve)[approach]),
+        approach=chosen,
+        critical=found.critical_points(chosen.variant(curve)),
         inflections=found.inflections,
         singular_points=found.singular_points,
         joints=list(found.joints),
@@ -72,11 +82,7 @@ def inspect_curve(curve: Nurbs, approach: str = "minimal") -> Inspection:
     )
 
 
-def _approaches(curve: Nurbs) -> dict[str, str]:
-    return SPACE_APPROACHES if curve.dimension == 3 else APPROACHES
-
-
-def solved(curve: Nurbs, approach: str) -> list[tuple[str, str, BSpline, ZeroSet]]:
+def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
     """What an inspection solves: names, titles, functions and their zeros.
 
     >>> from exactspline.splines.examples import example
@@ -84,9 +90,9 @@ def solved(curve: Nurbs, approach: str) -> list[tuple[str, str, BSpline, ZeroSet
     ['zero_torsion', 'space_critical_curvature', 'zero_curvature']
     """
     found = analyse(curve)
-    first = ("zero_torsion", "paper") if found.in_space else ("zero_curvature", MINIMAL)
+    first = ("zero_torsion", Variant.PAPER) if found.in_space else ("zero_curvature", Variant.MINIMAL)
     rows = []
-    for name, variant in (first, (found.critical_form, _approaches(curve)[approach])):
+    for name, variant in (first, (found.critical_form, choice(Approach, approach, "approach").variant(curve))):
         form = found.zero_form(name, variant)
         rows.append((name, construction(name).title, form.form, form.zeros))
     if found.in_space:
@@ -95,14 +101,14 @@ def solved(curve: Nurbs, approach: str) -> list[tuple[str, str, BSpline, ZeroSet
 
 
 @dataclass(frozen=True)
-class Approach:
+class ApproachResult:
     """What one approach to critical curvature costs and finds.
 
     `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (the inflections of a plane curve
     that squaring adds, and singular points); `missing` are critical points at which it finds nothing.
     """
 
-    name: str
+    name: Approach
     degree: int
     control_points: int
     roots: int
@@ -111,25 +117,25 @@ class Approach:
     seconds: float
 
 
-def compare_approaches(curve: Nurbs) -> list[Approach]:
+def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
     """All approaches on one curve, what they find held exactly against the minimal form.
 
     >>> from exactspline.splines.examples import example
-    >>> [(a.name, a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
+    >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
     [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
     found = analyse(curve)
     true = [root for root, _ in located(found.zero_form(found.critical_form).zeros)]
     wanted = [f.root for f in found.critical_points()]
     rows = []
-    for name, variant in _approaches(curve).items():
-        form = found.zero_form(found.critical_form, variant)
+    for approach in Approach:
+        form = found.zero_form(found.critical_form, approach.variant(curve))
         own = form.zeros.roots
         extraneous = among(own, true).count(False)
         missing = among(wanted, [root for root, _ in located(form.zeros)]).count(False)
         rows.append(
-            Approach(
-                name, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
+            ApproachResult(
+                approach, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
             )
         )
     return rows

@@ -7,7 +7,7 @@ once. What users call is in `exactspline.geometry.features`.
 
 from __future__ import annotations
 
-from exactspline.geometry.constructions import MINIMAL
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts, among, located
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind
 from exactspline.roots.root import Root
@@ -16,7 +16,7 @@ from exactspline.roots.root import Root
 SQUARING = "squaring"
 
 
-def inflections(facts: Facts, variant: str = MINIMAL) -> list[Feature]:
+def inflections(facts: Facts, variant: Variant | str = Variant.MINIMAL) -> list[Feature]:
     """The zeros of the curvature at regular points."""
     features = []
     for root, by_jump in facts.regular(facts.zero_form("zero_curvature", variant).zeros):
@@ -32,7 +32,7 @@ def _flat(root: Root) -> FeatureKind:
     return FeatureKind.INFLECTION if root.sign_change else FeatureKind.UNDULATION
 
 
-def critical_points(facts: Facts, variant: str) -> list[Feature]:
+def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``)."""
     zero_set = facts.zero_form("critical_curvature", variant).zeros
     if variant == SQUARING:
@@ -50,7 +50,7 @@ def critical_points(facts: Facts, variant: str) -> list[Feature]:
     return features
 
 
-def _extremum(facts: Facts, root: Root, variant: str, *, by_jump: bool) -> Feature:
+def _extremum(facts: Facts, root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
     """A zero of κ′ by the signs of κ′ beside it, and by that of κ there."""
     left, right = root.signs
     if not left or not right or left == right:

@@ -12,10 +12,11 @@ from typing import Any, TypeVar, cast
 
 from exactspline.errors import DomainError, ShapeError
 from exactspline.exact import Number, mpq, rational, text
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import space
+from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
-from exactspline.language.parts import numerator
+from exactspline.language.parts import numerator, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development
 from exactspline.language.vector import Vector, cross, dot, norm2
@@ -39,13 +40,13 @@ class RulingRelation:
     shift: Rational[BSpline]
     stretch: Rational[BSpline]
 
-    def __call__(self, s: Any, ruling: Any, side: str = "right") -> mpq:
+    def __call__(self, s: Any, ruling: Any, side: Side | str = Side.RIGHT) -> mpq:
         """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
         value: mpq = self.shift(s, side) + self.stretch(s, side) * rational(ruling)
         return value
 
 
-def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurface:
+def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> SplineSurface:
     """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
     `exactspline.splines.lowest_terms.in_lowest_terms`).
 
@@ -60,11 +61,11 @@ def ruled_surface(name: str, curve: Nurbs, variant: str = MINIMAL) -> SplineSurf
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    found: SplineSurface = in_lowest_terms(value) if variant == MINIMAL else value
+    found: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
     return found
 
 
-def point_at(surface: SplineSurface, s: Number, ruling: Number, side: str = "right") -> tuple[mpq, ...]:
+def point_at(surface: SplineSurface, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
     """The point of the parameters s and ζ, exactly; `ZeroDivisionError` at a pole.
 
     >>> from exactspline.splines.examples import example
@@ -75,7 +76,7 @@ def point_at(surface: SplineSurface, s: Number, ruling: Number, side: str = "rig
     return tuple(x + rational(ruling) * y for x, y in zip(*ends, strict=True))
 
 
-def _value(part: Any, s: Any, side: str) -> tuple[mpq, ...]:
+def _value(part: Any, s: Any, side: Side | str) -> tuple[mpq, ...]:
     return tuple(c(s, side) for c in part) if isinstance(part, Vector) else part(s, side)
 
 
@@ -98,7 +99,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     low, high = rational(a), rational(b)
     if not low < high:
         raise DomainError(f"[{text(low)}, {text(high)}] is no interval of ruling parameters", remedy="give a < b")
-    meshes = numerator(surface.directrix)[0].mesh, Mesh([low, high])
+    meshes = split(surface.directrix)[0][0].mesh, Mesh([low, high])
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
     found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
     components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
@@ -123,13 +124,14 @@ def is_developable(surface: SplineSurface) -> bool:
     Raises `ShapeError` where the generator vanishes on a whole segment: there is no surface.
     """
     _check_generator(surface)
-    return bool(development(in_lowest_terms(surface)).is_zero)
+    lowest = cast("RuledSurface[Vector[BSpline]]", in_lowest_terms(surface))
+    return development(lowest).is_zero
 
 
 def _check_generator(surface: SplineSurface) -> None:
-    for i, parts in enumerate(zip(*[c.polynomials for c in numerator(surface.generator)], strict=True)):
+    for i, parts in enumerate(zip(*[c.polynomials for c in split(surface.generator)[0]], strict=True)):
         if not any(parts):
-            a, b = numerator(surface.generator)[0].breakpoints[i : i + 2]
+            a, b = split(surface.generator)[0][0].breakpoints[i : i + 2]
             raise ShapeError(
                 f"the generator vanishes on all of [{text(a)}, {text(b)}]: there is no ruled surface",
                 remedy="leave this segment out",

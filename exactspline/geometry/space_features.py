@@ -11,9 +11,11 @@ from __future__ import annotations
 from bisect import bisect_left
 
 from exactspline.exact import mpq
+from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.roots.root import Root, knot_root
@@ -41,20 +43,20 @@ class SpaceFacts(Facts):
         """The numerator of τ in lowest terms."""
         return self.solved(lambda: self.reduced_torsion.scalar)
 
-    def bend(self, t: mpq, side: str) -> Point:
+    def bend(self, t: mpq, side: Side | str) -> Point:
         """A positive multiple of γ′ × γ″ at a parameter, its limit at a knot; zeros where κ = 0."""
         left, right = self.sides(t)
-        return tuple(c(left if side == "left" else right, side) for c in self.binormal)
+        return tuple(c(left if side == Side.LEFT else right, side) for c in self.binormal)
 
     def is_flat(self, root: Root) -> bool:
         """Whether γ′ × γ″ = 0 at a root (at a knot: seen from both sides)."""
         if root.exact is not None:
-            return not any(any(self.bend(root.exact, side)) for side in ("left", "right"))
+            return not any(any(self.bend(root.exact, side)) for side in Side)
         found = self.bending.zeros.roots
         position = bisect_left(found, root)
         return position < len(found) and found[position] == root
 
-    def torsion_sign(self, root: Root, side: str = "right") -> int:
+    def torsion_sign(self, root: Root, side: Side | str = Side.RIGHT) -> int:
         """The sign of τ (where κ = 0: of its limit) at a regular root."""
         sign = self.torsion_numerator.sign_at(root, side)
         if root.exact is None or sign == 0:
@@ -77,7 +79,7 @@ def flat_points(facts: SpaceFacts) -> list[Feature]:
     ]
     features += [f for joint in facts.joints if joint.tangent_continuous for f in _flat_knot(facts, joint.parameter)]
     if not facts.closed:
-        for t, side in ((facts.breaks[0], "right"), (facts.breaks[-1], "left")):
+        for t, side in ((facts.breaks[0], Side.RIGHT), (facts.breaks[-1], Side.LEFT)):
             flat = not any(facts.bend(t, side)) and any(limit_direction(facts.binormal, t, side))
             if flat and not facts.is_singular(knot_root(t)):
                 features.append(Feature(FeatureKind.FLAT_END, knot_root(t), BINORMAL, of_absolute=least))
@@ -86,7 +88,7 @@ def flat_points(facts: SpaceFacts) -> list[Feature]:
 
 def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
     """The zero of the curvature at a knot with one tangent, if there is one, or its being turned round by a jump."""
-    left, right = facts.bend(t, "left"), facts.bend(t, "right")
+    left, right = facts.bend(t, Side.LEFT), facts.bend(t, Side.RIGHT)
     flat = not any(left) and not any(right)
     if not any(left) or not any(right):
         left, right = facts.binormal_limits(t)
@@ -105,7 +107,7 @@ def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
 
 def torsion_zeros(facts: SpaceFacts) -> list[Feature]:
     """The zeros of the torsion at regular points, and its changes of sign by a jump."""
-    found = facts.regular(facts.zero_form("zero_torsion", "paper").zeros)
+    found = facts.regular(facts.zero_form("zero_torsion", Variant.PAPER).zeros)
     true = among([root for root, _ in found], facts.torsion_numerator.zeros.roots)
     features = []
     for (root, by_jump), zero in zip(found, true, strict=True):
@@ -128,17 +130,17 @@ def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Featu
     """
     t, torsion, joint = root.low, facts.reduced_torsion, facts.joint(root.low)
     if t in facts.curve.domain and not facts.closed:
-        at_end = torsion(t, "left" if t == facts.breaks[-1] else "right") == 0
+        at_end = torsion(t, Side.LEFT if t == facts.breaks[-1] else Side.RIGHT) == 0
         return [Feature(FeatureKind.TORSION_END, root, TORSION)] if at_end else []
     if joint is not None and (not joint.tangent_continuous or joint.kind is JointKind.TURN):
         return []
     left, right = facts.sides(t)
-    if torsion(left, "left") == torsion(right, "right") == 0:
+    if torsion(left, Side.LEFT) == torsion(right, Side.RIGHT) == 0:
         return [Feature(_torsion_kind(root), root, TORSION)]
     return [Feature(FeatureKind.TORSION_ZERO, root, TORSION, by_jump=True)] if changes else []
 
 
-def critical_points(facts: SpaceFacts, variant: str) -> list[Feature]:
+def critical_points(facts: SpaceFacts, variant: Variant | str) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum, but for those where κ = 0."""
     features = []
     for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
@@ -148,7 +150,7 @@ def critical_points(facts: SpaceFacts, variant: str) -> list[Feature]:
     return features
 
 
-def _extremum(root: Root, variant: str, *, by_jump: bool) -> Feature:
+def _extremum(root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
     left, right = root.signs
     if not left or not right or left == right:
         return Feature(FeatureKind.STATIONARY, root, variant)

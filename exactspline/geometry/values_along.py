@@ -12,12 +12,14 @@ from exactspline.exact import Number, mpq, text
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.domain import part, space
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.roots.enclosure import Enclosure, exact_place, sign_at
 from exactspline.roots.real import Real
 from exactspline.roots.root import Root
-from exactspline.splines.bspline import BSpline, checked_side
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.given import checked_side
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.surd import Surd, square_root
 
@@ -25,19 +27,21 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-def curvature(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Surd | Enclosure:
+def curvature(
+    curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT
+) -> mpq | Surd | Enclosure:
     """The curvature of a curve at a parameter or a root (see `exactspline.Nurbs.curvature`)."""
     return curvature_at(curve, exact_place(t), side).told(digits)
 
 
-def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
+def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
     """The torsion of a space curve at a parameter or a root (see `exactspline.Nurbs.torsion`)."""
     found = torsion_at(curve, exact_place(t), side).told(digits)
     assert not isinstance(found, Surd)
     return found
 
 
-def point_at(curve: Nurbs, place: mpq | Root, order: int = 0, side: str = "right") -> tuple[Real, ...]:
+def point_at(curve: Nurbs, place: mpq | Root, order: int = 0, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
     """The point or a derivative of a curve at a rational parameter or an irrational root.
 
     >>> from exactspline import example, zeros
@@ -63,7 +67,7 @@ def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
     return found, denominator
 
 
-def curvature_at(curve: Nurbs, place: mpq | Root, side: str = "right") -> Real:
+def curvature_at(curve: Nurbs, place: mpq | Root, side: Side | str = Side.RIGHT) -> Real:
     """The curvature of a curve at a rational parameter or an irrational root."""
     if curve.dimension not in (2, 3):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
@@ -84,7 +88,7 @@ def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline |
     return find("curvature_squared")(c), find("f2")(c) * c.w
 
 
-def torsion_at(curve: Nurbs, place: mpq | Root, side: str = "right") -> Real:
+def torsion_at(curve: Nurbs, place: mpq | Root, side: Side | str = Side.RIGHT) -> Real:
     """The torsion of a space curve at a rational parameter or an irrational root."""
     i = _segment(space(curve), place, side)
     _refuse_singular(curve, i, place, side)
@@ -105,7 +109,7 @@ def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
     return reduced
 
 
-def _segment(curve: Nurbs, place: mpq | Root, side: str) -> int:
+def _segment(curve: Nurbs, place: mpq | Root, side: Side | str) -> int:
     """The number of the segment that holds a parameter or a root."""
     left = checked_side(side)
     return _segment_of_root(curve, place) if isinstance(place, Root) else curve.mesh.locate(place, left=left)
@@ -124,12 +128,12 @@ def _segment_of_root(curve: Nurbs, root: Root) -> int:
     return next(i for i, t in enumerate(curve.breakpoints[1:]) if root < t)
 
 
-def _quotient(value: Rational[BSpline], t: mpq, side: str) -> mpq:
+def _quotient(value: Rational[BSpline], t: mpq, side: Side | str) -> mpq:
     quotient: mpq = value(t, side)
     return quotient
 
 
-def _refuse_singular(curve: Nurbs, i: int, place: mpq | Root, side: str) -> None:
+def _refuse_singular(curve: Nurbs, i: int, place: mpq | Root, side: Side | str) -> None:
     velocity = analyse(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
     if all(sign_at(x, place, side) == 0 for x in velocity):
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import MINIMAL
+from exactspline.geometry.constructions import Variant
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
 
-def zero_form(curve: Nurbs, name: str, variant: str = MINIMAL) -> tuple[BSpline, ZeroSet]:
+def zero_form(curve: Nurbs, name: str, variant: Variant | str = Variant.MINIMAL) -> tuple[BSpline, ZeroSet]:
     """The form of a zero-set construction on a curve, with the sign it has for a positive weight function, and its
     certified zeros.
 

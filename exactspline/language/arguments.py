@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, Generic, TypeVar
 
 from exactspline.language.argument import Evaluated
+from exactspline.language.choices import Parameter
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.vector import Vector
 
@@ -139,7 +140,7 @@ class Pair(Evaluated, Generic[T]):
 
 
 #: The parameters of two curves.
-PARAMETERS = ("s", "s̄")
+PARAMETERS = (Parameter.FIRST, Parameter.SECOND)
 #: Coordinates, denominator and point by name: of the first curve, of the second curve, of the point.
 COORDINATES, BARRED, POINT = "xyzuvst", "XYZUVST", "abcefgh"
 

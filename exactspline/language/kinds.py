@@ -1,94 +1,108 @@
-"""Kinds of arguments: each declares its operands, its parameters and its constants; readings build from that.
-
-A new kind is a new class here and an entry in `KINDS`; no reading changes.
+"""The kinds of arguments that there are. A new one is a new class (here or in a file beside this one) and an entry in
+`KINDS`; readings build from what it declares.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from typing import Any
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, nearest
+from exactspline.language.accompanied import Accompanied
 from exactspline.language.adjoined_root import framed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Curve, Operands, Pair, T
+from exactspline.language.hodograph_kind import HODOGRAPH
+from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
+from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.vector import Vector
 
+__all__ = [
+    "CURVE",
+    "DIMENSIONS",
+    "FRAMED",
+    "FRAMED_PLANE",
+    "FRAMED_SPACE",
+    "HODOGRAPH",
+    "IMPLICIT",
+    "IMPLICIT_SURFACE",
+    "INTERSECTION",
+    "KINDS",
+    "PAIR",
+    "PLANE",
+    "PLANE_PAIR",
+    "PLANE_POINT",
+    "POINT_IN_SPACE",
+    "SPACE",
+    "TABLE",
+    "CurveKind",
+    "FramedKind",
+    "Kind",
+    "PairKind",
+    "Rule",
+    "Symbol",
+    "TableKind",
+    "common_kind",
+    "constant_text",
+    "kind_of",
+]
+
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
+_DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+#: Names that constants cannot have: those of operands and of what formulas may name beside them.
+RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
+#: Greek letters as people spell them.
+GREEK = {
+    **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
+    **{"kappa": "κ", "lambda": "λ", "lamda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ"},
+    **{"sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω"},
+}
 
 
-@dataclass(frozen=True)
-class Symbol:
-    """An operand that an argument is made of.
+def constant_text(name: str) -> str:
+    """The name of a constant as people write it.
 
-    `name` is its own among those of the argument, `text` as people write it; `parameter` is what it is a function of,
-    empty for a constant; functions of one `degree` have the same one, which has that name.
+    >>> constant_text("delta"), constant_text("lambda_1"), constant_text("r")
+    ('δ', 'λ₁', 'r')
     """
-
-    name: str
-    text: str
-    parameter: str
-    degree: str = "d"
-
-
-class Kind(ABC):
-    """What formulas of one kind are handed.
-
-    `dimensions` are those of the curves for which there are formulas of the kind.
-    """
-
-    name: str
-    dimensions: tuple[int, ...]
-
-    @abstractmethod
-    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """The operands, numerators before denominators; none for the denominator of a polynomial curve."""
-
-    @abstractmethod
-    def argument(
-        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
-    ) -> Evaluated:
-        """The argument from its operands; `one` stands for the denominators of polynomial curves."""
-
-    @abstractmethod
-    def names(self, dimension: int) -> dict[str, bool]:
-        """What formulas may name of such an argument, and whether it is a vector."""
-
-    @property
-    def parts(self) -> dict[str, Kind]:
-        """The arguments that it is made of, by the names formulas have for them."""
-        return {}
-
-    def takes(self, other: Kind, dimension: int) -> bool:
-        """Whether formulas of another kind can be evaluated on such an argument: it has their operands.
-
-        >>> PLANE_POINT.takes(PLANE, 2), PLANE.takes(PLANE_POINT, 2), PAIR.takes(CURVE, 3)
-        (True, False, False)
-        """
-        alike = dimension in other.dimensions and type(self) is type(other)
-        return alike and set(other.symbols(dimension)) <= set(self.symbols(dimension))
-
-    def __repr__(self) -> str:
-        return f"<kind {self.name}>"
+    stem = name.rstrip("0123456789")
+    return GREEK.get(stem.rstrip("_"), stem.rstrip("_")) + name[len(stem) :].translate(_DIGITS)
 
 
 class CurveKind(Kind):
-    """A curve, in any dimension or in one; with a point beside it where `with_point` says so."""
+    """A curve, in any dimension or in one; with a point beside it where `with_point` says so, and with `constants`:
+    the distance of an offset, the parameters of a family.
+    """
 
-    def __init__(self, name: str, dimensions: tuple[int, ...], *, with_point: bool = False) -> None:
-        self.name, self.dimensions, self.with_point = name, dimensions, with_point
+    def __init__(
+        self, name: str, dimensions: tuple[int, ...], *, with_point: bool = False, constants: tuple[str, ...] = ()
+    ) -> None:
+        self.name, self.dimensions, self.with_point, self.constants = name, dimensions, with_point, constants
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """Coordinates, denominator, and the coordinates of the point."""
+        """Coordinates, denominator, the coordinates of the point, and the constants."""
         point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), "") for i, x in enumerate(COORDINATES[:dimension])]
-        return (*_functions(COORDINATES, "w", dimension, 0, polynomial), *(point if self.with_point else ()))
+        constants = [Symbol(name, constant_text(name), "") for name in self.constants]
+        return (
+            *_functions(COORDINATES, "w", dimension, 0, polynomial),
+            *(point if self.with_point else ()),
+            *constants,
+        )
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Numerator, denominator, the curve itself, the axes, and the point."""
+        """Numerator, denominator, the curve itself, the axes, the point and the constants."""
         axes = dict.fromkeys(("axis_x", "axis_y", "axis_z")[:dimension], True)
-        return {"p": True, "w": False, "gamma": True} | axes | ({"point": True} if self.with_point else {})
+        beside = ({"point": True} if self.with_point else {}) | dict.fromkeys(self.constants, False)
+        return {"p": True, "w": False, "gamma": True} | axes | beside
+
+    def with_constants(self, names: Iterable[str]) -> CurveKind:
+        """The kind with constants beside what it has.
+
+        >>> PLANE.with_constants(["delta"])
+        <kind plane with delta>
+        """
+        return _with_constants(self, tuple(sorted({*self.constants, *names})))
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -96,14 +110,15 @@ class CurveKind(Kind):
         """The curve."""
         named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
         point = Vector(*[named[name] for name in POINT[:dimension]]) if self.with_point else None
-        return _curve(named, COORDINATES[:dimension], "w", one, point)
+        plain = _curve(named, COORDINATES[:dimension], "w", one, point)
+        return Accompanied(plain, {name: named[name] for name in self.constants}) if self.constants else plain
 
 
 class PairKind(Kind):
-    """Two curves in space, the first a function of s, the second of s̄."""
+    """Two curves, the first a function of s, the second of s̄: in space, or in the plane."""
 
-    name = "pair"
-    dimensions = (3,)
+    def __init__(self, name: str, own: CurveKind) -> None:
+        self.name, self.own, self.dimensions = name, own, own.dimensions
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """The operands of the first curve, then those of the second."""
@@ -117,7 +132,7 @@ class PairKind(Kind):
     @property
     def parts(self) -> dict[str, Kind]:
         """The two curves."""
-        return {"first": SPACE, "second": SPACE}
+        return {"first": self.own, "second": self.own}
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -154,10 +169,13 @@ class TableKind(Kind):
 
 
 class FramedKind(CurveKind):
-    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide."""
+    """A curve with the roots σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖ adjoined: for readings that can divide.
 
-    def __init__(self) -> None:
-        super().__init__("framed", (2, 3))
+    >>> FRAMED_SPACE.takes(SPACE, 3), FRAMED_SPACE.takes(POINT_IN_SPACE, 3), SPACE.takes(FRAMED_SPACE, 3)
+    (True, False, False)
+    """
+
+    adjoins_roots = True
 
     def names(self, dimension: int) -> dict[str, bool]:
         """Those of a curve, and the roots."""
@@ -184,33 +202,75 @@ def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[An
 
 CURVE, PLANE, SPACE = CurveKind("curve", (2, 3)), CurveKind("plane", (2,)), CurveKind("space", (3,))
 PLANE_POINT, POINT_IN_SPACE = CurveKind("plane point", (2,), with_point=True), CurveKind("point", (3,), with_point=True)
-PAIR, TABLE, FRAMED = PairKind(), TableKind(), FramedKind()
+PAIR, PLANE_PAIR = PairKind("pair", SPACE), PairKind("plane pair", PLANE)
+TABLE, FRAMED = TableKind(), FramedKind("framed", (2, 3))
+FRAMED_PLANE, FRAMED_SPACE = FramedKind("framed plane", (2,)), FramedKind("framed space", (3,))
 #: The kinds by their names.
 KINDS: dict[str, Kind] = {
-    kind.name: kind for kind in (CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED)
+    kind.name: kind
+    for kind in (
+        *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT),
+        *(FRAMED, FRAMED_PLANE, FRAMED_SPACE),
+        *(HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION),
+    )
 }
 
 
+@cache
+def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
+    """One object for one kind, so that kinds can be compared."""
+    plain = kind.name.partition(" with ")[0]
+    name = f"{plain} with {', '.join(constants)}"
+    return CurveKind(name, kind.dimensions, with_point=kind.with_point, constants=constants)
+
+
 def common_kind(kinds: Iterable[Kind]) -> Kind:
-    """The kind of argument on which formulas of all these kinds can be evaluated, in the dimensions that they share.
+    """The kind of argument on which formulas of all these kinds can be evaluated, in the dimensions that they share:
+    that of the most operands, with the constants of all.
 
     >>> common_kind([PLANE, PLANE_POINT]), common_kind([CURVE, SPACE])
     (<kind plane point>, <kind curve>)
+    >>> common_kind([kind_of("plane with delta"), CURVE, kind_of("plane with r")])
+    <kind plane with delta, r>
     """
-    return next((kind for kind in kinds if not any(kind is k for k in (CURVE, PLANE, SPACE))), CURVE)
+    given = list(kinds)
+    special = [kind for kind in given if not any(kind is k for k in (CURVE, PLANE, SPACE))]
+    if not special:
+        return CURVE
+    curves = [kind for kind in special if type(kind) is CurveKind]
+    if len(curves) < len(special):
+        return next(kind for kind in special if type(kind) is not CurveKind)
+    constants = sorted({name for kind in curves for name in kind.constants})
+    first = next((kind for kind in curves if kind.with_point), curves[0])
+    return first.with_constants(constants) if constants else first
 
 
 def kind_of(name: str) -> Kind:
-    """The kind with this name.
+    """The kind with this name; ``with`` adds constants to a kind of curves.
 
-    >>> kind_of("plane").dimensions
-    (2,)
+    >>> kind_of("plane").dimensions, kind_of("space with r, h").names(3)["r"]
+    ((2,), False)
 
     Raises `FormulaError` with the names there are.
     """
-    if name not in KINDS:
-        raise FormulaError(f"no kind of argument is called {name!r}", remedy=f"there are {', '.join(KINDS)}")
-    return KINDS[name]
+    plain, beside, constants = name.partition(" with ")
+    if plain not in KINDS:
+        raise FormulaError(f"no kind of argument is called {name!r}", remedy=nearest(plain, KINDS))
+    kind = KINDS[plain]
+    if not beside:
+        return kind
+    if type(kind) is not CurveKind:
+        raise FormulaError(f"constants beside {plain!r}", remedy="they stand beside curves: 'plane with delta'")
+    return kind.with_constants(_constants(constants))
+
+
+def _constants(text: str) -> Sequence[str]:
+    """The names of constants, read from their list."""
+    found = [name.strip() for name in text.split(",")]
+    for name in found:
+        if not (name.isidentifier() and name.isascii()) or name.startswith(("_", "axis_")) or name in RESERVED:
+            raise FormulaError(f"{name!r} is no name of a constant", remedy="write for example 'plane with delta, r'")
+    return found
 
 
 #: The dimensions in which there are formulas of a kind.

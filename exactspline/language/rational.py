@@ -11,8 +11,9 @@ from typing import Any, Generic, TypeVar, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnProducts, larger
+from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnJoining, OwnProducts, larger
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
 
@@ -70,7 +71,7 @@ def _agree(a: Any, b: Any) -> bool:
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
-class Rational(Immutable, Operand, OwnProducts, Generic[T]):
+class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
     Numerator and denominator keep their own degrees; `degree` is the larger. Only the quotient rule raises its
@@ -147,7 +148,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
     def __repr__(self) -> str:
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 
-    def __call__(self, *place: Any, **side: str) -> Any:
+    def __call__(self, *place: Any, **side: Side | str) -> Any:
         """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector;
         `ZeroDivisionError` at a pole.
         """
@@ -179,11 +180,11 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
         scalars = tuple(self.numerator) if isinstance(self.numerator, Vector) else (self.numerator,)
         return hash((self.is_vector, self.denominator.hash_of_quotients(scalars)))
 
-    def __add__(self, other: Any) -> Rational[T]:
+    def __add__(self, other: object) -> Rational[T]:
         """Rows T4 and T5."""
         p: Any = self.numerator
         if not isinstance(other, Rational):
-            return Rational(p + self.denominator * other, self.product) if _fits(other) else NotImplemented
+            return Rational(p + self.denominator * cast(Any, other), self.product) if _fits(other) else NotImplemented
         if self.product.same(other.product):
             return Rational(p + other.numerator, self.product)
         return Rational(p * other.denominator + other.numerator * self.denominator, self.product * other.product)
@@ -197,7 +198,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
         one = self.denominator.constant(1)
         return Rational(one.scaled(value), one)
 
-    def __mul__(self, other: Any) -> Rational[T]:
+    def __mul__(self, other: object) -> Rational[T]:
         """Rows T6 and T7."""
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
@@ -205,7 +206,7 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
             return Rational(_times(self.numerator, other.numerator), self.product * other.product)
         return Rational(_times(self.numerator, other), self.product) if _fits(other) else NotImplemented
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         """Rows T8 and T9."""
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
@@ -220,14 +221,14 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
         """`numerator`, an operand or a vector that is no quotient, divided by this."""
         return Rational(numerator * self.denominator, self.scalar)
 
-    def times_vector(self, vector: Vector[Any]) -> Rational[T]:
+    def times_vector(self, vector: Vector[Operand]) -> Rational[T]:
         """A vector times this: one quotient."""
         return Rational(vector * self.scalar, self.product)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.denominator.constant(other)
-        return self.dividing(other) if _fits(other) else NotImplemented
+        return self.dividing(cast(Operand, other)) if _fits(other) else NotImplemented
 
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
         """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
@@ -239,25 +240,41 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
             result = Rational((p.d(1, by=by) * w - p * w.d(1, by=by)).elevated_to(product.value), product)
         return result
 
-    def levelled(self, other: Any) -> tuple[Rational[T], Rational[T]]:
+    def levelled(self, other: object) -> tuple[Rational[T], Rational[T]]:
         """This quotient and another (or what is none) over one denominator, their numerators multiplied by the factors
         they lack.
         """
         if not isinstance(other, Rational):
-            return self, Rational(other * self.denominator, self.product)
+            return self, Rational(cast(Any, other) * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)
         shared = (
             Product(*self.product.unexpanded(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
         )
         return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
-    def multilinear(self, function: Callable[..., Any], vectors: tuple[Any, ...]) -> Rational[T]:
+    def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Rational[T]:
         """A product of vectors that is linear in each: of the numerators, over the product of the denominators."""
         numerators = [v.numerator if isinstance(v, Rational) else v for v in vectors]
         first, *rest = [v.product for v in vectors if isinstance(v, Rational)]
         for product in rest:
             first = first * product
         return Rational(function(*numerators), first)
+
+    def joining(self, parts: tuple[object, ...]) -> Rational[T]:
+        """One quotient of the components of all parts, over one denominator."""
+        one = self.denominator.constant(1)
+        first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]
+        joined, product = _components(first), first.product if isinstance(first, Rational) else Product(one)
+        for part in rest:
+            own = part.product if isinstance(part, Rational) else Product(one)
+            if not isinstance(part, Rational):
+                joined += [a * product.value for a in _components(part)]
+            elif own.same(product):
+                joined += _components(part)
+            else:
+                joined = [a * own.value for a in joined] + [a * product.value for a in _components(part)]
+                product = product * own
+        return Rational(Vector(*joined), product)
 
     def elevated(self) -> tuple[T | Vector[T], T]:
         """Numerator and denominator elevated to one degree: control points and weights of a NURBS."""
@@ -269,6 +286,12 @@ class Rational(Immutable, Operand, OwnProducts, Generic[T]):
     def elevated_to(self, other: T) -> Rational[T]:
         """The same rational, its numerator at least of the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
+
+
+def _components(value: Any) -> list[Any]:
+    """The components of a vector or of a scalar; of a quotient, those of its numerator."""
+    value = value.numerator if isinstance(value, Rational) else value
+    return list(value) if isinstance(value, Vector) else [value]
 
 
 def _fits(other: object) -> bool:

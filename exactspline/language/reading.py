@@ -5,9 +5,10 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Any, ClassVar
 
+from exactspline.errors import InapplicableError
 from exactspline.language.argument import Argument
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind
+from exactspline.language.kind import Kind, Symbol
 
 
 class Reading(ABC):
@@ -32,3 +33,18 @@ class Reading(ABC):
         9d − 6
         """
         return formula(self.argument(formula.kind, dimension, polynomial=polynomial))
+
+
+def freely_differentiable(
+    kind: Kind, reading: Reading, dimension: int, *, polynomial: bool = False
+) -> tuple[Symbol, ...]:
+    """The operands of a kind for a reading that takes each for a function of its own, of one degree.
+
+    Raises `InapplicableError` for a kind whose operands depend on each other.
+    """
+    if kind.rules(dimension):
+        raise InapplicableError(
+            f"the reading {reading.name!r} says nothing of the kind {kind.name!r}",
+            remedy="its operands depend on each other: ask for an identity, or on one curve",
+        )
+    return kind.symbols(dimension, polynomial=polynomial)

@@ -17,7 +17,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.parts import Value
-from exactspline.language.reading import Reading
+from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 
 
@@ -35,7 +35,7 @@ class Monomials(Operand):
         zero = self.exponents[0] * 0
         return Monomials((zero, zero), {(0, 0): zero + to_fmpq(rational(value))})
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Monomials):
@@ -49,7 +49,7 @@ class Monomials(Operand):
         zero = self.exponents[0] * 0
         return Monomials(self.exponents, {s: self.terms.get(s, zero) + other.terms.get(s, zero) for s in shifts})
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Monomials):
@@ -102,6 +102,7 @@ class BernsteinTermReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The same term for all numerators, another one for the denominators."""
+        freely_differentiable(kind, self, dimension)
         context = fmpq_mpoly_ctx.get(["d", "a", "b"], Ordering.degrevlex)
         d, a, b = context.gens()
         terms = {(0, 0): context.constant(1)}

@@ -9,12 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from functools import cache
-from typing import Any
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, InapplicableError
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
+from exactspline.language.choices import Counting, Parameter, choice
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, Operand, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -51,7 +51,12 @@ class Degree(Operand, PartlyOrdered):
     __slots__ = ("counted", "provenance", "still", "terms")
 
     def __init__(
-        self, terms: Iterable[Term], provenance: Provenance | None = None, *, still: bool = False, counted: str = "s"
+        self,
+        terms: Iterable[Term],
+        provenance: Provenance | None = None,
+        *,
+        still: bool = False,
+        counted: Parameter = Parameter.FIRST,
     ) -> None:
         terms = set(terms)
         self.still, self.counted = still, counted
@@ -59,12 +64,12 @@ class Degree(Operand, PartlyOrdered):
         self.terms = frozenset(t for t in terms if not any(s != t and _dominates(s, t) for s in terms))
 
     @classmethod
-    def named(cls, name: str, counted: str = "s") -> Degree:
+    def named(cls, name: str, counted: Parameter = Parameter.FIRST) -> Degree:
         """The degree with this name."""
         return cls([(((name, 1),), 0)], counted=counted)
 
     @classmethod
-    def number(cls, n: int, *, still: bool = False, counted: str = "s") -> Degree:
+    def number(cls, n: int, *, still: bool = False, counted: Parameter = Parameter.FIRST) -> Degree:
         """A fixed degree."""
         return cls([((), n)], still=still, counted=counted)
 
@@ -84,14 +89,14 @@ class Degree(Operand, PartlyOrdered):
         """The degree after elevation: the larger of the two."""
         return self._made(self.terms | other.terms, self.provenance, self.still)
 
-    def __add__(self, other: Any) -> Degree:
+    def __add__(self, other: object) -> Degree:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         provenance = (SUM, self.provenance, right.provenance)
         return self._made(self.terms | right.terms, provenance, self.still and right.still)
 
-    def __mul__(self, other: Any) -> Degree:
+    def __mul__(self, other: object) -> Degree:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Degree):
@@ -267,8 +272,15 @@ class DegreeReading(Reading):
     name = "degree"
     proves = "what Table 1 counts, for every degree d"
 
-    def __init__(self, degree: str = "d", parameter: str = "s", counting: str = "") -> None:
-        self.degree, self.parameter, self.counting = degree, parameter, counting
+    def __init__(
+        self,
+        degree: str = "d",
+        parameter: Parameter | str = Parameter.FIRST,
+        counting: Counting | str = Counting.TABLE_1,
+    ) -> None:
+        self.degree = degree
+        self.parameter = choice(Parameter, parameter, "parameter")
+        self.counting = choice(Counting, counting, "counting")
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The degrees of the operands; what does not depend on the parameter that is counted has degree 0."""
@@ -277,14 +289,18 @@ class DegreeReading(Reading):
         def operand(symbol: Symbol) -> Degree:
             if symbol.parameter != parameter:
                 return Degree.number(0, still=True, counted=parameter)
-            return Degree.named(self.degree + symbol.degree.removeprefix("d"), parameter)
+            if not symbol.degree:
+                raise InapplicableError(f"{kind.name!r} has no degrees", remedy="ask for an identity")
+            if symbol.degree.isidentifier():
+                return Degree.named(self.degree + symbol.degree.removeprefix("d"), parameter)
+            return Degree(parse(symbol.degree).terms, counted=parameter)
 
         one = Degree.number(0, counted=parameter)
         argument = kind.argument(dimension, operand, one, polynomial=polynomial)
         if polynomial and isinstance(argument, Pair):
-            uncounted = argument.first if parameter == "s̄" else argument.second
+            uncounted = argument.first if parameter is Parameter.SECOND else argument.second
             uncounted.w = Degree.number(0, still=True, counted=parameter)
-        if self.counting == "part by part":
+        if self.counting is Counting.PART_BY_PART:
             for curve in argument.together():
                 if isinstance(curve, Curve) and not polynomial:
                     curve.gamma = DifferentiatedPartByPart(curve.p, curve.w)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
@@ -28,7 +29,7 @@ class Order(Operand):
     def __init__(self, order: int) -> None:
         self.order = order
 
-    def __add__(self, other: Any) -> Order:
+    def __add__(self, other: object) -> Order:
         if isinstance(other, CONSTANTS):
             return self
         if not isinstance(other, Order):
@@ -72,7 +73,8 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
     >>> is_polynomial(f2, 2), is_polynomial(f0, 2)
     (True, False)
     """
-    return isinstance(_orders(formula, dimension), (Order, Vector))
+    value = _orders(formula, dimension)
+    return all(isinstance(part, Order) for part in (value if isinstance(value, Vector) else [value]))
 
 
 def order_of(formula: Formula, dimension: int) -> int:
@@ -88,6 +90,8 @@ def order_of(formula: Formula, dimension: int) -> int:
 def _highest(value: Any) -> int:
     if isinstance(value, Order):
         return value.order
+    if isinstance(value, Adjoined):
+        return max(map(_highest, (value.plain, value.rooted, value.square)))
     parts = value if isinstance(value, Vector) else [value.numerator, value.denominator]
     return max(map(_highest, parts))
 

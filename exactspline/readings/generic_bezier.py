@@ -16,7 +16,7 @@ from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant, Operand
-from exactspline.language.reading import Reading
+from exactspline.language.reading import Reading, freely_differentiable
 
 
 class Generic(Operand):
@@ -56,7 +56,7 @@ class Generic(Operand):
             else self * Generic(self.context, [self.context.constant(comb(by, i)) for i in range(by + 1)])
         )
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Generic):
@@ -64,7 +64,7 @@ class Generic(Operand):
         a, b = self.elevated_to(other), other.elevated_to(self)
         return Generic(self.context, [x + y for x, y in zip(a.coefficients, b.coefficients, strict=True)])
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Generic):
@@ -111,7 +111,7 @@ class GenericReading(Reading):
 
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
-        symbols = kind.symbols(dimension, polynomial=polynomial)
+        symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         if len({symbol.parameter for symbol in symbols}) > 1:
             raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]

@@ -7,7 +7,7 @@ primes) has nominal B-spline degree ``kd − m``.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -34,16 +34,18 @@ class JetRing:
     def __init__(self, kind: Kind, dimension: int, order: int, *, polynomial: bool = False) -> None:
         self.kind, self.dimension, self.order, self.polynomial = kind, dimension, order, polynomial
         self.symbols = {s.name: s for s in kind.symbols(dimension, polynomial=polynomial)}
-        functions = [name for name, symbol in self.symbols.items() if symbol.parameter]
+        self.rules = {n: rule for n, rule in kind.rules(dimension).items() if n in self.symbols}
+        functions = [name for name, symbol in self.symbols.items() if symbol.parameter and name not in self.rules]
         self.constants = tuple(name for name, symbol in self.symbols.items() if not symbol.parameter)
         self.variables = [(name, i) for name in functions for i in range(order + 1)]
-        self.variables += [(name, 0) for name in self.constants]
+        self.variables += [(name, 0) for name in (*self.rules, *self.constants)]
         self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
         #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
+        self._derivatives: dict[str, fmpq_mpoly] = {}
 
     def __getitem__(self, name: str) -> Jet:
         return Jet(self, self.gens[self.index[name, 0]])
@@ -51,6 +53,22 @@ class JetRing:
     def number(self, value: Number) -> Jet:
         """An exact constant."""
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
+
+    def derivative(self, name: str, order: int) -> fmpq_mpoly:
+        """The derivative of a variable: the next one, or what a rule of the kind of argument says.
+
+        Raises `FormulaError` where there is none.
+        """
+        if name in self.rules:
+            if name not in self._derivatives:
+                known = {each: self[each] for each in self.symbols}
+                self._derivatives[name] = cast(Jet, self.rules[name](known)).polynomial
+            return self._derivatives[name]
+        if order == self.order:
+            raise FormulaError(
+                f"the derivative of order {order + 1} of {name}", remedy=f"make the jet ring of order {order + 1}"
+            )
+        return self.gens[self.index[name, order] + 1]
 
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
@@ -74,19 +92,19 @@ class Jet(Operand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -113,11 +131,7 @@ class Jet(Operand):
                     name, k = ring.variables[i]
                     if name in ring.constants or by not in (None, ring.symbols[name].parameter):
                         continue
-                    if k == ring.order:
-                        raise FormulaError(
-                            f"the derivative of order {k + 1} of {name}", remedy=f"make the jet ring of order {k + 1}"
-                        )
-                    total += result.derivative(i) * ring.gens[i + 1]
+                    total += result.derivative(i) * ring.derivative(name, k)
             result, provenance = total, (DERIVATIVE, provenance)
         return Jet(ring, result, provenance)
 

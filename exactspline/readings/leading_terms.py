@@ -19,7 +19,7 @@ from exactspline.language.arguments import PARAMETERS
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, Operand
-from exactspline.language.reading import Reading
+from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 from exactspline.readings.degree import Degree, parse
 from exactspline.readings.differential_order import order_of
@@ -64,7 +64,7 @@ class Expansion(Operand):
             self.context, self.known, {(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]}
         )
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Expansion):
@@ -75,7 +75,7 @@ class Expansion(Operand):
             parts[grading] = terms if own is None else [a + b for a, b in zip(own, terms, strict=True)]
         return Expansion(self.context, self.known, parts)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Expansion):
@@ -171,7 +171,7 @@ class LeadingTermsReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Expansions of the functions of s; constants for everything else."""
-        symbols = kind.symbols(dimension, polynomial=polynomial)
+        symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         lengths = {s.name: self.terms if s.parameter == PARAMETERS[0] else self.order + 1 for s in symbols}
         names = [f"{name}{i}" for name, length in lengths.items() for i in range(length)]
         context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from exactspline.errors import FormulaError
+from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import Jet, JetRing
 
 
 class JetFraction(FieldOperand):
@@ -41,20 +42,24 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
+        if self.bottom.is_one() and right.bottom.is_one():
+            return JetFraction(self.ring, self.top + right.top, self.bottom)
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
         top = self.top * its + right.top * mine
         left = _gcd(top, shared)
         return JetFraction(self.ring, top / left, mine * its * (shared / left))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
+        if self.bottom.is_one() and right.bottom.is_one():
+            return JetFraction(self.ring, self.top * right.top, self.bottom)
         a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
         return JetFraction(self.ring, (self.top / a) * (right.top / b), (self.bottom / b) * (right.bottom / a))
 
@@ -67,8 +72,8 @@ class JetFraction(FieldOperand):
 
     def scaled(self, constant: Constant) -> JetFraction:
         """The fraction times an exact constant."""
-        result: JetFraction = self * self.constant(constant)
-        return result
+        factor = to_fmpq(rational(constant))
+        return JetFraction(self.ring, self.top * factor, self.bottom if factor else self.ring.context.constant(1))
 
     def elevated_to(self, other: object) -> JetFraction:
         """Itself: degree elevation does not change a function."""
@@ -76,16 +81,11 @@ class JetFraction(FieldOperand):
 
     def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
         """The total derivative."""
+        if self.bottom.is_one():
+            return JetFraction(self.ring, Jet(self.ring, self.top).d(order, by=by).polynomial, self.bottom)
         result = self
         for _ in range(order):
             top, bottom = Jet(result.ring, result.top), Jet(result.ring, result.bottom)
-            if bottom.polynomial.total_degree() == 0:
-                result = JetFraction(
-                    result.ring,
-                    top.d(by=by).polynomial / bottom.polynomial.leading_coefficient(),
-                    result.ring.context.constant(1),
-                )
-                continue
             numerator = (top.d(by=by) * bottom - top * bottom.d(by=by)).polynomial
             shared = _gcd(numerator, result.bottom)
             rest = result.bottom / shared
@@ -99,7 +99,23 @@ class JetFraction(FieldOperand):
         return not self.top
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, JetFraction) and self.top * other.bottom == other.top * self.bottom
+        """Whether both are the same quotient: what reading computes is in lowest terms, so that one look decides.
+
+        Quotients that look different are multiplied out all the same, unless their values at one point differ.
+        """
+        if not isinstance(other, JetFraction):
+            return False
+        if self.bottom == other.bottom:
+            return bool(self.top == other.top)
+        if self._at_a_point(other.bottom) != other._at_a_point(self.bottom):
+            return False
+        return bool(self.top * other.bottom == other.top * self.bottom)
+
+    def _at_a_point(self, factor: fmpq_mpoly) -> fmpq:
+        """The numerator times a polynomial, at one point of small integers."""
+        point = range(2, 2 + len(self.ring.gens))
+        value: fmpq = self.top(*point) * factor(*point)
+        return value
 
     __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
@@ -124,6 +140,10 @@ class RationalJetReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Every operand an indeterminate."""
-        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
-        argument: Evaluated = jets.mapped(lambda x: JetFraction(x.ring, x.polynomial, x.ring.context.constant(1)))
-        return argument
+        ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
+
+        def fraction(x: Jet) -> JetFraction:
+            return JetFraction(ring, x.polynomial, ring.context.constant(1))
+
+        one = fraction(ring.number(1))
+        return kind.argument(dimension, lambda symbol: fraction(ring[symbol.name]), one, polynomial=polynomial)

@@ -7,18 +7,25 @@ Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mp
 from __future__ import annotations
 
 from math import factorial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import Side
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import Constant, FieldOperand
+from exactspline.language.operand import Constant, FieldOperand, Scalar
 from exactspline.language.reading import Reading
 
 if TYPE_CHECKING:
     from exactspline.splines.bspline import BSpline
+
+
+class Coefficient(Scalar, Protocol):
+    """A number of whatever arithmetic a series is in."""
+
+    def __truediv__(self, other: int, /) -> Self: ...
 
 
 class Series(FieldOperand):
@@ -40,13 +47,13 @@ class Series(FieldOperand):
         zero = self.coefficients[0] * 0
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -83,9 +90,10 @@ class Series(FieldOperand):
         return Series(a * (factorial(i) // factorial(i - order)) for i, a in enumerate(self.coefficients) if i >= order)
 
     @property
-    def value(self) -> Any:
+    def value(self) -> Coefficient:
         """The value at the parameter."""
-        return self.coefficients[0]
+        value: Coefficient = self.coefficients[0]
+        return value
 
     @property
     def is_zero(self) -> bool:
@@ -96,7 +104,7 @@ class Series(FieldOperand):
         return f"Series({', '.join(map(str, self.coefficients))})"
 
 
-def taylor(spline: BSpline, t: Number, terms: int, side: str = "right") -> Series:
+def taylor(spline: BSpline, t: Number, terms: int, side: Side | str = Side.RIGHT) -> Series:
     """The expansion of a spline at a parameter (at a knot the one on the given side).
 
     >>> from exactspline import BSpline
@@ -122,7 +130,7 @@ class TaylorReading(Reading):
     name = "series"
     proves = "values and derivatives at one parameter"
 
-    def __init__(self, given: Evaluated, t: Number, terms: int, side: str = "right") -> None:
+    def __init__(self, given: Evaluated, t: Number, terms: int, side: Side | str = Side.RIGHT) -> None:
         self.given, self.t, self.terms, self.side = given, t, terms, side
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
@@ -131,7 +139,7 @@ class TaylorReading(Reading):
         return expanded
 
 
-def series_curve(curve: Curve[BSpline], t: Number, terms: int, side: str = "right") -> Curve[Series]:
+def series_curve(curve: Curve[BSpline], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:
     """The expansion of a concrete curve at a parameter."""
     expanded: Curve[Series] = curve.mapped(lambda spline: taylor(spline, t, terms, side))
     return expanded

@@ -5,9 +5,10 @@ any other reading.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
-from operator import attrgetter
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator
+from enum import StrEnum
+from operator import add, attrgetter, mul, sub, truediv
+from typing import Any, NamedTuple, cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Argument
@@ -15,114 +16,145 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.language.linear_system import level
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
+from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
 from exactspline.language.services import service
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
 
+
+class Operation(StrEnum):
+    """What a node does; products of vectors have the names of their functions."""
+
+    #: An operand, a constant, and a formula called by its name.
+    LEAF = "leaf"
+    NUMBER = "number"
+    NAMED = "named"
+    PLUS = "+"
+    MINUS = "-"
+    TIMES = "*"
+    OVER = "/"
+    NEGATIVE = "neg"
+    DERIVATIVE = "d"
+    POWER = "**"
+    COMPONENT = "[]"
+    DOT = "dot"
+    CROSS = "cross"
+    DET = "det"
+    PERP = "perp"
+    GENERALIZED_CROSS = "generalized_cross"
+    JOIN = "join"
+    #: A directrix with its generator; a normal with its height, brought to one denominator.
+    RULED = "ruled"
+    LEVEL = "level"
+    #: A part of a ruled surface that is called by its name.
+    DIRECTRIX = "directrix"
+    GENERATOR = "generator"
+
+
+#: What carries nothing out.
+ATOMS = (Operation.LEAF, Operation.NUMBER, Operation.NAMED)
+
 #: Products of vectors whose value is again a vector.
-VECTOR_PRODUCTS = {"cross", "perp", "generalized_cross", "join"}
+VECTOR_PRODUCTS = {Operation.CROSS, Operation.PERP, Operation.GENERALIZED_CROSS, Operation.JOIN}
 
 
 class Node(Operand, OwnVectors):
-    """A node of an expression tree: an operation and its arguments.
-
-    ``op`` is one of ``leaf``, ``number``, ``named`` (a formula called by name), ``+``, ``*``, ``/``, ``neg``, ``d``,
-    ``**``, ``[]``, ``dot``, ``cross``, ``det``, ``perp``, ``generalized_cross``, ``join``.
-    """
+    """A node of an expression tree: an operation, its arguments, and what else it needs (a name, a number, …)."""
 
     __slots__ = ("args", "is_vector", "op", "value")
     is_vector: bool
 
-    def __init__(self, op: str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False) -> None:
-        self.op, self.args, self.value, self.is_vector = op, args, value, vector
+    def __init__(
+        self, op: Operation | str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False
+    ) -> None:
+        self.op, self.args, self.value, self.is_vector = Operation(op), args, value, vector
 
-    def _node(self, other: Any) -> Node | None:
+    def _node(self, other: object) -> Node | None:
         if isinstance(other, Node):
             return other
-        return Node("number", value=other) if isinstance(other, CONSTANTS) else None
+        return Node(Operation.NUMBER, value=other) if isinstance(other, CONSTANTS) else None
 
-    def _binary(self, op: str, other: Any) -> Any:
+    def _binary(self, op: Operation, other: object) -> Any:
         right = self._node(other)
         return NotImplemented if right is None else Node(op, (self, right), vector=self.is_vector or right.is_vector)
 
-    def __add__(self, other: Any) -> Any:
-        return self._binary("+", other)
+    def __add__(self, other: object) -> Any:
+        return self._binary(Operation.PLUS, other)
 
-    def __sub__(self, other: Any) -> Any:
-        return self._binary("-", other)
+    def __sub__(self, other: object) -> Any:
+        return self._binary(Operation.MINUS, other)
 
-    def __rsub__(self, other: Any) -> Any:
-        return Node("number", value=other)._binary("-", self)
+    def __rsub__(self, other: object) -> Any:
+        return Node(Operation.NUMBER, value=other)._binary(Operation.MINUS, self)
 
-    def __radd__(self, other: Any) -> Any:
-        return Node("number", value=other)._binary("+", self)
+    def __radd__(self, other: object) -> Any:
+        return Node(Operation.NUMBER, value=other)._binary(Operation.PLUS, self)
 
-    def __mul__(self, other: Any) -> Any:
-        return self._binary("*", other)
+    def __mul__(self, other: object) -> Any:
+        return self._binary(Operation.TIMES, other)
 
-    def __rmul__(self, other: Any) -> Any:
-        return Node("number", value=other)._binary("*", self)
+    def __rmul__(self, other: object) -> Any:
+        return Node(Operation.NUMBER, value=other)._binary(Operation.TIMES, self)
 
-    def __truediv__(self, other: Any) -> Any:
-        return self._binary("/", other)
+    def __truediv__(self, other: object) -> Any:
+        return self._binary(Operation.OVER, other)
 
-    def __rtruediv__(self, other: Any) -> Any:
-        return Node("number", value=other)._binary("/", self)
+    def __rtruediv__(self, other: object) -> Any:
+        return Node(Operation.NUMBER, value=other)._binary(Operation.OVER, self)
 
     def __neg__(self) -> Node:
-        return Node("neg", (self,), vector=self.is_vector)
+        return Node(Operation.NEGATIVE, (self,), vector=self.is_vector)
 
     def __pow__(self, exponent: int) -> Node:
-        return Node("**", (self,), exponent)
+        return Node(Operation.POWER, (self,), exponent)
 
     def __getitem__(self, index: int | slice) -> Node:
-        return Node("[]", (self,), index, vector=isinstance(index, slice))
+        return Node(Operation.COMPONENT, (self,), index, vector=isinstance(index, slice))
 
     def __iter__(self) -> Iterator[Node]:
         raise FormulaError("a formula takes a vector apart", remedy="use v[0], v[1], …")
 
     def d(self, order: int = 1, *, by: str | None = None) -> Node:
         """The node of a derivative (of order 0: itself)."""
-        return Node("d", (self,), Derivation(order, by), vector=self.is_vector) if order else self
+        return Node(Operation.DERIVATIVE, (self,), Derivation(order, by), vector=self.is_vector) if order else self
 
     def scaled(self, constant: Constant) -> Node:
         """The node of this times a constant."""
-        return Node("*", (self, Node("number", value=constant)), vector=self.is_vector)
+        return Node(Operation.TIMES, (self, Node(Operation.NUMBER, value=constant)), vector=self.is_vector)
 
     def constant(self, value: Constant) -> Node:
         """The node of a constant."""
-        return Node("number", value=value)
+        return Node(Operation.NUMBER, value=value)
 
-    def dividing(self, numerator: Any) -> Node:
+    def dividing(self, numerator: object) -> Node:
         """The node of a quotient with this denominator."""
         left = self._node(numerator)
-        return NotImplemented if left is None else Node("/", (left, self), vector=left.is_vector)
+        return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
-    def times_vector(self, vector: Vector[Any]) -> Any:
+    def times_vector(self, vector: Vector[Operand]) -> Node:
         """A tree has no vectors but its own."""
-        return NotImplemented
+        refused: Node = NotImplemented
+        return refused
 
-    def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Node:
+    def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Node:
         """The node of a product of vectors."""
-        return Node(function.__name__, tuple(vectors), vector=function.__name__ in VECTOR_PRODUCTS)
+        op = Operation(function.__name__)
+        return Node(op, cast("tuple[Node, ...]", vectors), vector=op in VECTOR_PRODUCTS)
 
-    def joining(self, parts: tuple[Any, ...]) -> Node:
+    def joining(self, parts: tuple[object, ...]) -> Node:
         """The node of a vector put together."""
-        return Node(
-            "join",
-            tuple(Node("number", value=part) if isinstance(part, CONSTANTS) else part for part in parts),
-            vector=True,
-        )
+        own = (Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts)
+        return Node(Operation.JOIN, cast("tuple[Node, ...]", tuple(own)), vector=True)
 
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""
-        return Node("ruled", (self, generator))
+        return Node(Operation.RULED, (self, generator))
 
-    def levelled(self, height: Any) -> tuple[Node, Node]:
+    def levelled(self, height: object) -> tuple[Node, Node]:
         """The nodes of this normal and its height, brought to one denominator."""
-        row = (self, height if isinstance(height, Node) else self.constant(height))
-        return Node("level", row, 0, vector=self.is_vector), Node("level", row, 1)
+        row = (self, height if isinstance(height, Node) else self.constant(cast(Constant, height)))
+        return Node(Operation.LEVEL, row, 0, vector=self.is_vector), Node(Operation.LEVEL, row, 1)
 
     @property
     def generator(self) -> Node:
@@ -174,7 +206,7 @@ class Traced(Argument):
             raise FormulaError(
                 f"a {self._kind.name} has no operand {name!r}", remedy=f"it has {', '.join([*names, *parts])}"
             )
-        return Node("leaf", value=self._path + name, vector=names[name])
+        return Node(Operation.LEAF, value=self._path + name, vector=names[name])
 
     def calls(self, formula: Formula) -> Any:
         """A formula called by another one: a node with its symbol (only its body where it has none, or when
@@ -184,7 +216,7 @@ class Traced(Argument):
         if self._expand or not formula.symbol:
             return body
         return Node(
-            "named",
+            Operation.NAMED,
             (body,),
             NamedCall(formula.symbol, self._path == "second."),
             vector=isinstance(body, Node) and body.is_vector,
@@ -205,6 +237,25 @@ class TreeReading(Reading):
         return Traced(kind, dimension, expand=self.expand)
 
 
+def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
+    """Whether a formula is made of γ, whatever its denominator: then what holds for indeterminate coordinates of γ
+    holds for rational curves.
+
+    >>> from exactspline.papers import find
+    >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)
+    (True, False)
+    """
+    found = joined(trace(formula, dimension, expand=True))
+    todo = list(found) if isinstance(found, Vector) else [found]
+    while todo:
+        node = todo.pop()
+        if isinstance(node, Node):
+            if node.op == "leaf" and node.value in ("p", "w"):
+                return False
+            todo += node.args
+    return True
+
+
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
     """The tree of a formula.
 
@@ -222,37 +273,40 @@ def evaluate(node: Node, c: Any) -> Any:
 
     def visit(n: Node) -> Any:
         if id(n) not in known:
-            known[id(n)] = _apply(n, [visit(a) for a in n.args], c)
+            known[id(n)] = applied(n, [visit(a) for a in n.args], c)
         return known[id(n)]
 
     return visit(node)
 
 
-_BINARY = {"+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "/": lambda a, b: a / b}
+_BINARY = {Operation.PLUS: add, Operation.MINUS: sub, Operation.TIMES: mul, Operation.OVER: truediv}
 
 #: The functions of vectors by their names, which are the operations of their nodes.
-_PRODUCTS = {f.__name__: f for f in (dot, cross, det, perp, generalized_cross, join, ruled)}
+_PRODUCTS = {Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)}
 
 
-def _apply(n: Node, args: list[Any], c: Any) -> Any:
-    if n.op == "leaf":
+def applied(n: Node, args: list[Any], c: Any) -> Any:
+    """The value of one node from those of its arguments, in the reading of the curve `c`."""
+    if n.op is Operation.LEAF:
         return attrgetter(n.value)(c)
-    if n.op == "number":
+    if n.op is Operation.NUMBER:
         return n.value
-    if n.op == "named":
+    if n.op is Operation.NAMED:
         return args[0]
     if n.op in _BINARY:
         return _BINARY[n.op](*args)
-    if n.op == "neg":
+    if n.op is Operation.NEGATIVE:
         return -args[0]
-    if n.op == "d":
+    if n.op is Operation.DERIVATIVE:
         return args[0].d(n.value.order, by=n.value.by)
-    if n.op == "**":
+    if n.op is Operation.POWER:
         return args[0] ** n.value
-    if n.op == "[]":
+    if n.op is Operation.COMPONENT:
         return args[0][n.value]
-    if n.op == "level":
+    if n.op is Operation.LEVEL:
         return level(args[0], args[1])[n.value]
+    if n.op in (Operation.DIRECTRIX, Operation.GENERATOR):
+        return getattr(args[0], n.op)
     return _PRODUCTS[n.op](*args)
 
 
@@ -266,6 +320,6 @@ def operation_counts(node: Node) -> Counter[str]:
         if id(n) not in seen:
             seen.add(id(n))
             todo += n.args
-            if n.op not in ("leaf", "number", "named"):
+            if n.op not in ATOMS:
                 counts[n.op] += 1
     return counts

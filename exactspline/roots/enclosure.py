@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from flint import fmpz_poly
 
 from exactspline.exact import Number, double, isqrt, lcm, mpq, mpz, rational
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.roots.root import Root
 from exactspline.splines.bernstein import bezier, restrict, substituted
@@ -84,7 +85,9 @@ def _nearest_integer(q: mpq) -> int:
     return int((2 * q + 1) // 2)
 
 
-def at(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: str = "right") -> tuple[mpq | Enclosure, ...]:
+def at(
+    curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT
+) -> tuple[mpq | Enclosure, ...]:
     """The point of a curve at a parameter or a root (see `exactspline.Nurbs.at`)."""
     place = exact_place(t)
     if isinstance(place, Root):
@@ -167,7 +170,7 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
     return Bounds(min(points), max(points))
 
 
-def sign_at(f: BSpline, t: mpq | Root, side: str = "right") -> int:
+def sign_at(f: BSpline, t: mpq | Root, side: Side | str = Side.RIGHT) -> int:
     """The sign of a spline at a parameter or a root, exactly.
 
     >>> from exactspline import BSpline, zeros

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ReductionError
 from exactspline.exact import mpq, text, to_fmpz
+from exactspline.language.choices import Side
 from exactspline.splines import bernstein
 from exactspline.splines.knots import Mesh
 
@@ -27,7 +28,7 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
     kinks = dict(zip(outer.mesh.breaks[1:-1], outer.continuity, strict=True))
     continuity = {t: c for knot, c in kinks.items() for t in _preimages(inner, knot)}
     for t, c in zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True):
-        continuity[t] = min([c, *[kinks[x] for x in (inner(t, "left"), inner(t)) if x in kinks]])
+        continuity[t] = min([c, *[kinks[x] for x in (inner(t, Side.LEFT), inner(t)) if x in kinks]])
     a, b = inner.domain
     mesh = Mesh([a, *sorted(t for t in continuity if a < t < b), b])
     parts = []

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.exact import Number, Rounding, mpq, rational, text
+from exactspline.language.choices import Side
 from exactspline.language.services import service
 from exactspline.language.vector import Vector, dot
 from exactspline.splines.surd import Surd, square_root
@@ -33,7 +34,7 @@ class ValuesAlong:
     w: BSpline
     dimension: int
 
-    def at(self, t: Number | Root, *, digits: int = 15, side: str = "right") -> tuple[mpq | Enclosure, ...]:
+    def at(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> tuple[mpq | Enclosure, ...]:
         """The point at a parameter: exact at a rational one, enclosed to so many digits behind the point at an
         irrational `Root`.
 
@@ -49,7 +50,7 @@ class ValuesAlong:
         point: tuple[mpq | Enclosure, ...] = service("at")(self, t, digits=digits, side=side)
         return point
 
-    def derivative(self, order: int, t: Number, side: str = "right") -> tuple[mpq, ...]:
+    def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the one from the `side`.
 
         >>> from exactspline import Nurbs
@@ -73,7 +74,7 @@ class ValuesAlong:
             found.append(tuple(x / weights[0] for x in row))
         return found[order]
 
-    def tangent(self, t: Number, side: str = "right") -> tuple[mpq, ...]:
+    def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """γ′ at a rational parameter (see `unit_tangent`).
 
         >>> from exactspline import Nurbs
@@ -82,7 +83,7 @@ class ValuesAlong:
         """
         return self.derivative(1, t, side)
 
-    def unit_tangent(self, t: Number, side: str = "right") -> tuple[Exact, ...]:
+    def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Exact, ...]:
         """γ′/‖γ′‖ at a rational parameter, exactly.
 
         >>> from exactspline import Nurbs
@@ -93,7 +94,7 @@ class ValuesAlong:
         """
         return _normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
 
-    def normal(self, t: Number, side: str = "right") -> tuple[Exact, ...]:
+    def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Exact, ...]:
         """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
         the principal normal, towards the centre of curvature.
 
@@ -115,7 +116,7 @@ class ValuesAlong:
         bent = tuple(length * b - along * a for a, b in zip(first, second, strict=True))
         return _normalized(bent, f"γ′ × γ″ = 0 {where}")
 
-    def curvature(self, t: Number | Root, *, digits: int = 15, side: str = "right") -> Exact | Enclosure:
+    def curvature(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> Exact | Enclosure:
         """The curvature: in the plane signed (positive where the curve turns left), in space not negative. Exact at a
         rational parameter, enclosed to so many digits behind the point at an irrational `Root`.
 
@@ -129,7 +130,7 @@ class ValuesAlong:
         value: Exact | Enclosure = service("curvature")(self, t, digits=digits, side=side)
         return value
 
-    def torsion(self, t: Number | Root, *, digits: int = 15, side: str = "right") -> mpq | Enclosure:
+    def torsion(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
         """The torsion of a space curve (where κ = 0 its limit), positive for a right-handed helix. Exact at a rational
         parameter, enclosed to so many digits behind the point at an irrational `Root`.
 

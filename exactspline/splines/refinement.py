@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
 from exactspline.exact import mpq, text
+from exactspline.language.choices import Side
 from exactspline.splines import bernstein
 from exactspline.splines.knots import SMOOTH, Mesh
 
@@ -148,7 +149,7 @@ def continuity_at(f: BSpline, t: mpq) -> int:
         return f.degree
     derivative = f
     for order in range(f.degree + 1):
-        if derivative(t) != derivative(t, "left"):
+        if derivative(t) != derivative(t, Side.LEFT):
             return order - 1
         derivative = derivative.d()
     return f.degree

@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, InapplicableError
 from exactspline.language.arguments import COORDINATES
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, JetRing
@@ -134,7 +134,14 @@ def grading(jet: Jet) -> tuple[int, int]:
 
 
 def _moving(ring: JetRing) -> list[tuple[int, int]]:
-    """The places of the variables that depend on the parameter, and their orders: of two curves those of the first."""
+    """The places of the variables that depend on the parameter, and their orders: of two curves those of the first.
+
+    Raises `InapplicableError` where operands depend on each other: the degree theorem speaks of free ones.
+    """
+    if ring.rules:
+        raise InapplicableError(
+            f"the degree theorem says nothing of the kind {ring.kind.name!r}", remedy="ask for the nominal degree"
+        )
     return [(n, i) for n, (name, i) in enumerate(ring.variables) if name in COORDINATES or name == "w"]
 
 

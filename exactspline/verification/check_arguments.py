@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+from exactspline.errors import InapplicableError
 from exactspline.exact import mpq, text
+from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
+from exactspline.language.hodograph_kind import curve_of_hodograph
+from exactspline.language.kinds import HODOGRAPH, CurveKind, PairKind, constant_text, kind_of
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.integral import integral
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 
 #: Segments of either curve that a pair is made of: more would show nothing new, and the patches grow with their square.
 SEGMENTS = 1
+#: What constants are on one curve: values without a meaning.
+CONSTANTS = tuple(mpq(p, q) for p, q in ((37, 29), (-53, 41), (61, 17), (19, 67), (-71, 83), (97, 47)))
 
 
 def point_beside(curve: Nurbs) -> tuple[mpq, ...]:
@@ -47,11 +54,34 @@ def pair_with(curve: Nurbs, other: Curve[BSpline] | None = None) -> Pair[TensorS
     return surface_pair(beginning(curve), beginning(moved_copy(curve) if other is None else other))
 
 
+def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
+    """The Pythagorean-hodograph curve whose u, v and h are the numerators and the denominator of a plane curve."""
+    u, v = curve.p
+    x, y = (integral(f * curve.w) for f in (u * u - v * v, u * v + u * v))
+    return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w}, x.constant(1))
+
+
 def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
-    """What formulas of a kind are handed on one curve, and what is said of it beside the curve."""
-    if kind == "pair":
+    """What formulas of a kind are handed on one curve, and what is said of it beside the curve.
+
+    Raises `InapplicableError` for a kind of which one curve alone is no example.
+    """
+    asked = kind_of(kind)
+    if isinstance(asked, PairKind):
         return pair_with(curve), ", first segment, with its moved copy"
-    if kind.endswith("point"):
+    if asked is HODOGRAPH:
+        return with_hodograph(curve), ", as u, v and h of a hodograph"
+    if not isinstance(asked, CurveKind):
+        raise InapplicableError(f"one curve is no {kind}", remedy="such claims are decided for all curves")
+    handed: Curve[BSpline] = curve
+    beside = ""
+    if asked.with_point:
         point = point_beside(curve)
-        return curve.with_point(point), f", with the point ({', '.join(map(text, point))})"
-    return curve, ""
+        handed, beside = curve.with_point(point), f", with the point ({', '.join(map(text, point))})"
+    if asked.constants:
+        values = dict(zip(asked.constants, CONSTANTS, strict=False))
+        if len(values) < len(asked.constants):
+            raise InapplicableError(f"{len(asked.constants)} constants", remedy=f"at most {len(CONSTANTS)} are tried")
+        handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
+        beside += ", with " + ", ".join(f"{constant_text(name)} = {text(value)}" for name, value in values.items())
+    return handed, beside

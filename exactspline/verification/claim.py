@@ -9,19 +9,22 @@ from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import kind_of
+from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
+from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.degree import parse
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.assumptions import Assumption, assumption
+from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
+from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.notation import symbol
+from exactspline.verification.paper_curves import curve_named, curve_names
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -30,6 +33,7 @@ from exactspline.verification.verdict import (
     VERIFIED,
     ContradictionError,
     Finding,
+    undecided,
     vacuous,
 )
 from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, word
@@ -50,12 +54,12 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 def formula_name(claim: Claim, name: str, value: str) -> str:
     """The name of a formula that can be handed what the claim speaks of."""
-    formula = claim.find(value)
-    if formula.curve not in claim.kinds_of(name):
+    formula, handed = claim.find(value), claim.kind_of_field(name)
+    if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
-            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {str(claim.curve)!r}",
+            f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {claim.curve!r}",
             where=name,
-            remedy=f"name a formula of {' or '.join(map(repr, claim.kinds_of(name)))}",
+            remedy=f"name a formula that can be handed a {handed.name!r}",
         )
     return str(value)
 
@@ -65,10 +69,21 @@ def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, .
     return tuple(formula_name(claim, name, each) for each in value)
 
 
+def kind_name(claim: Claim, name: str, value: str) -> str:
+    """The name of a kind of argument."""
+    try:
+        return kind_of(str(value)).name
+    except FormulaError as error:
+        raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
+
+
 def example_name(claim: Claim, name: str, value: str) -> str:
     """The name of an example curve of which the claim speaks; empty for none."""
-    if value and value not in example_names():
-        raise ClaimError(f"no example curve is called {value!r}", where=name, remedy=nearest(value, [*example_names()]))
+    if value:
+        try:
+            claim.curve_named(value)
+        except ClaimError as error:
+            raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
     return str(value)
 
 
@@ -79,9 +94,9 @@ def example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ..
 
 def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
     """Assumptions by their names, each about what the claim speaks of."""
-    found = tuple(each if isinstance(each, Assumption) else assumption(each) for each in value)
+    found = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in found:
-        if claim.curve != ArgumentKind.TABLE and not set(claim.curve.formulas) & set(each.kinds):
+        if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
                 f"the assumption {each.name!r} says nothing of {str(claim.curve)!r}",
                 where=name,
@@ -90,9 +105,24 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
     return found
 
 
+def _assumed(claim: Claim, text: str) -> Assumption:
+    """An assumption of the library, or one that the author states: a formula of the paper, or a constant, that has no
+    zero (``f ≠ 0``), or that vanishes on no whole segment (``f ≢ 0``).
+    """
+    name, sign, zero = text.partition(" ≠ ") if " ≠ " in text else text.partition(" ≢ ")
+    if text in ASSUMPTIONS or zero != "0":
+        return assumption(text)
+    kind = kind_of(claim.curve)
+    constants = {s.name for s in kind.symbols(kind.dimensions[0]) if not s.parameter}
+    if name not in constants:
+        formula_name(claim, "assumes", name)
+    return stated_assumption(text, name if name in constants else claim.find(name), kind, "≠" in sign)
+
+
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
-    names = {"d1", "d2"} if claim.curve == ArgumentKind.TABLE else {"d"}
+    kind = kind_of(claim.curve)
+    names = set().union(*[parse(s.degree).names for s in kind.symbols(kind.dimensions[0]) if s.parameter and s.degree])
     if unknown := parse(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
@@ -114,8 +144,8 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 
 
 def identifier(claim: Claim, name: str, value: str) -> str:
-    """A key: the id of the claim without spaces, a hyphen, and a short name."""
-    begin = re.sub(r"[ .]+", "", claim.id)
+    """A key: the id of the claim without spaces and dots, and words after hyphens."""
+    begin = claim.begin_of_key
     if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
         raise ClaimError(
             f"the key {value!r} does not begin with the id", where=name, remedy=f"write for example {begin + '-a'!r}"
@@ -128,7 +158,7 @@ class Claim(Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
-    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (see `ArgumentKind`), ``of``
+    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (a kind of argument), ``of``
     whether of polynomial curves, of rational ones or of both. ``assumes`` are assumptions of
     `exactspline.symbolic.assumptions`; ``context`` says in words what the letters mean. ``error`` joins the statements
     that fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
@@ -139,13 +169,15 @@ class Claim(Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[str] = "jet"
+    #: Whether such claims can be decided where roots are adjoined.
+    of_frames: ClassVar[bool] = False
 
     paper: str
     id: str
     source: str
     statement: str
     status: Status = field(metadata=read(one_of(Status)))
-    curve: ArgumentKind = field(default=ArgumentKind.CURVE, metadata=read(one_of(ArgumentKind)))
+    curve: str = field(default="curve", metadata=read(kind_name))
     of: Scope = field(default=Scope.BOTH, metadata=read(one_of(Scope)))
     key: str = field(metadata=read(identifier))
     words: str = ""
@@ -168,7 +200,7 @@ class Claim(Displayed):
         self.validate()
 
     def _validate_common(self) -> None:
-        if self.status == Status.PRINTED and not (self.words or "eq" in self.place or "Table" in self.place):
+        if self.status == Status.PRINTED and not (self.words or re.search(r"eq|Table|[(]\d|\d", self.place)):
             raise ClaimError(
                 "a printed claim has neither words nor an equation", where="words", remedy="quote what is printed"
             )
@@ -181,8 +213,20 @@ class Claim(Displayed):
                 remedy="name the error, or leave the field out",
             )
 
+        if kind_of(self.curve).adjoins_roots and not self.of_frames:
+            raise ClaimError(
+                f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
+                where="curve",
+                remedy="splines and degrees have no roots: state an identity",
+            )
+
     def validate(self) -> None:
         """Refuse combinations that say nothing, with `ClaimError`."""
+
+    @property
+    def begin_of_key(self) -> str:
+        """The id as it stands in the key."""
+        return re.sub(r"[ .]+", "", self.id)
 
     @property
     def named(self) -> tuple[str, ...]:
@@ -194,13 +238,31 @@ class Claim(Displayed):
                 chosen += [value] if isinstance(value, str) else value
         return tuple(name for name in chosen if name)
 
-    def kinds_of(self, name: str) -> tuple[str, ...]:
-        """The kinds of formulas that may stand in that field."""
-        return self.curve.formulas
+    def kind_of_field(self, name: str) -> Kind:
+        """What the formula in that field is handed."""
+        return kind_of(self.curve)
+
+    @property
+    def source_paper(self) -> Paper:
+        """The paper that makes it."""
+        return paper_named(self.paper)
 
     def find(self, name: str) -> Formula:
         """A formula of its paper, or of one that this paper uses."""
-        return paper_named(self.paper).find(name)
+        return self.source_paper.find(name)
+
+    def curve_named(self, name: str) -> Nurbs:
+        """A curve of its paper, or an example."""
+        return curve_named(self.source_paper, name)
+
+    @property
+    def of_pair(self) -> bool:
+        """Whether it speaks of two curves."""
+        return isinstance(kind_of(self.curve), PairKind)
+
+    def symbol(self, name: str) -> str:
+        """The LaTeX name of a formula of its paper."""
+        return symbol(name, self.find)
 
     @property
     def assumed(self) -> str:
@@ -218,8 +280,10 @@ class Claim(Displayed):
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it says anything about single curves of that dimension and kind."""
-        return self.curve != ArgumentKind.TABLE and dimension in self.dimensions and polynomial in self.of.worlds
+        """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
@@ -272,8 +336,8 @@ class Claim(Displayed):
 
     def refuted_on_examples(self) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none."""
-        for name in sorted(example_names(), key=lambda name: name != self.witness):
-            curve = example(name)
+        for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
+            curve = self.curve_named(name)
             if self.speaks_of(curve.dimension, curve.polynomial):
                 finding = self.check(curve)
                 if finding.verdict == REFUTED:
@@ -298,7 +362,7 @@ class ExampleClaim(Claim):
 
     def prove(self) -> tuple[str, Finding]:
         """What the example says."""
-        own = Evaluation(example(self.example))
+        own = Evaluation(self.curve_named(self.example))
         return self.reading, self.examine(own.handed(self.curve), own)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
@@ -317,10 +381,15 @@ def combined(claim: Claim) -> tuple[str, Finding]:
 
     Raises `ContradictionError` when it is proved and fails on one of them.
     """
+    with speaking_of(claim.source_paper):
+        return _combined(claim)
+
+
+def _combined(claim: Claim) -> tuple[str, Finding]:
     try:
         reading, finding = claim.prove()
     except ExactSplineError as error:
-        return claim.reading, Finding(UNDECIDED, claim.claims, witness=str(error))
+        return claim.reading, undecided(claim.claims, error)
     if finding.verdict in (PROVED, UNDECIDED):
         example_finding = claim.refuted_on_examples()
         if example_finding.verdict == REFUTED:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from exactspline.errors import ClaimError
 from exactspline.exact import rational
@@ -47,7 +48,7 @@ def factor_of_text(
 
     Raises `ClaimError` when it cannot be read.
     """
-    known = curve.operands()
+    known: Mapping[str, Any] = curve.operands()
     one = next(known[name] for name in ("w", "w1") if name in known)
     top = bottom = one.constant(1)
     for name, exponent in factor_parts(text):

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.errors import FormulaError, ReductionError, ShapeError
-from exactspline.geometry.constructions import MINIMAL, Construction, all_constructions, construction, constructions_for
+from exactspline.errors import FormulaError, InapplicableError, ReductionError, ShapeError
+from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction, constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE
+from exactspline.language.kinds import CURVE, PAIR, TABLE, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find
@@ -28,7 +28,8 @@ from exactspline.symbolic.covariants import degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.generic_degree import lowest_degree, symbolic_minimum
-from exactspline.verification.measure import measurable, measure
+from exactspline.verification.generic_proof import reduction_of
+from exactspline.verification.measure import measurable, measure, speaks_of
 from exactspline.verification.minimality import attained, witness
 
 
@@ -69,10 +70,10 @@ def construction_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
     return [partial(_row, c, variant, curve) for c in constructions_for(curve.dimension) for variant in c.all_variants]
 
 
-def _row(c: Construction, variant: str, curve: Nurbs) -> DegreeRow:
+def _row(c: Construction, variant: Variant, curve: Nurbs) -> DegreeRow:
     formula = c.formula(variant)
     lowest = minimum(c.name, curve.dimension, curve.polynomial)
-    if variant == MINIMAL:
+    if variant == Variant.MINIMAL:
         text = (
             "directrix in lowest terms, the generator without its common factor"
             if c.ruled
@@ -93,7 +94,7 @@ def _row(c: Construction, variant: str, curve: Nurbs) -> DegreeRow:
     true = true_degree_or_none(value)
     if true is None:
         return _in_pieces(c, variant, nominal, curve, seconds)
-    generic = str(lowest) if variant == MINIMAL else "–"
+    generic = str(lowest) if variant == Variant.MINIMAL else "–"
     counts = value.degree, true, control_point_count(value)
     return DegreeRow(
         c.name,
@@ -107,9 +108,9 @@ def _row(c: Construction, variant: str, curve: Nurbs) -> DegreeRow:
     )
 
 
-def _in_pieces(c: Construction, variant: str, nominal: str, curve: Nurbs, seconds: float) -> DegreeRow:
+def _in_pieces(c: Construction, variant: Variant, nominal: str, curve: Nurbs, seconds: float) -> DegreeRow:
     """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
-    lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == MINIMAL else "–"
+    lowest = str(minimum(c.name, curve.dimension, curve.polynomial)) if variant == Variant.MINIMAL else "–"
     try:
         found = derive(c.name, curve, variant)
     except ShapeError as error:
@@ -120,7 +121,7 @@ def _in_pieces(c: Construction, variant: str, nominal: str, curve: Nurbs, second
 
 def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:
     """k, m and j of a polynomial formula, and of the numerator of the minimal form."""
-    if not (variant == MINIMAL or is_polynomial(formula, dimension)):
+    if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
         found = true_degree(reduction(formula.name, dimension, polynomial).main.lowest[0])
@@ -187,7 +188,8 @@ def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]
 def _generic_row(c: Construction, polynomial: bool) -> GenericRow:
     naive = "squaring" if "squaring" in c.unlifted else next(iter(c.variants))
     first, paper = (
-        c.formula(variant) for variant in (naive, next((f for f in ("paper", "reduced") if f in c.unlifted), MINIMAL))
+        c.formula(variant)
+        for variant in (naive, next((f for f in (Variant.PAPER, Variant.REDUCED) if f in c.unlifted), Variant.MINIMAL))
     )
     numerator, denominator = reduction(c.lifted, c.dimension, polynomial).main.lowest
     found = max([true_degree(numerator), true_degree(denominator)], key=lambda t: t.at(WITNESSES[-1]))
@@ -241,7 +243,7 @@ def _bisector_row(title: str, names: tuple[str, str, str], polynomial: bool) -> 
     operands = DegreeReading().argument(lifted.kind, dimension, polynomial=polynomial)
     degrees = {}
     for d in WITNESSES:
-        handed = _bisected(lifted.curve, witness(dimension, d, polynomial=polynomial))
+        handed = _bisected(lifted.kind, witness(dimension, d, polynomial=polynomial))
         value = Rational(Vector(*[substitute(jet, handed) for jet in numerator]), substitute(denominator, handed))
         degrees[d] = max(n for _, n in lowest_terms(value))
     return GenericRow(
@@ -270,12 +272,12 @@ class _Fixed:
         return self.values[order]
 
 
-def _bisected(kind: str, curve: Nurbs) -> Any:
+def _bisected(kind: Kind, curve: Nurbs) -> Any:
     """A curve with what it is bisected with: a point, or the derivatives of a second curve at one parameter; primes,
     for want of accidents.
     """
     primes = iter((2, 3, 5, 7, 11, 13, 17, 19))
-    if kind != "pair":
+    if kind is not PAIR:
         return Curve(
             curve.p, curve.w, polynomial=True, point=Vector(*[curve.w.constant(next(primes)) for _ in curve.p])
         )
@@ -283,17 +285,62 @@ def _bisected(kind: str, curve: Nurbs) -> Any:
     return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
 
 
-def formula_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
-    """The rows for every formula that speaks of such a curve, as calls."""
-    return [partial(_formula_row, f.name, curve) for f in measurable(curve.dimension)]
+def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> list[Callable[[], DegreeRow]]:
+    """The rows for every formula that speaks of such a curve, as calls: of some, or of all that are meant where no
+    paper is named.
+    """
+    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if speaks_of(f, curve.dimension)]
+    return [partial(_formula_row, f, curve) for f in known]
 
 
-def _formula_row(name: str, curve: Nurbs) -> DegreeRow:
-    formula = find(name)
+@dataclass(frozen=True)
+class FormulaDegrees:
+    """A formula of the generic curve of degree d: what Table 1 counts, what cancels, the degree of the reduced form,
+    and that of the value in lowest terms; a reason where the degree theorem says nothing.
+    """
+
+    formula: str
+    curves: str
+    nominal: str
+    cancelled: str
+    reduced: str
+    lowest: str
+
+
+def formula_degrees(formulas: Iterable[Formula]) -> list[Callable[[], FormulaDegrees]]:
+    """The rows for formulas, rational and polynomial curves one after the other, as calls."""
+    return [
+        partial(_degrees_of, f, polynomial) for f in formulas if f.kind is not TABLE for polynomial in (False, True)
+    ]
+
+
+def _degrees_of(formula: Formula, polynomial: bool) -> FormulaDegrees:
+    n, curves = formula.kind.dimensions[0], "polynomial" if polynomial else "rational"
+    try:
+        nominal = str(formula(DegreeReading().argument(formula.kind, n, polynomial=polynomial)).degree)
+    except InapplicableError as error:
+        return FormulaDegrees(formula.name, curves, "–", "–", "–", error.problem)
+    try:
+        main = reduction_of(formula, n, polynomial).main
+        cancelled, reduced, lowest = str(main.cancelled), str(main.generic), str(main.generic_lowest)
+    except FormulaError as error:
+        cancelled, reduced, lowest = "–", "–", error.problem
+    return FormulaDegrees(formula.name, curves, nominal, cancelled, reduced, lowest)
+
+
+def _formula_row(formula: Formula, curve: Nurbs) -> DegreeRow:
     start = perf_counter()
     m = measure(formula, curve)
     seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
     return DegreeRow(
-        name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
+        formula.name,
+        "as it stands",
+        str(m.nominal),
+        m.represented,
+        m.true,
+        m.control_points,
+        "–",
+        text,
+        seconds=seconds,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.geometry.constructions import LIFTED, Construction
+from exactspline.geometry.constructions import Construction, Variant
 from exactspline.language.formula import Formula
 from exactspline.readings.degree import Degree
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
@@ -66,5 +66,5 @@ def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | No
         return -1
     if not c.zero_set:
         return degree_at(without_content([*top, bottom]), d)
-    shared = bottom.ring.number(1) if polynomial else bottom.ring["w"] ** c.power_of_w(LIFTED)
+    shared = bottom.ring.number(1) if polynomial else bottom.ring["w"] ** c.power_of_w(Variant.LIFTED)
     return degree_at(without_content([top[0], shared])[:1], d)

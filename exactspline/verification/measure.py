@@ -41,7 +41,11 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     return Measure(formula.name, nominal, value.degree, true_degree_or_none(value), control_point_count(value))
 
 
+def speaks_of(formula: Formula, dimension: int) -> bool:
+    """Whether a formula speaks of curves of this dimension, and of nothing beside them."""
+    return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
+
+
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that speak of curves of this dimension."""
-    kinds = {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
-    return [formula for formula in all_formulas().values() if formula.kind in kinds]
+    return [formula for formula in all_formulas().values() if speaks_of(formula, dimension)]

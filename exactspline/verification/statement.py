@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
-from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -22,8 +21,8 @@ from exactspline.verification.claim import Claim, combined
 from exactspline.verification.claims import select
 from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import Finding
+from exactspline.verification.vocabulary import Scope
 
 NAIVE, REDUCED = "naive", "reduced"
 
@@ -125,29 +124,35 @@ def sides(claim: Claim) -> tuple[Side, ...]:
 
 
 def _side(name: str, role: str, claim: Claim) -> Side:
-    formula, tree = find(name), telling_tree(find(name), _dimension(name, claim))
+    formula = claim.find(name)
+    tree = telling_tree(formula, _dimension(formula, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    degrees = [str(_degree(name, claim, polynomial)) for polynomial in (False, True)]
+    counted = [_degree(name, claim, polynomial) for polynomial in (False, True)]
+    degrees = ["–" if degree is None else str(degree) for degree in counted]
     return Side(
-        role, name, formula.source, f"{shown} = {print_text(tree)}", f"{symbol(name)} = {print_latex(tree)}", *degrees
+        role,
+        name,
+        formula.source,
+        f"{shown} = {print_text(tree)}",
+        f"{claim.symbol(name)} = {print_latex(tree)}",
+        *degrees,
     )
 
 
-def _dimension(name: str, claim: Claim) -> int:
+def _dimension(formula: Formula, claim: Claim) -> int:
     """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
-    own = find(name).kind.dimensions
+    own = formula.kind.dimensions
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
-def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
-    formula = find(name)
-    parameter, counting = "s", ""
-    if isinstance(claim, DegreeClaim):
-        parameter, counting = str(claim.parameter), str(claim.counting)
+def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
+    """The degree of a formula, None where it has roots."""
+    formula = claim.find(name)
+    if formula.kind.adjoins_roots:
+        return None
+    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
     handed = (
-        DegreeReading(parameter=parameter, counting=counting).argument(
-            formula.kind, _dimension(name, claim), polynomial=polynomial
-        )
+        DegreeReading("d", *counts).argument(formula.kind, _dimension(formula, claim), polynomial=polynomial)
         if formula.kind is not TABLE
         else degree_table()
     )
@@ -156,8 +161,8 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
 
 
 def _size(name: str, claim: Claim) -> int:
-    degree = _degree(name, claim, claim.of == "polynomial")
-    return degree.at(dict.fromkeys(degree.names, 3))
+    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
+    return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING
 
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, InapplicableError
 from exactspline.language.services import Displayed
 from exactspline.verification.vocabulary import Relation, Status, Verdict
 
@@ -49,6 +49,12 @@ class Finding:
     def is_outside(self) -> bool:
         """Whether nothing was decided because the claim does not speak of the curve."""
         return self.verdict == UNDECIDED and self.witness.startswith(OUTSIDE)
+
+
+def undecided(claimed: str, error: ExactSplineError) -> Finding:
+    """Nothing decided, because of an error: where it says that nothing is said of such arguments, nothing is."""
+    outside = OUTSIDE if isinstance(error, InapplicableError) else ""
+    return Finding(Verdict.UNDECIDED, claimed, witness=f"{outside}{error}")
 
 
 def vacuous(claimed: str, computed: str = "0 = 0", factor: str = "") -> Finding:

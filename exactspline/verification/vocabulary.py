@@ -5,7 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import TypeVar
 
-from exactspline.errors import ClaimError, nearest
+from exactspline.errors import ClaimError
+from exactspline.language.choices import choice
 
 E = TypeVar("E", bound=StrEnum)
 
@@ -41,7 +42,9 @@ class Scope(StrEnum):
 
 
 class ArgumentKind(StrEnum):
-    """What the formulas of a claim are handed."""
+    """What the formulas of a claim are handed: the kinds that are treated in a way of their own. There are more
+    (`exactspline.language.kinds`).
+    """
 
     CURVE = "curve"
     PLANE = "plane"
@@ -50,16 +53,6 @@ class ArgumentKind(StrEnum):
     PAIR = "pair"
     POINT = "point"
     PLANE_POINT = "plane point"
-
-    @property
-    def formulas(self) -> tuple[str, ...]:
-        """The kinds of formulas that can be handed this."""
-        return {
-            "plane": ("plane", "curve"),
-            "space": ("space", "curve"),
-            "point": ("point", "space", "curve"),
-            "plane point": ("plane point", "plane", "curve"),
-        }.get(self.value, (self.value,))
 
 
 class Measure(StrEnum):
@@ -95,20 +88,6 @@ class Relation(StrEnum):
         return {"=": computed == claimed, "≤": computed <= claimed, "≥": computed >= claimed}[self.value]
 
 
-class Parameter(StrEnum):
-    """Whose degree is counted: that of the first curve or of the second one."""
-
-    S = "s"
-    S_BAR = "s̄"
-
-
-class Counting(StrEnum):
-    """How nominal degrees are counted: as Table 1 counts, or part by part, as (24) does."""
-
-    TABLE_1 = "Table 1"
-    PART_BY_PART = "part by part"
-
-
 class ZeroSetOf(StrEnum):
     """Whose zeros are meant: those of the numerators as they come, or of the values in lowest terms."""
 
@@ -140,9 +119,6 @@ def word(kind: type[E], value: object, what: str) -> E:
     >>> word(Relation, "≤", "relation").name
     'AT_MOST'
 
-    Raises `ClaimError` with the nearest words.
+    Raises `ClaimError` with the words there are.
     """
-    try:
-        return kind(str(value)) if isinstance(value, str) else kind(repr(value))
-    except ValueError:
-        raise ClaimError(f"the {what} {value!r} is unknown", remedy=nearest(str(value), list(kind))) from None
+    return choice(kind, value, what, raised=ClaimError)

@@ -28,8 +28,9 @@ from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
 from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
-from exactspline.geometry.bisectors import CurveBisector, PointBisector
-from exactspline.geometry.trimmed_bisector import TrimmedBisector
+from exactspline.geometry.bisector.point_and_curve import PointBisector
+from exactspline.geometry.bisector.trimmed import TrimmedBisector
+from exactspline.geometry.bisector.two_curves import CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.roots.root import Root
@@ -52,7 +53,7 @@ def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Bo
     pairs, in a box around both curves.
 
     >>> from exactspline import Nurbs
-    >>> from exactspline.geometry.bisectors import curve_bisector
+    >>> from exactspline.geometry.bisector.two_curves import curve_bisector
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
     >>> [text.get_text() for text in plot_curve_bisector(curve_bisector(low, high)).get_legend().get_texts()]
     ['curve of s', 'curve of t', 'lines of s - t = 0']
@@ -255,7 +256,7 @@ def plot_trimmed_bisector(
     """The true bisector of a point and a plane curve: arcs, and the straight pieces of ends and corners.
 
     >>> from exactspline import Nurbs
-    >>> from exactspline.geometry.trimmed_bisector import trimmed_bisector
+    >>> from exactspline.geometry.bisector.trimmed import trimmed_bisector
     >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
     >>> ax = plot_trimmed_bisector(trimmed_bisector(line, (0, 2)), line, (0, 2))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]

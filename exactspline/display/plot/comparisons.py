@@ -28,6 +28,7 @@ from exactspline.geometry.analysis import Analysis, analyse
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.extent import coordinate_extrema
 from exactspline.geometry.kinds import FeatureKind
+from exactspline.language.choices import Side
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
@@ -160,7 +161,7 @@ def _normalized(f: BSpline) -> list[list[tuple[mpq, mpq]]]:
     for a, b in pairwise(f.breakpoints):
         count = max(8, SAMPLES // len(f.mesh))
         ts = [a + (b - a) * mpq(k, count) for k in range(count + 1)]
-        runs.append([(t, f(t, "left" if t == b else "right")) for t in ts])
+        runs.append([(t, f(t, Side.LEFT if t == b else Side.RIGHT)) for t in ts])
     largest = max((abs(y) for run in runs for _, y in run), default=mpq(0)) or mpq(1)
     return [[(t, _cube_root(y / largest)) for t, y in run] for run in runs]
 

@@ -28,6 +28,7 @@ from exactspline.display.plot.frames import Box, box_around, grown, homogeneous,
 from exactspline.exact import Number, mpq
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import Feature
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
@@ -72,7 +73,7 @@ def plot_curve(
         shown_as = "_segment" if i else shown_name(curve) if label is None else label
         draw(ax, [p for _, p in samples], color=GREY if i % 2 else BLACK, linewidth=2.2, label=shown_as, zorder=3)
     if knots:
-        ends = dict.fromkeys(curve(t, side) for t in curve.breakpoints for side in ("left", "right"))
+        ends = dict.fromkeys(curve(t, side) for t in curve.breakpoints for side in Side)
         draw(ax, ends, "o", color=BLACK, markerfacecolor="white", markersize=3.5, label="knots", zorder=4)
     ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")
     legend_below(ax)
@@ -155,7 +156,7 @@ def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
     denominator = value.denominator
     poles = {parameter(t, denominator.domain) for t in zeros(denominator)}
 
-    def near(t: mpq, side: str = "right") -> Point | None:
+    def near(t: mpq, side: Side | str = Side.RIGHT) -> Point | None:
         point = value(t, side) if t not in poles and denominator(t, side) else None
         return point if point and inside(point, box) else None
 

@@ -11,6 +11,7 @@ from exactspline.display.plot.canvas import Point, Run, joined, parameter, polyg
 from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
 from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq, rational
+from exactspline.language.choices import Side
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -81,7 +82,7 @@ def ruled_mesh(surface: SplineSurface, rulings: tuple[Number, Number] = (-1, 1),
     if denominator is not None and not all(denominator.polynomials):
         raise ShapeError("the denominator vanishes on a whole segment", remedy="derive the surface piece by piece")
 
-    def row(s: mpq, side: str) -> list[Point]:
+    def row(s: mpq, side: Side | str) -> list[Point]:
         w = mpq(1) if denominator is None else denominator(s, side)
         values = [c(s, side) / w for c in components]
         steps = [low + (high - low) * mpq(k, ALONG - 1) for k in range(ALONG)]
@@ -110,9 +111,9 @@ def _sampled_rows(
     for a, b in pairwise(cuts):
         step = (b - a) / count
         inner = [a + step * k for k in range(count + 1)]
-        first = row(a, "right") if a not in poles else row(a + step * BESIDE, "right")
-        last = row(b, "left") if b not in poles else row(b - step * BESIDE, "right")
-        rows = [first, *[row(t, "right") for t in inner[1:-1]], last]
+        first = row(a, Side.RIGHT) if a not in poles else row(a + step * BESIDE, Side.RIGHT)
+        last = row(b, Side.LEFT) if b not in poles else row(b - step * BESIDE, Side.RIGHT)
+        rows = [first, *[row(t, Side.RIGHT) for t in inner[1:-1]], last]
         if patches and a not in poles and patches[-1][-1] == first:
             patches[-1] += rows[1:]
         else:

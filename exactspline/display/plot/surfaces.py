@@ -25,6 +25,7 @@ from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import Number, rational
 from exactspline.language.arguments import Curve
+from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find
@@ -168,7 +169,7 @@ def plot_bisector(
     other: Nurbs | Iterable[Number],
     ax: Axes | None = None,
     *,
-    variant: str = "",
+    formula: str = "",
     rulings: tuple[Number, Number] = (-1, 1),
     control_net: bool = True,
     box: Box | None = None,
@@ -177,28 +178,28 @@ def plot_bisector(
     untrimmed.
 
     Of a plane curve and a point it is a curve, of a space curve and a point a ruled surface, of two space curves a
-    surface in two parameters. `form` is the name of a formula of §6 for such arguments; by default the polynomial one.
+    surface in two parameters. `formula` is the name of one of §6 for such arguments; by default the polynomial one.
 
     >>> from exactspline.splines.examples import example
     >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
     >>> ax.get_legend().get_texts()[-1].get_text()
     'bisector: degree 7'
 
-    Raises `ShapeError` where dimensions do not fit, `FormulaError` for an unknown form, otherwise as `plot_mesh` and
+    Raises `ShapeError` where dimensions do not fit, `FormulaError` for an unknown one, otherwise as `plot_mesh` and
     `plot_quotient`.
     """
     kind, default, handed = _argument(curve, other)
-    formula = find(variant or default)
-    if formula.curve != kind:
+    found = find(formula or default)
+    if found.kind is not kind:
         raise FormulaError(
-            f"{formula.name} is no bisector of these",
-            where="variant",
-            remedy=f"its argument is of the kind {formula.curve!r}, not {kind!r}",
+            f"{found.name} is no bisector of these",
+            where="formula",
+            remedy=f"its argument is of the kind {found.curve!r}, not {kind.name!r}",
         )
-    value = formula(handed)
-    if kind == "plane point":
+    value = found(handed)
+    if kind is PLANE_POINT:
         return plot_quotient(value, ax, label=f"bisector: degree {value.degree}", control_polygon=control_net, box=box)
-    if kind == "point":
+    if kind is POINT_IN_SPACE:
         return plot_ruled_surface(
             value, rulings, ax, label=f"bisector: degree {value.degree}", control_net=control_net, box=box
         )
@@ -206,12 +207,12 @@ def plot_bisector(
     return plot_surface(value, ax, label=f"bisector: degree {degree.s} × {degree.t}", control_net=control_net, box=box)
 
 
-def _argument(curve: Curve[BSpline], other: Any) -> tuple[str, str, Any]:
+def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
     """The kind of formula, the formula by default, and what it is handed."""
     if isinstance(other, Curve):
         if curve.dimension != 3 or other.dimension != 3:
             raise ShapeError("a bisector of curves that are not in space", remedy="give two curves in space")
-        return "pair", "bisector_symmetric", surface_pair(curve, other)
+        return PAIR, "bisector_symmetric", surface_pair(curve, other)
     point = tuple(map(rational, other))
     if len(point) != curve.dimension or len(point) not in (2, 3):
         raise ShapeError(
@@ -219,7 +220,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[str, str, Any]:
             remedy="both in the plane or both in space",
         )
     kind, default = (
-        ("plane point", "plane_bisector_polynomial") if len(point) == 2 else ("point", "point_bisector_direct_z")
+        (PLANE_POINT, "plane_bisector_polynomial") if len(point) == 2 else (POINT_IN_SPACE, "point_bisector_direct_z")
     )
     return kind, default, curve.with_point(point)
 

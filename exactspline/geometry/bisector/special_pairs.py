@@ -46,6 +46,7 @@ from exactspline.geometry.bisector.polynomials import (
 )
 from exactspline.geometry.bisector.single_pairs import crossings, divisor, singles, touching
 from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
@@ -260,7 +261,7 @@ def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> Spe
 
 def _runs_on(curve: Nurbs, t: mpq) -> bool:
     """Whether a segment ends where another one begins, at one point with one tangent (or both stop there)."""
-    if t == curve.domain[0] or curve(t, "left") != curve(t, "right"):
+    if t == curve.domain[0] or curve(t, Side.LEFT) != curve(t, Side.RIGHT):
         return False
     i = curve.breakpoints.index(t)
     before, behind = piece(curve, i - 1), piece(curve, i)

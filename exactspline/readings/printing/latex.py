@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 from exactspline.readings.printing.printer import ATOM, PRODUCT, Printer, leaf, named_binding, number
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import Node, Operation
 
-_GREEK = {"gamma": r"\gamma"}
+_GREEK = {"gamma": r"\gamma", "sigma": r"\sigma", "rho": r"\rho"}
 
 
 class LatexPrinter(Printer):
@@ -17,11 +17,11 @@ class LatexPrinter(Printer):
 
     def atom(self, n: Node) -> tuple[str, int]:
         """A name or a number."""
-        if n.op == "number":
+        if n.op is Operation.NUMBER:
             text, binding = number(n.value)
             top, slash, bottom = text.partition("/")
             return (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else text), binding
-        if n.op == "named":
+        if n.op is Operation.NAMED:
             return (rf"\bar{{{n.value.symbol}}}" if n.value.barred else n.value.symbol), named_binding(n)
         name, barred = leaf(n.value)
         symbol = _GREEK.get(name) or re.sub(r"(?<=[a-zA-Z])(\d+)$", r"_{\1}", name)

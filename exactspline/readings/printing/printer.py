@@ -7,7 +7,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from exactspline.exact import Number
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import ATOMS, Node, Operation
 
 #: How tightly an operation binds; arguments that bind less get parentheses.
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
@@ -22,34 +22,32 @@ class Printer(ABC):
 
     def show(self, n: Node) -> tuple[str, int]:
         """The text of a node and how tightly it binds."""
-        if n.op in ("leaf", "number", "named"):
+        if n.op in ATOMS:
             return self.atom(n)
-        if n.op == "level":
+        if n.op is Operation.LEVEL:
             # one denominator is a step of the computation; what is computed is written as it was
             return self.show(n.args[n.value])
-        if n.op in "+-":
+        if n.op in (Operation.PLUS, Operation.MINUS):
             left, right = n.args
-            return (
-                f"{self(left)} {self.minus if n.op == '-' else '+'} {self.at(right, PRODUCT if n.op == '-' else SUM)}",
-                SUM,
-            )
-        if n.op == "ruled":
+            sign, least = (self.minus, PRODUCT) if n.op is Operation.MINUS else ("+", SUM)
+            return f"{self(left)} {sign} {self.at(right, least)}", SUM
+        if n.op is Operation.RULED:
             return f"{self(n.args[0])} + {self.ruling}{self.between}{self.at(n.args[1], PRODUCT)}", SUM
-        if n.op == "neg":
+        if n.op is Operation.NEGATIVE:
             return f"{self.minus}{self.at(n.args[0], PRODUCT)}", SUM
-        if n.op == "*":
+        if n.op is Operation.TIMES:
             return self.times(n), PRODUCT
-        if n.op == "/":
+        if n.op is Operation.OVER:
             return self.quotient(*n.args)
-        if n.op == "**":
+        if n.op is Operation.POWER:
             return self.power(self.at(n.args[0], ATOM), n.value), POWER
-        if n.op == "d":
+        if n.op is Operation.DERIVATIVE:
             order, by = n.value
             base = self.at(n.args[0], ATOM)
             return (self.derivative(base, order), ATOM) if by is None else (self.partial(base, order, by), PRODUCT)
-        if n.op == "[]":
+        if n.op is Operation.COMPONENT:
             return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
-        if n.op == "join":
+        if n.op is Operation.JOIN:
             return self.parentheses(", ".join(map(self, n.args))), ATOM
         return self.product(n)
 
@@ -61,22 +59,27 @@ class Printer(ABC):
     def times(self, n: Node) -> str:
         """A product, scalars before vectors."""
         a, b = n.args
-        if a.is_vector and not b.is_vector and b.op != "leaf" and not (b.op == "d" and b.args[0].op == "leaf"):
+        if (
+            a.is_vector
+            and not b.is_vector
+            and b.op is not Operation.LEAF
+            and not (b.op is Operation.DERIVATIVE and b.args[0].op is Operation.LEAF)
+        ):
             a, b = b, a
         return f"{self.at(a, PRODUCT)}{self.between}{self.at(b, POWER)}"
 
     def product(self, n: Node) -> tuple[str, int]:
         """A product of vectors."""
         parts = [self.at(a, POWER) for a in n.args]
-        if n.op == "dot" and n.args[0] is n.args[1]:
+        if n.op is Operation.DOT and n.args[0] is n.args[1]:
             return self.norm2(self(n.args[0])), POWER
-        if n.op == "det":
+        if n.op is Operation.DET:
             return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
-        if n.op == "perp":
+        if n.op is Operation.PERP:
             return self.perp(self.at(n.args[0], ATOM)), ATOM
-        if n.op == "generalized_cross":
+        if n.op is Operation.GENERALIZED_CROSS:
             return self.wedge([self(a) for a in n.args]), ATOM
-        return (f" {self.cross} " if n.op == "cross" else f" {self.dot} ").join(parts), PRODUCT
+        return (f" {self.cross} " if n.op is Operation.CROSS else f" {self.dot} ").join(parts), PRODUCT
 
     minus: str
     cross: str

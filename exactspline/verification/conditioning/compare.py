@@ -7,7 +7,7 @@ from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import mpq, text
-from exactspline.geometry.constructions import MINIMAL, construction
+from exactspline.geometry.constructions import Variant, construction
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bernstein import Form, value
@@ -50,12 +50,12 @@ class RootConditions:
         """1 when the minimal form is worse conditioned than the form, −1 when it is better, 0 when the enclosures do
         not tell them apart.
         """
-        (a, b), (c, d) = self[MINIMAL].condition, self[form].condition
+        (a, b), (c, d) = self[Variant.MINIMAL].condition, self[form].condition
         return int(a > d) - int(b < c)
 
     def ratio(self, form: str) -> mpq:
         """Condition number of the minimal form by that of the form, from the middles of the enclosures."""
-        (low, high), (first, last) = self[MINIMAL].condition, self[form].condition
+        (low, high), (first, last) = self[Variant.MINIMAL].condition, self[form].condition
         return (low + high) / (first + last)
 
 
@@ -74,7 +74,7 @@ class Conditioning:
     @property
     def verdicts(self) -> dict[str, str]:
         """Form by form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
-        forms = [f.form for row in self.roots[:1] for f in row.forms if f.form != MINIMAL]
+        forms = [f.form for row in self.roots[:1] for f in row.forms if f.form != Variant.MINIMAL]
         return {form: self._verdict(form) for form in forms}
 
     def _verdict(self, form: str) -> str:
@@ -103,9 +103,9 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
         raise FormulaError(f"{name} is no zero set", remedy="choose zero_curvature or critical_curvature")
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
-    splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, MINIMAL)}
+    splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, Variant.MINIMAL)}
     found = {form: zeros(f) for form, f in splines.items()}
-    minimal = found[MINIMAL]
+    minimal = found[Variant.MINIMAL]
     inside = [root for root in minimal if not root.at_knot]
     rows = []
     for root in inside:
@@ -113,14 +113,16 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
         root.minimal_polynomial()
         same = {form: next(r for r in among if r == root) for form, among in found.items()}
         forms = [
-            _at_root(form, f, splines[MINIMAL], root, same[form].multiplicity, found[form] if doubles else None)
+            _at_root(form, f, splines[Variant.MINIMAL], root, same[form].multiplicity, found[form] if doubles else None)
             for form, f in splines.items()
         ]
         rows.append(RootConditions(root, tuple(forms)))
     extraneous = {form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in found.items()}
     left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
     left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
-    left_out += [f"[{text(s.low)}, {text(s.high)}], where the form vanishes identically" for s in minimal.intervals]
+    left_out += [
+        f"[{text(a)}, {text(b)}], where the form vanishes identically" for s in minimal.intervals for a, b in s.parts
+    ]
     return Conditioning(
         curve.name, made.name, tuple(rows), {form: rs for form, rs in extraneous.items() if rs}, tuple(left_out)
     )

@@ -8,7 +8,7 @@ from random import Random
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
-from exactspline.geometry.constructions import MINIMAL
+from exactspline.geometry.constructions import Variant
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.compare import RootConditions, conditioning
@@ -56,7 +56,7 @@ class Tally:
             self.smallest = ratio, curve
         if self.largest is None or ratio > self.largest[0]:
             self.largest = ratio, curve
-        ours, theirs = row[MINIMAL].double, own.double
+        ours, theirs = row[Variant.MINIMAL].double, own.double
         if ours is not None and theirs is not None:
             lost = mpq(2**53)
             gap = (lost if ours.units is None else ours.units) - (lost if theirs.units is None else theirs.units)
@@ -86,7 +86,7 @@ def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -
             for name in SEARCHED:
                 for row in conditioning(curve, name, doubles=doubles).roots:
                     for form in row.forms:
-                        if form.form != MINIMAL:
+                        if form.form != Variant.MINIMAL:
                             key = (family, name, form.form)
                             tallies.setdefault(key, Tally(*key)).add(row, curve)
     return list(tallies.values())

@@ -8,6 +8,8 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Pair
+from exactspline.language.choices import Counting, Parameter
+from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -20,9 +22,9 @@ from exactspline.verification.claim import Claim, count_from, degree_text, formu
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
-from exactspline.verification.notation import degree_latex, symbol
+from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import LOWER_HERE, OUTSIDE, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Counting, Measure, Parameter, Relation
+from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation, Scope
 
 #: What a claim measures, as LaTeX.
 MEASURES = {
@@ -53,18 +55,18 @@ class DegreeClaim(Claim):
     claimed: str = field(metadata=read(degree_text))
     measure: Measure = field(default=Measure.NOMINAL, metadata=read(one_of(Measure)))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
-    parameter: Parameter = field(default=Parameter.S, metadata=read(one_of(Parameter)))
+    parameter: Parameter = field(default=Parameter.FIRST, metadata=read(one_of(Parameter)))
     counting: Counting = field(default=Counting.TABLE_1, metadata=read(one_of(Counting)))
     least_d: int = field(default=1, metadata=read(count_from(1)))
 
     def validate(self) -> None:
         """Refuse combinations that say nothing."""
         table = self.curve == ArgumentKind.TABLE
-        if self.parameter == Parameter.S_BAR and self.curve != ArgumentKind.PAIR:
+        if self.parameter == Parameter.SECOND and not self.of_pair:
             raise ClaimError("there is no parameter s̄ of one curve", where="parameter", remedy='write "s"')
         if self.counting == Counting.PART_BY_PART and (self.measure != Measure.NOMINAL or table):
             raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
-        if table and (self.measure != Measure.NOMINAL or self.of != "both"):
+        if table and (self.measure != Measure.NOMINAL or self.of != Scope.BOTH):
             raise ClaimError("Table 1 counts nominal degrees of any operands", where="measure", remedy='"nominal"')
         if self.measure == Measure.HEIGHT and (parse(self.claimed).names or self.relation != Relation.EQUAL):
             raise ClaimError("a height is a number", where="claimed", remedy='write for example "0"')
@@ -83,7 +85,7 @@ class DegreeClaim(Claim):
     def latex(self) -> str:
         """The degree, the relation, what is claimed."""
         sign = RELATIONS[self.relation][0]
-        return rf"{MEASURES[self.measure]} {symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
+        return rf"{MEASURES[self.measure]} {self.symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
 
     @property
     def proof_reading(self) -> str:
@@ -127,11 +129,12 @@ class DegreeClaim(Claim):
         degree = parse(self.claimed)
         if self.curve == ArgumentKind.TABLE:
             return degree.at({name: argument.degrees[name] for name in degree.names})
-        curve = argument
-        if isinstance(argument, Pair):
-            curve = argument.first if self.parameter == Parameter.S else argument.second
-        d = max(max(p.degree) if isinstance(p.degree, Degrees) else p.degree for p in curve.p)
-        return degree.at(dict.fromkeys(degree.names, int(d)))
+        known, values = argument.operands(), dict[str, int]()
+        for each in kind_of(self.curve).symbols(argument.dimension):
+            if each.parameter == self.parameter and each.degree.isidentifier() and each.name in known:
+                own = self._own(known[each.name].degree)
+                values[each.degree] = max(own, values.get(each.degree, 0))
+        return degree.at({name: values[name] for name in degree.names})
 
     def _computed(self, argument: Handed) -> int:
         if self.measure == Measure.REDUCED:
@@ -147,7 +150,7 @@ class DegreeClaim(Claim):
     def _reduced(self, argument: Any) -> Any:
         pair = isinstance(argument, Pair)
         polynomial = argument.first.polynomial if pair else argument.polynomial
-        if pair and self.parameter == Parameter.S_BAR:
+        if pair and self.parameter == Parameter.SECOND:
             swapped = transposed(self.find(self.formula))
             return reduction_of(swapped, argument.dimension, polynomial).main.on(Pair(argument.second, argument.first))
         return reduction_of(self.find(self.formula), argument.dimension, polynomial).main.on(argument)
@@ -155,7 +158,7 @@ class DegreeClaim(Claim):
     def _own(self, degree: Any) -> int:
         """The degree in the parameter that is counted."""
         if isinstance(degree, Degrees):
-            return int(degree.s if self.parameter == Parameter.S else degree.t)
+            return int(degree.s if self.parameter == Parameter.FIRST else degree.t)
         return int(degree)
 
     def _profile(self, value: Any) -> Any:
@@ -163,11 +166,11 @@ class DegreeClaim(Claim):
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):
             return value
-        across = components[0].domain[1 if self.parameter == Parameter.S else 0]
+        across = components[0].domain[1 if self.parameter == Parameter.FIRST else 0]
         fixed = across[0] + (across[1] - across[0]) * mpq(2, 7)
 
         def line(x: TensorSpline) -> Any:
-            return x.at_t(fixed) if self.parameter == Parameter.S else x.at_s(fixed)
+            return x.at_t(fixed) if self.parameter == Parameter.FIRST else x.at_s(fixed)
 
         top = Vector(*map(line, components))
         return top if denominator is None else Rational(top, line(denominator))

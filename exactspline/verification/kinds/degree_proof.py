@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import FormulaError
+from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
@@ -17,7 +18,7 @@ from exactspline.symbolic.reduction import Reduction
 from exactspline.verification.generic_degree import joined_degree
 from exactspline.verification.generic_proof import degree_table, reduction_of, transposed
 from exactspline.verification.verdict import PROVED, REFUTED, ContradictionError, Finding
-from exactspline.verification.vocabulary import ArgumentKind, Measure, Parameter, Relation
+from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation
 
 if TYPE_CHECKING:
     from exactspline.verification.kinds.degree import DegreeClaim
@@ -28,7 +29,7 @@ def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     formula = claim.find(claim.formula)
     if claim.measure == Measure.NOMINAL:
         return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
-    if claim.parameter == Parameter.S_BAR:
+    if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
         computed, lower = _true(formula, dimension, polynomial)
@@ -53,8 +54,7 @@ def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
     if claim.curve == ArgumentKind.TABLE:
         handed: object = degree_table()
     else:
-        counting = "part by part" if claim.counting == "part by part" else ""
-        handed = DegreeReading(parameter=str(claim.parameter), counting=counting).argument(
+        handed = DegreeReading(parameter=claim.parameter, counting=claim.counting).argument(
             formula.kind, dimension, polynomial=polynomial
         )
     degree: Degree = formula(handed).degree

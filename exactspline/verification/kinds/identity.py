@@ -7,16 +7,17 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.argument import Evaluated
+from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.symbolic.factorization import jets_for
+from exactspline.symbolic.factorization import jets_for, jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.curve_check import printed_factor, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.notation import factor_latex, symbol
+from exactspline.verification.notation import factor_latex
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
@@ -26,7 +27,7 @@ def stated_factor(claim: Claim, name: str, value: str) -> str:
     for part, _ in factor_parts(value):
         if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
             raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
-        if part == "W" and claim.curve != ArgumentKind.PAIR:
+        if part == "W" and not claim.of_pair:
             raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
         if part[0].isalpha() and part not in WEIGHTS:
             formula_name(claim, name, part)
@@ -38,6 +39,7 @@ class Identity(Claim):
     """``left = factor · right``."""
 
     kind: ClassVar[str] = "identity"
+    of_frames: ClassVar[bool] = True
 
     left: str = field(metadata=read(formula_name))
     right: str = field(metadata=read(formula_name))
@@ -56,11 +58,13 @@ class Identity(Claim):
     @property
     def latex(self) -> str:
         """Left side, factor, right side."""
-        return f"{symbol(self.left)} = {factor_latex(self.factor)}{symbol(self.right)}"
+        return f"{self.symbol(self.left)} = {factor_latex(self.factor, self.find)}{self.symbol(self.right)}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left = factor · right`` as differential polynomials."""
         left, right = self.find(self.left), self.find(self.right)
+        if kind_of(self.curve).adjoins_roots:
+            return self._over_roots(dimension, polynomial)
         c = jets_for((left, right), dimension, polynomial=polynomial)
         if all(x.is_zero for side in (left, right) for x in split(side(c))[0]):
             return vacuous(self.factor)
@@ -71,6 +75,8 @@ class Identity(Claim):
             witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
             return Finding(REFUTED, self.factor, "not proportional", "", witness)
         order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, order, self.find)
         if bottom.is_zero:
             return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
@@ -78,6 +84,24 @@ class Identity(Claim):
         if self._same(stated, found):
             return Finding(PROVED, self.factor, str(factor), str(factor))
         return Finding(REFUTED, self.factor, str(factor), str(factor), f"the exact quotient is {factor}")
+
+    def _over_roots(self, dimension: int, polynomial: bool) -> Finding:
+        """The same where a quotient is no product of polynomials: component by component."""
+        left, right = self.find(self.left), self.find(self.right)
+        formulas = (left, right, *self._factors())
+        c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)
+        ps, qs = split(left(c))[0], split(right(c))[0]
+        top, bottom = factor_of_text(self.factor, c, self.find)
+        if all(x.is_zero for x in (*ps, *qs)):
+            return vacuous(self.factor)
+        if bottom.is_zero:
+            return Finding(REFUTED, self.factor, "1/0", "", "the factor is divided by zero")
+        if len(ps) != len(qs):
+            return Finding(REFUTED, self.factor, f"{len(ps)} components, and {len(qs)}")
+        for i, (p, q) in enumerate(zip(ps, qs, strict=True)):
+            if not (p * bottom - q * top).is_zero:
+                return Finding(REFUTED, self.factor, "not identical", "", f"component {i + 1} differs")
+        return Finding(PROVED, self.factor, self.factor, self.factor)
 
     def _factors(self) -> list[Any]:
         return [self.find(name) for name, _ in factor_parts(self.factor) if name[0].isalpha() and name not in WEIGHTS]
@@ -91,6 +115,8 @@ class Identity(Claim):
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
         (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
         assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, argument, self.find)
         factor = printed_factor(self.factor, argument)
         if all(x.is_zero for x in (*ps, *qs)):
@@ -140,6 +166,7 @@ class Vanishing(Claim):
     """``left`` is identically zero."""
 
     kind: ClassVar[str] = "vanishing"
+    of_frames: ClassVar[bool] = True
 
     left: str = field(metadata=read(formula_name))
 
@@ -151,15 +178,19 @@ class Vanishing(Claim):
     @property
     def latex(self) -> str:
         """The formula is zero."""
-        return rf"{symbol(self.left)} \equiv 0"
+        return rf"{self.symbol(self.left)} \equiv 0"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
         formula = self.find(self.left)
-        components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
+        roots = kind_of(self.curve).adjoins_roots
+        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
+        components = split(formula(jets or jets_for((formula,), dimension, polynomial=polynomial)))[0]
         rest = next((c for c in components if not c.is_zero), None)
         if rest is None:
             return Finding(PROVED, "0", "0")
+        if roots:
+            return Finding(REFUTED, "0", "not zero", witness=f"component {components.index(rest) + 1} is not zero")
         witness = self.refuted_on_examples().witness or "the jet polynomial is not zero"
         return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness)
 

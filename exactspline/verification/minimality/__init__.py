@@ -18,7 +18,7 @@ from flint import fmpz_poly, nmod_poly
 
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.exact import text
-from exactspline.geometry.constructions import MINIMAL, Construction, construction
+from exactspline.geometry.constructions import Construction, Variant, construction
 from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -49,7 +49,7 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
 
     Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
     """
-    made, found = construction(name), derive(name, curve, MINIMAL)
+    made, found = construction(name), derive(name, curve, Variant.MINIMAL)
     segments = [segment for piece in found.pieces for segment in _segments(made, piece, curve)]
     if not segments:
         raise ShapeError(f"{name} vanishes identically", remedy="there is nothing to certify")

@@ -1,0 +1,162 @@
+"""Where a sweep is computed: in this process, in processes of this machine, on a Dask or a Ray cluster.
+
+joblib does all but the first; what it is given is bounded, and its results come in the order of the curves.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from importlib.util import find_spec
+from itertools import chain, islice
+from typing import TypeVar
+
+from exactspline.errors import ExactSplineError, nearest
+
+T = TypeVar("T")
+V = TypeVar("V")
+
+#: Name → the package that it needs beside joblib; the extra of the same name installs it.
+BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
+#: Curves that are sent together: few enough for slow ones, enough for what sending costs.
+CHUNK = 16
+#: Chunks of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
+WINDOW = 64
+
+
+class BackendError(ExactSplineError):
+    """A backend that does not exist or is not installed, or a cluster that cannot be reached."""
+
+
+def check_backend(name: str) -> None:
+    """Raise `BackendError` where a backend is unknown or its package is missing."""
+    if name not in BACKENDS:
+        raise BackendError(f"no backend is called {name!r}", remedy=nearest(name, BACKENDS))
+    if (needed := BACKENDS[name]) and find_spec(needed) is None:
+        raise BackendError(
+            f"the backend {name} needs {needed}, which is not installed",
+            remedy=f"pip install 'exactspline[{name}]', or take another backend",
+        )
+
+
+def mapped(
+    call: Callable[[Sequence[T]], list[V]],
+    given: Iterable[T],
+    backend: str = "serial",
+    jobs: int = 1,
+    scheduler: str = "",
+) -> Iterator[V]:
+    """What `call` gives for chunks of the given, one after the other in their order.
+
+    At most `CHUNK` · `WINDOW` a process are held at a time, however many there are and however slowly the results are
+    taken. Closing the generator ends the work when the chunks that are begun are finished.
+
+    >>> list(mapped(lambda chunk: [2 * x for x in chunk], [3, 1, 2]))
+    [6, 2, 4]
+
+    Raises `BackendError`.
+    """
+    check_backend(backend)
+    if backend == "serial" or (backend == "processes" and jobs == 1):
+        for each in given:
+            yield from call([each])
+        return
+    from joblib import Parallel, delayed
+
+    closed = threading.Event()
+    chunks = _chunks(given, closed)
+    with ExitStack() as stack:
+        with _interrupts_ignored():
+            stack.enter_context(_configured(backend, jobs, scheduler))
+            parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=f"3*{jobs}"))
+            started = parallel(delayed(int)() for _ in range(jobs))
+        for _ in started:
+            pass
+        for first in chunks:
+            window = chain([first], islice(chunks, WINDOW * jobs - 1))
+            yield from _taken(parallel(delayed(call)(chunk) for chunk in window), closed)
+
+
+@contextmanager
+def _interrupts_ignored() -> Iterator[None]:
+    """Start processes that Ctrl-C does not reach, though the terminal sends it to all: it is this process that ends the
+    sweep, in order. A signal that is ignored stays so in the processes that are started meanwhile.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
+    """What is in the chunks of results. Where nobody takes them any more, those begun are waited for: processes
+    that are killed at their work complain.
+    """
+    try:
+        for chunk in results:
+            yield from chunk
+    except GeneratorExit:
+        closed.set()
+        for _ in results:
+            pass
+        raise
+
+
+def _chunks(given: Iterable[T], closed: threading.Event) -> Iterator[list[T]]:
+    source = iter(given)
+    while not closed.is_set() and (chunk := list(islice(source, CHUNK))):
+        yield chunk
+
+
+def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManager[object]:
+    from joblib import parallel_config
+
+    if backend == "dask":
+        return _on_dask(jobs, scheduler)
+    if backend == "ray":
+        return _on_ray(jobs, scheduler)
+    config: AbstractContextManager[object] = parallel_config(backend="loky", n_jobs=jobs)
+    return config
+
+
+@contextmanager
+def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
+    """A Dask cluster that is there, or one of this machine for as long as the sweep lasts."""
+    from distributed import Client, LocalCluster
+    from joblib import parallel_config
+
+    with ExitStack() as stack:
+        try:
+            at = scheduler or stack.enter_context(
+                LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=":0")
+            )
+            client = stack.enter_context(Client(at, set_as_default=False))
+        except (OSError, ValueError) as error:
+            raise BackendError(f"no Dask scheduler at {scheduler}: {error}", remedy="name a running one") from None
+        stack.enter_context(parallel_config(backend="dask", client=client, n_jobs=jobs))
+        yield
+
+
+@contextmanager
+def _on_ray(jobs: int, scheduler: str) -> Iterator[None]:
+    """A Ray cluster that is there, or one of this machine for as long as the sweep lasts."""
+    import ray
+    from joblib import parallel_config
+    from ray.util.joblib import register_ray
+
+    try:
+        ray.init(address=scheduler or None, num_cpus=None if scheduler else jobs, log_to_driver=False)
+    except (ConnectionError, ValueError) as error:
+        raise BackendError(f"no Ray cluster at {scheduler}: {error}", remedy="name a running one") from None
+    try:
+        register_ray()
+        with parallel_config(backend="ray", n_jobs=jobs):
+            yield
+    finally:
+        ray.shutdown()

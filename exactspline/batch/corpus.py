@@ -1,0 +1,140 @@
+"""Corpora: curve files, folders, fonts, families, curves themselves, one after the other and never all at once."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from exactspline.batch.families import Family
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.files import read
+from exactspline.interchange.formats import FORMATS
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.verdict import ContradictionError
+
+#: What a corpus is made of: curves, families, and the names of files, folders and example curves.
+Source = Nurbs | Family | str
+#: What the progress counts a generated curve as, in bytes of a file.
+BYTES_A_CURVE = 1000
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Why there is no result: the kind of the error, its message, and whether the input is to blame."""
+
+    kind: str
+    message: str
+    bad_input: bool = True
+
+    @classmethod
+    def of(cls, error: Exception) -> Problem:
+        """What an exception says. Readings that contradict each other are never the fault of the input."""
+        to_blame = isinstance(error, ExactSplineError) and not isinstance(error, ContradictionError)
+        return cls(type(error).__name__, str(error), to_blame)
+
+
+@dataclass(frozen=True)
+class Member:
+    """A curve of a family that is made where it is needed."""
+
+    family: Family
+    number: int
+
+
+@dataclass(frozen=True)
+class Item:
+    """A curve of a corpus, or what stands where none can be read; `share` of the corpus, at most 1, is read with it."""
+
+    index: int
+    source: str
+    name: str
+    given: Nurbs | Member | Problem
+    share: float
+
+    def curve(self) -> Nurbs:
+        """The curve itself; only where `given` is no `Problem`."""
+        if isinstance(self.given, Member):
+            return self.given.family.curve(self.given.number)
+        assert isinstance(self.given, Nurbs)
+        return self.given
+
+
+def items(sources: Iterable[Source]) -> Iterator[Item]:
+    """All curves of a corpus in order. What cannot be read is an item with its problem, never an exception.
+
+    Sources that have a length are looked over first, so that the share that is done is known.
+
+    >>> from exactspline import example
+    >>> [(item.index, item.source, item.name) for item in items(["circle", example("cusp"), Family(count=1)])]
+    [(0, 'circle', 'circle'), (1, '', 'cusp'), (2, 'random degree=3 segments=1 dimension=2 rational=no bits=10 \
+count=1 seed=1', '0')]
+    """
+    if not isinstance(sources, (list, tuple)):
+        for index, (source, name, given, _) in enumerate(part for each in sources for part in _parts(each)):
+            yield Item(index, source, name, given, 0)
+        return
+    places = [place for source in sources for place in _places(source)]
+    total, before, index = sum(map(_size, places)) or 1, 0, 0
+    for place in places:
+        size = _size(place)
+        for source, name, given, (done, count) in _parts(place):
+            yield Item(index, source, name, given, (before + size * done / count) / total)
+            index += 1
+        before += size
+
+
+Part = tuple[str, str, Nurbs | Member | Problem, tuple[int, int]]
+
+
+def _places(source: Source) -> list[Source]:
+    """The files of a folder in the order of their names, those with a suffix of a format that is read; anything else
+    is itself.
+    """
+    if not isinstance(source, str) or not os.path.isdir(source):
+        return [source]
+    suffixes = {suffix for known in FORMATS for suffix in known.suffixes}
+    found = sorted(path for path in Path(source).rglob("*") if path.suffix.lower() in suffixes and path.is_file())
+    return list(map(str, found))
+
+
+def _size(source: Source) -> int:
+    if isinstance(source, Family):
+        return source.count * BYTES_A_CURVE
+    if isinstance(source, str) and os.path.isfile(source):
+        return os.path.getsize(source)
+    return BYTES_A_CURVE
+
+
+def _parts(source: Source) -> Iterator[Part]:
+    """The curves of one source, and how many of how many have come with each."""
+    if isinstance(source, Nurbs):
+        yield "", source.name, source, (1, 1)
+    elif isinstance(source, Family):
+        said = str(source)
+        for number in range(source.count):
+            yield said, str(number), Member(source, number), (number + 1, source.count)
+    else:
+        for place in _places(source):
+            yield from _of_file(str(place))
+
+
+def _of_file(place: str) -> Iterator[Part]:
+    """The curves of a file and after them what was skipped in it, or the one problem that it is."""
+    try:
+        if place in example_names() and not os.path.exists(place):
+            yield place, place, example(place), (1, 1)
+            return
+        reading = read(place)
+    except ExactSplineError as error:
+        yield place, "", Problem.of(error), (1, 1)
+        return
+    count = len(reading.curves) + len(reading.skipped)
+    if not count:
+        yield place, "", Problem.of(CurveFileError("holds no curve", where=place)), (1, 1)
+    for i, named in enumerate(reading.curves, 1):
+        yield place, named.name, named.curve, (i, count)
+    for i, skipped in enumerate(reading.skipped, len(reading.curves) + 1):
+        yield place, skipped.where, Problem("Skipped", f"{skipped.what}: {skipped.why}"), (i, count)

@@ -1,0 +1,123 @@
+"""What a sweep says of one curve: a line, as an object and as data under a published schema."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+
+from exactspline.batch.corpus import Problem
+
+#: The schema of a line grows a version when a field changes its meaning or goes.
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Found:
+    """A point or a piece that was found: its kind, its parameter where that is rational, and where it lies.
+
+    A rational parameter is `low` and `high`; an irrational one lies strictly between these two, neighbouring decimals
+    of as many digits as were asked for; a piece runs from `low` to `high`, across the seam of a closed curve by way of
+    the end of its domain.
+    """
+
+    kind: str
+    parameter: str | None
+    low: str
+    high: str
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A claim on this curve: its verdict, whether it is the one on record, and the witness where there is one."""
+
+    claim: str
+    verdict: str
+    as_recorded: bool
+    witness: str
+
+
+@dataclass(frozen=True)
+class Line:
+    """Everything about one curve. Lines are equal when they say the same: the processor time that a line took is
+    part of its data, not of what it says.
+    """
+
+    index: int
+    source: str
+    curve: str
+    degree: int | None = None
+    dimension: int | None = None
+    segments: int | None = None
+    polynomial: bool | None = None
+    found: Mapping[str, tuple[Found, ...]] = field(default_factory=dict)
+    claims: tuple[Judged, ...] = ()
+    error: Problem | None = None
+    seconds: float = field(default=0, compare=False)
+
+    def data(self) -> dict[str, object]:
+        """The line for a program, as `line_schema` says."""
+        return asdict(self) | {
+            "found": {name: [asdict(each) for each in points] for name, points in self.found.items()},
+            "claims": [asdict(each) for each in self.claims],
+        }
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, object]) -> Line:
+        """The line that `data` gave.
+
+        >>> line = Line(0, "font.ttf", "A.1", error=Problem("ShapeError", "no area"))
+        >>> Line.from_data(line.data()) == line
+        True
+
+        Raises `KeyError` or `TypeError` for what is no line.
+        """
+        given: dict[str, object] = dict(data)
+        found, claims, error = (given.pop(name) for name in ("found", "claims", "error"))
+        assert isinstance(found, dict)
+        assert isinstance(claims, list)
+        given["found"] = {name: tuple(Found(**each) for each in points) for name, points in found.items()}
+        given["claims"] = tuple(Judged(**each) for each in claims)
+        given["error"] = Problem(**error) if isinstance(error, dict) else None
+        return cls(**given)  # type: ignore[arg-type]  # data just parsed: what it holds is checked by the schema
+
+
+def line_schema() -> dict[str, object]:
+    """The JSON Schema of a line.
+
+    >>> line_schema()["title"]
+    'exactspline/sweep_line, version 1'
+    """
+    text, number = {"type": "string"}, {"type": ["integer", "null"]}
+    return _object(
+        {
+            "index": {"type": "integer", "minimum": 0},
+            "source": text,
+            "curve": text,
+            "degree": number,
+            "dimension": number,
+            "segments": number,
+            "polynomial": {"type": ["boolean", "null"]},
+            "found": {
+                "type": "object",
+                "additionalProperties": _list(
+                    {"kind": text, "parameter": {"type": ["string", "null"]}, "low": text, "high": text}
+                ),
+            },
+            "claims": _list({"claim": text, "verdict": text, "as_recorded": {"type": "boolean"}, "witness": text}),
+            "error": {
+                "anyOf": [{"type": "null"}, _object({"kind": text, "message": text, "bad_input": {"type": "boolean"}})]
+            },
+            "seconds": {"type": "number", "minimum": 0},
+        }
+    ) | {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": f"exactspline/sweep_line, version {VERSION}",
+    }
+
+
+def _object(fields: Mapping[str, object]) -> dict[str, object]:
+    return {"type": "object", "required": list(fields), "additionalProperties": False, "properties": fields}
+
+
+def _list(fields: Mapping[str, object]) -> dict[str, object]:
+    return {"type": "array", "items": _object(fields)}

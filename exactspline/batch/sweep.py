@@ -1,0 +1,43 @@
+"""The sweep: a corpus in, a line a curve out, in order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from exactspline.batch.backends import check_backend, mapped
+from exactspline.batch.corpus import Source, items
+from exactspline.batch.lines import Line
+from exactspline.batch.work import DIGITS, Work
+from exactspline.errors import ShapeError
+from exactspline.splines.nurbs import Nurbs
+
+
+def sweep(
+    curves: Iterable[Source] | Source,
+    *,
+    find: Iterable[str] | None = None,
+    claims: Iterable[str] = (),
+    digits: int = DIGITS,
+    jobs: int = 1,
+    backend: str = "processes",
+    scheduler: str = "",
+) -> Iterator[Line]:
+    """What is found on each of many curves, a line a curve in their order, one at a time.
+
+    A curve is given itself, or by the name of a file, a folder, a font or an example; a `Family` is as many random ones
+    as it says. `find` names what is looked for (`INSPECTIONS`), `claims` the claims to be checked, by id; `backend` is
+    one of `BACKENDS`. A curve that is broken is a line with its error.
+
+    >>> for line in sweep(["circle", "six_segment_cubic"], find=["inflections"]):
+    ...     print(line.curve, [each.low for each in line.found["inflections"]])
+    circle []
+    six_segment_cubic ['2.8047601064', '3.2708817832']
+
+    Raises `FormulaError`, `ClaimError` or `BackendError` for what is not there, before anything is computed.
+    """
+    if jobs < 1:
+        raise ShapeError(f"{jobs} processes", remedy="at least one")
+    work = Work.of(find, claims, digits)
+    check_backend(backend)
+    given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves
+    return mapped(work.lines, items(given), backend, jobs, scheduler)

@@ -1,0 +1,110 @@
+"""What is done to each curve of a sweep: picklable, so that it can be done anywhere, and the same everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from time import process_time
+from typing import TYPE_CHECKING
+
+from exactspline.batch.corpus import Item, Problem
+from exactspline.batch.inspections import USUAL, checked_names, inspected
+from exactspline.batch.lines import Judged, Line
+from exactspline.errors import FormulaError
+from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from exactspline.verification.claim import Claim
+    from exactspline.verification.ledger import Proofs
+
+#: Digits of irrational parameters where nothing is said, and the most.
+DIGITS, MOST_DIGITS = 10, 10_000
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is looked for on each curve, by the names of `INSPECTIONS`; the claims that are checked on it, by paper and
+    key; and the digits of irrational parameters.
+
+    >>> from exactspline.batch.corpus import items
+    >>> line = Work.of().line(next(items(["six_segment_cubic"])))
+    >>> line.segments, {name: len(points) for name, points in line.found.items()}, line.error
+    (6, {'inflections': 2, 'extrema': 8, 'corners': 0}, None)
+    """
+
+    find: tuple[str, ...]
+    claims: tuple[tuple[str, str], ...]
+    digits: int
+
+    @classmethod
+    def of(cls, find: Iterable[str] | None = None, claims: Iterable[str] = (), digits: int = DIGITS) -> Work:
+        """The work that the user's words describe: names of inspections (by default `USUAL`, or none where claims are
+        given) and ids of claims.
+
+        Raises `FormulaError` or `ClaimError` with the nearest names.
+        """
+        if not 0 <= digits <= MOST_DIGITS:
+            raise FormulaError(f"{digits} digits", remedy=f"0 to {MOST_DIGITS} digits can be asked for")
+        located = _located(tuple(claims))
+        usual = () if located else USUAL
+        return cls(checked_names(usual if find is None else find), located, digits)
+
+    def line(self, item: Item) -> Line:
+        """The line of one curve. Whatever goes wrong with it is in its line, so that the others go on."""
+        start = process_time()
+        if isinstance(item.given, Problem):
+            return Line(item.index, item.source, item.name, error=item.given)
+        shape: tuple[int | None, int | None, int | None, bool | None] = (None, None, None, None)
+        try:
+            curve = item.curve()
+            shape = (curve.degree, curve.dimension, curve.segments, curve.polynomial)
+            found = inspected(curve, self.find, self.digits)
+            judged = self._judged(curve)
+        # one curve must not end a sweep of a million: what is no error of the input is told by its kind
+        except Exception as error:
+            told = Problem.of(error)
+            return Line(item.index, item.source, item.name, *shape, error=told, seconds=process_time() - start)
+        seconds = process_time() - start
+        return Line(item.index, item.source, item.name, *shape, found, judged, None, seconds)
+
+    def lines(self, chunk: Sequence[Item]) -> list[Line]:
+        """The lines of several curves."""
+        return [self.line(item) for item in chunk]
+
+    def _judged(self, curve: Nurbs) -> tuple[Judged, ...]:
+        if not self.claims:
+            return ()
+        from exactspline.display.ledger import word
+        from exactspline.verification.evaluation import Evaluation
+        from exactspline.verification.ledger import UNNAMED, checked
+
+        own = Evaluation(curve)
+        speaking = [claim for claim in _claims(self.claims) if claim.speaks_of(curve.dimension, curve.polynomial)]
+        rows = [(claim, checked(claim, own, curve.name or UNNAMED, _proofs())) for claim in speaking]
+        return tuple(Judged(claim.key, word(row), row.as_recorded, row.witness) for claim, row in rows)
+
+
+def _located(ids: Sequence[str]) -> tuple[tuple[str, str], ...]:
+    if not ids:
+        return ()
+    from exactspline.display.statement import located
+    from exactspline.verification.claims import all_claims
+
+    keep = {claim for name in ids for claim in located(name)}
+    return tuple((claim.paper, claim.key) for claim in all_claims() if claim in keep)
+
+
+@cache
+def _claims(keys: tuple[tuple[str, str], ...]) -> tuple[Claim, ...]:
+    from exactspline.verification.claims import all_claims
+
+    return tuple(claim for claim in all_claims() if (claim.paper, claim.key) in keys)
+
+
+@cache
+def _proofs() -> Proofs:
+    """The proofs of this process, each made once: they are asked for where a claim is refuted on a curve."""
+    from exactspline.verification.ledger import Proofs
+
+    return Proofs()

@@ -1,0 +1,160 @@
+"""The bisector of two space curves, before any trimming: a surface over the pairs of parameters that have one point,
+and beside it the lines and planes of the pairs that have more (`exactspline.geometry.bisector.special_pairs`).
+
+Parameters and coordinates are unitless exact numbers. "Bisector" means equal *critical* distances.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+from itertools import pairwise, product
+from typing import Any
+
+from exactspline.errors import FormulaError, ShapeError
+from exactspline.exact import mpq, rational, text
+from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
+from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, Interval, is_zero_on
+from exactspline.geometry.bisector.special_pairs import special_pairs
+from exactspline.geometry.domain import part
+from exactspline.language.rational import Rational
+from exactspline.language.vector import cross
+from exactspline.papers import find
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.tensor import TensorSpline, surface_pair
+from exactspline.splines.tensor_lowest_terms import in_lowest_terms
+
+#: Formulas by variant.
+CURVE_FORMS = {
+    "naive": "bisector",
+    "levelled": "bisector_levelled",
+    "paper": "bisector_polynomial",
+    "symmetric": "bisector_symmetric",
+    "minimal": "bisector_symmetric",
+}
+
+
+@dataclass(frozen=True)
+class BisectorPatch:
+    """A part of the bisector of two curves: a rectangle of parameters, and a `Rational` of splines in both."""
+
+    sides: tuple[Interval, Interval]
+    value: Rational[TensorSpline]
+
+
+class SurfaceVariant(StrEnum):
+    """How the surface of two space curves is computed."""
+
+    NAIVE = "naive"
+    LEVELLED = "levelled"
+    PAPER = "paper"
+    SYMMETRIC = "symmetric"
+    MINIMAL = "minimal"
+
+
+@dataclass(frozen=True)
+class CurveBisector:
+    """The bisector of two space curves: the surface in patches, the rectangles on which no pair in general position has
+    one point, each with the reason, and (computed when first asked for) all pairs that have more than a point.
+
+    Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, but for
+    what ``left_out`` names; along ``poles`` the surface is at infinity.
+    """
+
+    variant: SurfaceVariant
+    patches: tuple[BisectorPatch, ...]
+    missing: tuple[tuple[tuple[Interval, Interval], str], ...]
+    curves: tuple[Nurbs, Nurbs] = field(repr=False)
+
+    @cached_property
+    def special(self) -> SpecialPairs:
+        """The pairs of parameters that have no single point."""
+        return special_pairs(*self.curves)
+
+    @property
+    def lines(self) -> tuple[LineComponent, ...]:
+        """Lines of solutions along curves of pairs."""
+        return self.special.lines
+
+    @property
+    def planes(self) -> tuple[PlaneComponent, ...]:
+        """Planes of solutions along curves of pairs."""
+        return self.special.planes
+
+    @property
+    def pairs(self) -> tuple[SinglePair, ...]:
+        """Single pairs with a line, a plane or all of space for their solutions."""
+        return self.special.pairs
+
+    @property
+    def poles(self) -> tuple[PoleCurve, ...]:
+        """The curves of pairs along which the surface is at infinity."""
+        return self.special.poles
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """What could not be decided; empty where the answer is complete."""
+        return self.special.left_out
+
+    def __call__(self, s: Any, t: Any) -> tuple[mpq, ...]:
+        """The point for two parameters; `ZeroDivisionError` at a pole, `ShapeError` where there is no surface."""
+        s, t = rational(s), rational(t)
+        for patch in self.patches:
+            if all(a <= x <= b for x, (a, b) in zip((s, t), patch.sides, strict=True)):
+                point: tuple[mpq, ...] = patch.value(s, t)
+                return point
+        raise ShapeError(
+            f"there is no surface at ({text(s)}, {text(t)})", remedy="; ".join(reason for _, reason in self.missing)
+        )
+
+
+def curve_bisector(first: Nurbs, second: Nurbs, variant: str = SurfaceVariant.MINIMAL) -> CurveBisector:
+    """The bisector of two space curves.
+
+    `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
+    (that in lowest terms).
+
+    >>> from exactspline.splines.examples import example
+    >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
+    >>> found.patches[0].value.degree, len(found.pairs), found.left_out
+    (Degrees(s=10, t=8), 3, ())
+
+    Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
+    """
+    if variant not in tuple(SurfaceVariant):
+        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(SurfaceVariant)}")
+    for c in (first, second):
+        if c.dimension != 3:
+            raise ShapeError(
+                f"a curve in R{c.dimension}",
+                remedy="the bisector of two plane curves is no rational curve; use curves in space",
+            )
+    patches, missing = _surface(first, second, SurfaceVariant(variant))
+    return CurveBisector(SurfaceVariant(variant), patches, missing, (first, second))
+
+
+def _surface(
+    first: Nurbs, second: Nurbs, variant: SurfaceVariant
+) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[tuple[Interval, Interval], str], ...]]:
+    pair = surface_pair(first, second)
+    determinant = find("bisector_determinant_symmetric")(pair)
+    missing: list[tuple[Any, str]] = []
+    found: list[Any] = []
+    d1, other = find("D1")(pair.first), find("D1")(pair.second)
+    parallel = cross(d1, other)
+    sides = [list(pairwise(mesh.breaks)) for mesh in determinant.meshes]
+    for at, rectangle in enumerate(product(*sides)):
+        if determinant.polynomials[at]:
+            found.append(rectangle)
+        else:
+            still = any(is_zero_on(v, at) for v in (d1, other))
+            missing.append((rectangle, STILL if still else PARALLEL if is_zero_on(parallel, at) else COPLANAR))
+    parts: list[Any] = (
+        [(pair.first.w.domain, pair)]
+        if not missing
+        else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in found]
+    )
+    values = [(r, find(CURVE_FORMS[variant])(p)) for r, p in parts]
+    lowest = variant is SurfaceVariant.MINIMAL
+    return tuple(BisectorPatch(r, in_lowest_terms(v) if lowest else v) for r, v in values), tuple(missing)

@@ -1,0 +1,52 @@
+"""A curve with more beside it: constants, and functions on which it depends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, Generic, TypeVar
+
+from exactspline.language.arguments import Curve, T, U
+from exactspline.language.vector import Vector
+
+V = TypeVar("V")
+
+#: What formulas may name besides the operands, made of the operands by name.
+Made = Callable[[Mapping[str, Any]], dict[str, object]]
+
+
+def nothing_made(operands: Mapping[str, object]) -> dict[str, object]:
+    """Nothing but the operands."""
+    return {}
+
+
+class Accompanied(Curve[T], Generic[T]):
+    """A curve with operands beside it, which formulas name as attributes, and with what is `made` of all of them.
+
+    >>> from exactspline.language.kinds import kind_of
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(kind_of("plane with delta"), 2)
+    >>> c.p[0].d(1) * c.delta
+    x′·δ
+    """
+
+    def __init__(self, curve: Curve[T], beside: Mapping[str, T], made: Made = nothing_made) -> None:
+        super().__init__(curve.p, curve.w, polynomial=curve.polynomial, gamma=curve.gamma, point=curve.point)
+        self.beside, self.made = dict(beside), made
+        vars(self).update(self.beside | made(self.operands()))
+
+    def operands(self) -> dict[str, T]:
+        """Those of the curve, and those beside it."""
+        return super().operands() | self.beside
+
+    def copied(self) -> Accompanied[T]:
+        """The same operands in a curve of its own."""
+        return Accompanied(super().copied(), self.beside, self.made)
+
+    def mapped(self, change: Callable[[T], U]) -> Accompanied[U]:
+        """The curve with every operand changed, those beside it too."""
+        return Accompanied(super().mapped(change), {n: change(x) for n, x in self.beside.items()}, self.made)
+
+
+def vector_of(operands: Mapping[str, V], *names: str) -> Vector[V]:
+    """The vector of operands with these names."""
+    return Vector(*[operands[name] for name in names])

@@ -1,0 +1,55 @@
+"""Words that a user chooses from: enumerations whose members are also their names as text, and the one place that reads
+them.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import TypeVar
+
+from exactspline.errors import ExactSplineError, FormulaError, nearest
+
+E = TypeVar("E", bound=StrEnum)
+
+#: So many words are all told to who is looking for one.
+FEW = 7
+
+
+class Side(StrEnum):
+    """From which side a limit is taken, or a place of one-sided values is reached."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+
+class Parameter(StrEnum):
+    """One of the parameters of a pair of curves: that of the first one or of the second one."""
+
+    FIRST = "s"
+    SECOND = "s̄"
+
+
+class Counting(StrEnum):
+    """How nominal degrees are counted: as Table 1 counts, or part by part, as (24) does."""
+
+    TABLE_1 = "Table 1"
+    PART_BY_PART = "part by part"
+
+
+def choice(
+    kind: type[E], value: object, what: str, *, raised: type[ExactSplineError] = FormulaError, where: str = ""
+) -> E:
+    """The member of an enumeration that a word names.
+
+    >>> choice(Side, "left", "side")
+    <Side.LEFT: 'left'>
+
+    Raises `raised` with the words there are, or the nearest of many.
+    """
+    if isinstance(value, str):
+        try:
+            return kind(value)
+        except ValueError:
+            pass
+    remedy = f"there are {', '.join(kind)}" if len(kind) <= FEW else nearest(str(value), list(kind))
+    raise raised(f"the {what} {value!r} is unknown", where=where, remedy=remedy)

@@ -1,0 +1,43 @@
+"""Plane vectors as complex numbers ``a₁ + a₂ i``, in whatever reading their components are.
+
+The real part is ``a[0]``, the imaginary one ``a[1]``; ``perp(a)`` is ``i a`` and ``norm2(a)`` is ``a ā``.
+"""
+
+from __future__ import annotations
+
+from exactspline.language.parts import C
+from exactspline.language.rational import Rational
+from exactspline.language.vector import S, Vector, join, norm2
+
+
+def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
+    """``a b``, a plane vector.
+
+    >>> from exactspline.language.vector import Vector
+    >>> complex_product(Vector(1, 2), Vector(3, 4))
+    Vector(-5, 10)
+    """
+    return join(a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0])
+
+
+def conjugate(a: Vector[S]) -> Vector[S]:
+    """``ā``: the plane vector mirrored at the first axis.
+
+    >>> from exactspline.language.vector import Vector
+    >>> conjugate(Vector(1, 2))
+    Vector(1, -2)
+    """
+    return join(a[0], -a[1])
+
+
+def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C] | Rational[C]:
+    """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
+
+    >>> from exactspline.language.kinds import PLANE
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> c = RationalJetReading(1).argument(PLANE, 2)
+    >>> complex_quotient(complex_product(c.p, c.p.d(1)), c.p) == c.p.d(1)
+    True
+    """
+    quotient: Vector[C] | Rational[C] = complex_product(a, conjugate(b)) / norm2(b)
+    return quotient

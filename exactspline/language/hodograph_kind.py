@@ -1,0 +1,81 @@
+"""A curve given by its hodograph: the derivative of a Pythagorean-hodograph curve is ``(u² − v², 2 u v) h``.
+
+R. T. Farouki, T. Sakkalis, Pythagorean hodographs, IBM Journal of Research and Development 34 (1990): every polynomial
+plane curve whose speed is a polynomial is of this form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from exactspline.language.accompanied import Accompanied
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.kind import Kind, Rule, Symbol
+from exactspline.language.vector import Vector
+
+
+class HodographKind(Kind):
+    """A polynomial plane curve with ``γ′ = (u² − v², 2 u v) h``, functions u and v of degree d and h of degree e.
+
+    It is a curve with w = 1, so that formulas of curves and of plane curves can be handed it; beside it stand ``u``,
+    ``v``, ``h``, the ``velocity`` γ′ and the ``speed`` (u² + v²) h, whose square is γ′·γ′. A *polynomial* one has h =
+    1: a primitive hodograph.
+
+    >>> from exactspline.language.vector import norm2
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(2).argument(HODOGRAPH, 2)
+    >>> norm2(c.gamma.d(1)) == c.speed * c.speed, c.gamma.d(2) == c.velocity.d(1)
+    (True, True)
+    """
+
+    name = "hodograph"
+    dimensions = (2,)
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """The coordinates, u and v, and their common factor."""
+        s = PARAMETERS[0]
+        degree = "2d + 1" if polynomial else "2d + e + 1"
+        curve = (Symbol("x", "x", s, degree), Symbol("y", "y", s, degree), Symbol("u", "u", s), Symbol("v", "v", s))
+        return curve if polynomial else (*curve, Symbol("h", "h", s, "e"))
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Those of a curve, and what stands beside it."""
+        curve = {"p": True, "w": False, "gamma": True, "axis_x": True, "axis_y": True}
+        return curve | {"u": False, "v": False, "h": False, "velocity": True, "speed": False}
+
+    def rules(self, dimension: int) -> dict[str, Rule]:
+        """The hodograph."""
+        return {"x": lambda named: _velocity(named)[0], "y": lambda named: _velocity(named)[1]}
+
+    def takes(self, other: Kind, dimension: int) -> bool:
+        """Formulas of plane curves too."""
+        return other is self or (dimension == 2 and other.name in ("curve", "plane"))
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The curve with its hodograph."""
+        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
+        return curve_of_hodograph(named, one)
+
+
+def curve_of_hodograph(named: Mapping[str, T], one: T) -> Accompanied[T]:
+    """The argument from its operands by name; without h it is 1."""
+    curve = Curve(Vector(named["x"], named["y"]), one, polynomial=True)
+    return Accompanied(curve, {name: named.get(name, one) for name in ("u", "v", "h")}, _made)
+
+
+def _velocity(named: Mapping[str, Any]) -> Vector[Any]:
+    u, v = named["u"], named["v"]
+    velocity = Vector(u * u - v * v, u * v + u * v)
+    return velocity * named["h"] if "h" in named else velocity
+
+
+def _made(named: Mapping[str, Any]) -> dict[str, Any]:
+    u, v, h = named["u"], named["v"], named["h"]
+    return {"velocity": _velocity(named), "speed": (u * u + v * v) * h}
+
+
+HODOGRAPH = HodographKind()

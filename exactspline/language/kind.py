@@ -1,0 +1,82 @@
+"""What a kind of argument is: it declares its operands, its parameters, its constants and what its derivatives are."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import T
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """An operand that an argument is made of.
+
+    `name` is its own among those of the argument, `text` as people write it; `parameter` is what it is a function of,
+    empty for a constant. `degree` is its degree, written in the degrees of which a claim may speak; empty for a
+    function that has none.
+    """
+
+    name: str
+    text: str
+    parameter: str
+    degree: str = "d"
+
+
+#: The derivative of an operand from all the operands by name: the chain rule, where operands depend on each other.
+Rule = Callable[[Mapping[str, Any]], object]
+
+
+class Kind(ABC):
+    """What formulas of one kind are handed.
+
+    `dimensions` are those of the curves for which there are formulas of the kind; one that `adjoins_roots` exists in
+    readings that can divide, not on splines and not in degrees; `made_of_a_curve` says whether one curve alone gives
+    an example.
+    """
+
+    adjoins_roots: bool = False
+    name: str
+    dimensions: tuple[int, ...]
+    made_of_a_curve = True
+
+    @abstractmethod
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """The operands, numerators before denominators; none for the denominator of a polynomial curve."""
+
+    @abstractmethod
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The argument from its operands; `one` stands for the denominators of polynomial curves."""
+
+    @abstractmethod
+    def names(self, dimension: int) -> dict[str, bool]:
+        """What formulas may name of such an argument, and whether it is a vector."""
+
+    def rules(self, dimension: int) -> dict[str, Rule]:
+        """The derivatives of the operands that are no functions of their own, by name."""
+        return {}
+
+    @property
+    def parts(self) -> dict[str, Kind]:
+        """The arguments that it is made of, by the names formulas have for them."""
+        return {}
+
+    def takes(self, other: Kind, dimension: int) -> bool:
+        """Whether formulas of another kind can be evaluated on such an argument: it has their operands.
+
+        >>> from exactspline.language.kinds import CURVE, PAIR, PLANE, PLANE_POINT, kind_of
+        >>> PLANE_POINT.takes(PLANE, 2), PLANE.takes(PLANE_POINT, 2), PAIR.takes(CURVE, 3)
+        (True, False, False)
+        >>> kind_of("plane with delta").takes(PLANE, 2)
+        True
+        """
+        alike = dimension in other.dimensions and isinstance(self, type(other))
+        return alike and set(other.symbols(dimension)) <= set(self.symbols(dimension))
+
+    def __repr__(self) -> str:
+        return f"<kind {self.name}>"

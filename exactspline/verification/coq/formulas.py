@@ -1,0 +1,121 @@
+"""The formulas of a paper as definitions of Coq."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from exactspline.errors import FormulaError
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CurveKind, Kind, PairKind, TableKind
+from exactspline.papers import Paper
+from exactspline.readings.tree import Node, Operation
+from exactspline.verification.coq.terms import Writer, identifier
+from exactspline.verification.coq.tracing import body
+
+HEADER = """(** {title}: {about}.
+
+    Written by [exactspline prove --emit-coq]; do not edit. *)
+"""
+
+
+def type_of(kind: Kind) -> str:
+    """The type of what formulas of a kind are handed.
+
+    Raises `FormulaError` for a kind that the base does not know.
+    """
+    for known, name in ((PairKind, "pair"), (TableKind, "table"), (CurveKind, "curve")):
+        if type(kind) is known:
+            return f"{name} A"
+    raise FormulaError(f"the kind {kind.name!r} has no type in Coq", remedy="add one to the base")
+
+
+def written_for(kind: Kind) -> bool:
+    """Whether formulas of a kind can be written."""
+    plain = not isinstance(kind, CurveKind) or not kind.constants
+    return type(kind) in (PairKind, TableKind, CurveKind) and plain
+
+
+class Formulas:
+    """Formulas by the papers to which they belong; `file` is the paper whose file is written."""
+
+    def __init__(self, papers: Iterable[Paper]) -> None:
+        self.papers = tuple(papers)
+        self.owner = {formula: paper for paper in self.papers for formula in paper.formulas.values()}
+
+    def named(self, formula: Formula, inside: Paper | None = None) -> str:
+        """How a formula is called, in the file of its paper or elsewhere."""
+        own = self.owner[formula]
+        return identifier(formula.name) if own is inside else f"{own.name}.{identifier(formula.name)}"
+
+    def definitions(self, paper: Paper) -> str:
+        """The file of a paper."""
+        needed: dict[Formula, None] = {}
+        for formula in paper.formulas.values():
+            if written_for(formula.kind):
+                self._collect(formula, paper, needed)
+        writer = Writer(lambda formula: self.named(formula, paper))
+        parts = [HEADER.format(title=paper.title, about="its formulas")]
+        parts.append("Require Import ZArith List.\nFrom ExactSpline Require Import Base.")
+        parts += [f"From ExactSpline.formulas Require {used.name}." for used in paper.uses]
+        parts.append("Import ListNotations.\nLocal Open Scope formula_scope.\n")
+        parts.append("Section Formulas.\nContext {A : Type} {o : operations A}.\n")
+        parts += [self._definition(formula, writer) for formula in needed]
+        parts.append("End Formulas.\n")
+        return "\n".join(parts)
+
+    def _collect(self, formula: Formula, paper: Paper, needed: dict[Formula, None]) -> None:
+        """The formula after those of its paper that it calls."""
+        if formula in needed or self.owner[formula] is not paper:
+            return
+        for dimension in formula.kind.dimensions:
+            for called in calls(body(formula, dimension)):
+                self._collect(called, paper, needed)
+        needed[formula] = None
+
+    def _definition(self, formula: Formula, writer: Writer) -> str:
+        trees = [body(formula, dimension) for dimension in formula.kind.dimensions]
+        writer = Writer(writer.named, table=isinstance(formula.kind, TableKind))
+        texts = {writer(tree) for tree in trees}
+        if len(texts) > 1:
+            raise FormulaError(
+                f"{formula.name} is another term in every dimension", remedy="write one formula a dimension"
+            )
+        said = " ".join((formula.__doc__ or "").split()).replace("*)", "* )")
+        name = identifier(formula.name)
+        return (
+            f"(** {formula.source}. {comment(said)} *)\n"
+            f"Definition {name} (c : {type_of(formula.kind)}) : {result_type(trees[0])} :=\n  {texts.pop()}.\n"
+        )
+
+
+def comment(text: str) -> str:
+    """A text that can stand in a comment: quotation marks and comment signs would be read."""
+    return text.replace('"', "”").replace("(*", "( *").replace("``", "`")
+
+
+def result_type(tree: Node) -> str:
+    """The type of what a tree stands for."""
+    if surface(tree):
+        return "surface A"
+    return "list A" if tree.is_vector else "A"
+
+
+def surface(tree: Node) -> bool:
+    """Whether a tree stands for a ruled surface."""
+    return tree.op is Operation.RULED or (tree.op is Operation.NAMED and surface(tree.args[0]))
+
+
+def calls(tree: Node) -> list[Formula]:
+    """The formulas that a tree calls itself."""
+    found: dict[Formula, None] = {}
+    seen, todo = set[int](), [tree]
+    while todo:
+        node = todo.pop()
+        if id(node) in seen:
+            continue
+        seen.add(id(node))
+        if node.op is Operation.NAMED:
+            found[node.value.formula] = None
+        else:
+            todo += node.args
+    return list(found)

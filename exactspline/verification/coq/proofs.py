@@ -1,0 +1,242 @@
+"""Proof scripts: which polynomials do not vanish, because of what, and the checks by which an equality follows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import fmpq_mpoly
+
+from exactspline.errors import FormulaError
+from exactspline.exact import mpq
+from exactspline.language.formula import Formula
+from exactspline.readings.jet import Jet
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.tree import Node
+from exactspline.verification.coq.denominators import Evaluation, Factored, factored, primes
+from exactspline.verification.coq.settings import Setting
+from exactspline.verification.coq.terms import Writer
+
+#: A polynomial that does not vanish, or a prime number.
+Atom = fmpq_mpoly | int
+
+
+@dataclass(frozen=True)
+class Premise:
+    """An assumption of a theorem: a tree that is not zero, and its value."""
+
+    name: str
+    node: Node
+    value: Any
+
+
+@dataclass
+class Proof:
+    """The atoms of one theorem, why they do not vanish, and what is assumed beyond the claim's own assumptions."""
+
+    setting: Setting
+    name: str
+    premises: list[Premise]
+    evaluation: Evaluation
+    writer: Writer
+    atoms: list[Atom] = field(default_factory=list)
+    reasons: list[str] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
+    known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
+    primes: list[int] = field(default_factory=list)
+    existing: list[Premise] = field(default_factory=list)
+
+    def met(self) -> None:
+        """Take all denominators in that were met; one of which nothing is known is assumed not to vanish, since the
+        claim divides by it.
+        """
+        for node, value in self.evaluation.denominators:
+            parts = factored(value)
+            if all(self.follows(polynomial) for polynomial, _ in parts.powers):
+                self.recognize(parts)
+                continue
+            self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
+            if value.bottom == 1:
+                self.known.append(((*[0] * len(self.atoms), 1), ()))
+                self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
+            else:
+                for polynomial, _ in parts.powers:
+                    if not self.follows(polynomial):
+                        self._divides(polynomial, self.existing[-1])
+                self.recognize(parts)
+
+    def recognize(self, value: Factored) -> None:
+        """Make sure that a denominator does not vanish, and let the checker know it."""
+        for p in primes(int(abs(value.constant.numerator))):
+            self._prime(p)
+        for p in primes(int(value.constant.denominator)):
+            self._prime(p)
+        for polynomial, _ in value.powers:
+            if polynomial not in self._polynomials:
+                self._prove(polynomial)
+        above, below = [0] * len(self.atoms), [0] * len(self.atoms)
+        for p, e in primes(int(abs(value.constant.numerator))).items():
+            above[self.atoms.index(p)] += e
+        for p, e in primes(int(value.constant.denominator)).items():
+            below[self.atoms.index(p)] += e
+        for polynomial, e in value.powers:
+            place = self._place(polynomial)
+            above[place] += max(e, 0)
+            below[place] += max(-e, 0)
+        entry = tuple(above), tuple(below)
+        if entry not in self.known:
+            self.known.append(entry)
+
+    @property
+    def _polynomials(self) -> list[fmpq_mpoly]:
+        return [atom for atom in self.atoms if not isinstance(atom, int)]
+
+    def _place(self, polynomial: fmpq_mpoly) -> int:
+        return next(i for i, atom in enumerate(self.atoms) if not isinstance(atom, int) and atom == polynomial)
+
+    def _prime(self, p: int) -> None:
+        if p not in [atom for atom in self.atoms if isinstance(atom, int)]:
+            self.primes.append(p)
+            self._add(p, f"exact P{p}")
+
+    def _add(self, atom: Atom, reason: str, text: str = "") -> None:
+        self.atoms.append(atom)
+        self.reasons.append(reason)
+        self.texts.append(text or (f"num {atom}" if isinstance(atom, int) else self.setting.expression(atom)))
+
+    def _prove(self, polynomial: fmpq_mpoly) -> None:
+        """Why a polynomial does not vanish: it is a denominator of a curve, divides what is assumed not to vanish, or
+        would make that vanish together with its derivative.
+        """
+        if (weight := self._weight(polynomial)) is not None:
+            self._add(polynomial, f"exact H{weight}")
+        elif not any(self._divides(polynomial, premise) for premise in self.premises):
+            for premise in self.premises:
+                if self._divides_with_derivative(polynomial, premise):
+                    break
+
+    def _weight(self, polynomial: fmpq_mpoly) -> str | None:
+        ring = self.setting.ring
+        return next((weight for weight in self.setting.weights if polynomial == ring[weight].polynomial), None)
+
+    def _divides(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
+        value = premise.value
+        rest, remainder = divmod(value.top, polynomial)
+        if remainder:
+            return False
+        below = factored(JetFraction(value.ring, value.ring.context.constant(1), value.bottom))
+        scale = common_denominator(rest)
+        if below.powers or scale != 1:
+            self.recognize(factored(JetFraction(value.ring, value.bottom * scale, value.ring.context.constant(1))))
+        cofactor = self._fraction(rest * scale, value.bottom * scale)
+        self._add(
+            polynomial,
+            f"apply (factor_nonzero K l r R {self._list()} known N {self._deep(premise.node)} {cofactor} "
+            f"{self._expression(polynomial)}); [vm_cast_no_check (eq_refl true) | vm_cast_no_check {premise.name}]",
+        )
+        return True
+
+    def _divides_with_derivative(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
+        """``4 B = b S − S′ S′`` makes S not vanish where B does not: so it is with ‖γ′‖² and ‖γ′ × γ″‖² (in the plane
+        ``[γ′ γ″]²``)."""
+        found = self._whole(polynomial, premise)
+        if found is None:
+            return False
+        whole, power, rest, derivative = found
+        self.recognize(factored(mpq(2)))
+        if whole not in self._polynomials:
+            self._prove(whole)
+        self.recognize(Factored(mpq(4), ((whole, power),)))
+        left = f"(num 4 * ({self.setting.expression(whole)}) ^ {power})%formula"
+        self._add(
+            polynomial,
+            f"apply (differential_factor_nonzero K l r R {self._list()} known N {left} "
+            f"{self._expression(rest)} {self._expression(-derivative)} {self._expression(polynomial)}); "
+            f"[vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R {self._list()} known N); "
+            "vm_cast_no_check (eq_refl true)]",
+        )
+        return True
+
+    def _whole(self, polynomial: fmpq_mpoly, premise: Premise) -> tuple[fmpq_mpoly, int, fmpq_mpoly, fmpq_mpoly] | None:
+        """A factor B of what does not vanish, whether B or its square is meant, b and S′ as above."""
+        derivative = self._derivative(polynomial)
+        if derivative is None or not isinstance(premise.value, JetFraction):
+            return None
+        for whole, _ in factored(premise.value).powers:
+            for power in (1, 2):
+                rest, remainder = divmod(whole**power * 4 + derivative**2, polynomial)
+                if not remainder and whole != polynomial:
+                    return whole, power, rest, derivative
+        return None
+
+    def follows(self, polynomial: fmpq_mpoly) -> bool:
+        """Whether it follows from what is assumed that a polynomial does not vanish."""
+        if polynomial in self._polynomials or self._weight(polynomial) is not None:
+            return True
+        return any(
+            isinstance(h.value, JetFraction)
+            and (not divmod(h.value.top, polynomial)[1] or self._whole(polynomial, h) is not None)
+            for h in self.premises
+        )
+
+    def _derivative(self, polynomial: fmpq_mpoly) -> fmpq_mpoly | None:
+        try:
+            return Jet(self.setting.ring, polynomial).d(by="s").polynomial
+        except FormulaError:
+            return None
+
+    def _expression(self, polynomial: fmpq_mpoly) -> str:
+        return f"({self.setting.expression(polynomial)})%formula"
+
+    def _fraction(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> str:
+        above = self.setting.expression(top)
+        if bottom == 1:
+            return f"({above})%formula"
+        return f"(({above}) / ({self.setting.expression(bottom)}))%formula"
+
+    def _deep(self, node: Node) -> str:
+        return f"({self.writer(node)} : expr)%formula"
+
+    def _list(self) -> str:
+        return f"(firstn {len(self.atoms)} atoms)"
+
+    @property
+    def atom_list(self) -> str:
+        """The atoms as a list of expressions."""
+        return f"[{'; '.join(self.texts)}]%formula : list expr"
+
+    @property
+    def known_list(self) -> str:
+        """What the checker knows of denominators."""
+        pairs = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.known]
+        return f"[{'; '.join(pairs)}]"
+
+    def script(self) -> list[str]:
+        """The lines that prove that the atoms do not vanish."""
+        lines = [
+            f"pose (l := {self.setting.jets}).",
+            f"pose (r := {self.setting.rules}).",
+            "assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.",
+            f"pose (c := {self.setting.deep}).",
+            f"pose (atoms := {self.atom_list}).",
+            f"pose (known := {self.known_list} : list (list nat * list nat)).",
+            "assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.",
+        ]
+        for i, reason in enumerate(self.reasons):
+            lines.append(f"assert (N{i + 1} : all_nonzero K l (firstn {i + 1} atoms)).")
+            lines.append(f"{{ apply (and_nonzero K l (firstn {i} atoms) (nth {i} atoms (num 0)) N). {reason}. }}")
+            lines.append(f"clear N. rename N{i + 1} into N.")
+        return lines
+
+
+def common_denominator(polynomial: fmpq_mpoly) -> int:
+    """The least common denominator of the coefficients."""
+    from math import lcm
+
+    result = 1
+    for c in polynomial.coeffs():
+        result = lcm(result, int(c.q))
+    return result
+
+
+__all__ = ["Atom", "Formula", "Premise", "Proof"]

@@ -1,0 +1,242 @@
+"""Claims that fail, as theorems: an explicit curve on which what is assumed holds and the statement does not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import singledispatch
+from typing import Any
+
+from flint import fmpq_poly
+
+from exactspline.errors import ClaimError
+from exactspline.exact import mpq
+from exactspline.language.arguments import embedded
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import POINT_IN_SPACE, CurveKind, kind_of
+from exactspline.language.vector import Vector
+from exactspline.readings.tree import Node, Operation
+from exactspline.verification.claim import Claim
+from exactspline.verification.coq.denominators import Evaluation, primes
+from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates
+from exactspline.verification.coq.terms import Writer, identifier, integer
+from exactspline.verification.coq.theorems import Statement, times_factor
+from exactspline.verification.coq.tracing import Calling
+from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+
+
+@dataclass
+class Units:
+    """Polynomials in t and prime numbers, none of them zero, and the products of them that are met."""
+
+    atoms: list[tuple[int, ...]] = field(default_factory=list)
+    known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
+
+    def recognize(self, value: Any) -> None:
+        """Take in a function that is not zero."""
+        if not isinstance(value, RationalFunction):
+            value = RationalFunction(fmpq_poly([int(mpq(value))]))
+        exponents: dict[tuple[int, ...], int] = {}
+        for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
+            numerator = polynomial.numer()
+            content, factors = numerator.factor()
+            for number, s in ((int(abs(content)), sign), (int(polynomial.denom()), -sign)):
+                for p, e in primes(number).items():
+                    exponents[(p,)] = exponents.get((p,), 0) + s * e
+            for factor, e in factors:
+                key = tuple(int(c) for c in factor.coeffs())
+                exponents[key] = exponents.get(key, 0) + sign * int(e)
+        self.atoms += [key for key in exponents if key not in self.atoms]
+        above = tuple(max(exponents.get(key, 0), 0) for key in self.atoms)
+        below = tuple(max(-exponents.get(key, 0), 0) for key in self.atoms)
+        if (above, below) not in self.known:
+            self.known.append((above, below))
+
+
+def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
+    """The theorem that a claim fails.
+
+    Raises `ClaimError` where no curve that is tried shows it.
+    """
+    kind = kind_of(claim.curve)
+    if not isinstance(kind, CurveKind):
+        raise ClaimError("no explicit curves of this kind", where=claim.key, remedy="state claims about one curve")
+    for curve in candidates(dimension, with_point=kind.with_point):
+        attempt = _Attempt(claim, dimension, named, curve)
+        if attempt.succeeds():
+            return attempt.text()
+    raise ClaimError("no explicit curve refutes it", where=claim.key, remedy="add one")
+
+
+class _Attempt(Statement):
+    """A claim held against one explicit curve."""
+
+    def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str], curve: ExplicitCurve) -> None:
+        self.claim, self.curve, self.dimension = claim, curve, dimension
+        self.kind = kind_of(claim.curve)
+        self.traced = Calling(self.kind, dimension)
+        self.writer = Writer(named)
+        self.argument = curve.argument(self.kind)
+        self.evaluation = Evaluation(self.argument)
+        self.units = Units()
+        self.premises: list[Node] = []
+        self.difference: tuple[Node, str, str] | None = None
+
+    def succeeds(self) -> bool:
+        """Whether what is assumed holds and the statement fails."""
+        try:
+            self.premises = [self.assumed(a) for a in self.claim.assumes if a.formula]
+            if any(self.evaluation(node).is_zero for node in self.premises):
+                return False
+            self.difference = next(differing(self.claim, self), None)
+        except ZeroDivisionError:
+            return False
+        if self.difference is None:
+            return False
+        self.units.recognize(self.argument.w)
+        for node in self.premises:
+            self.units.recognize(self.evaluation(node))
+        for _, value in self.evaluation.denominators:
+            self.units.recognize(value)
+        return True
+
+    def components(self, left: Node, right: Node | None) -> Iterator[tuple[Node, str, str]]:
+        """The components in which two trees differ, as differences, with what is denied and how it follows."""
+        a = self.evaluation(left)
+        zeros = "[" + "; ".join(["zero K"] * len(a)) + "]" if isinstance(a, Vector) else "zero K"
+        said = f"{self.writer(left)} <> {zeros if right is None else self.writer(right)}"
+        if not isinstance(a, Vector):
+            difference = left if right is None else left - right
+            if not self.evaluation(difference).is_zero:
+                closing = "exact U." if right is None else "apply different; vm_cast_no_check U."
+                yield difference, said, closing
+            return
+        for i in range(len(a)):
+            difference = left[i] if right is None else left[i] - right[i]
+            if not self.evaluation(difference).is_zero:
+                step = difference if right is not None else left[i] - Node(Operation.NUMBER, value=0)
+                self.evaluation(step)
+                yield step, said, f"apply (different_vectors K {i}); vm_cast_no_check U."
+
+    def on_surface(self, left: Node, right: Formula) -> Iterator[tuple[Node, str, str]]:
+        """The components in which a plane curve is not the directrix of a surface of the same curve in space."""
+        directrix = Calling(POINT_IN_SPACE, 3).calls(right).directrix
+        in_space = Evaluation(embedded(self.argument))
+        inside = Writer(self.writer.named, "(embedded c)")
+        for i in range(2):
+            difference = self.evaluation(left)[i] - in_space(directrix)[i]
+            if not difference.is_zero:
+                self.evaluation.denominators += in_space.denominators
+                self.units.recognize(difference)
+                said = f"{self.writer(left)} ++ [zero K] <> {inside(directrix)}"
+                text = f"component {i} ({self.writer(left)} ++ [number 0]) - component {i} ({inside(directrix)})"
+                yield Node(Operation.LEAF, value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
+
+    def two_surfaces(self, left: Node, right: Node) -> Iterator[tuple[Node, str, str]]:
+        """The products that would vanish if two ruled surfaces were one."""
+        (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
+        said = f"~ same_surface ({self.writer(left)}) ({self.writer(right)})"
+        values = [f"(map (value K l) ({self.writer(node)}))" for node in (d, g, e, h)]
+        for part, other in enumerate((h, e - d)):
+            product = Node(Operation.CROSS, (g, other), vector=True)
+            for i in range(3):
+                if not self.evaluation(product[i]).is_zero:
+                    one = f"same_surface ({values[0]}, {values[1]}) ({values[2]}, {values[3]})"
+                    closing = (
+                        f"intro Z. assert (Y : {one}) by vm_cast_no_check Z.\n  destruct (parallel_of_one_surface "
+                        f"K {' '.join(values)} eq_refl eq_refl eq_refl eq_refl Y) as [Y1 Y2].\n  apply U. "
+                        f"vm_cast_no_check (f_equal (component {i}) Y{part + 1})."
+                    )
+                    yield product[i], said, closing
+
+    def text(self) -> str:
+        """Statement and proof."""
+        assert self.difference is not None
+        difference, said, closing = self.difference
+        if difference.op is not Operation.LEAF:
+            self.units.recognize(self.evaluation(difference))
+        text = difference.value if difference.op is Operation.LEAF else self.writer(difference)
+        curve = self._curve("t")
+        holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
+        atoms = [polynomial(key, "var 1", "num") for key in self.units.atoms]
+        known = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.units.known]
+        unit = "{ apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }"
+        lines = [
+            "intros K t Hz Ht.",
+            "pose (l := [t]).",
+            "assert (R : forall q, rules_hold K l q (explicit_rules q)) by exact (explicit_rules_hold K t Ht).",
+            f"pose (atoms := [{'; '.join(atoms)}]%formula : list expr).",
+            f"pose (known := [{'; '.join(known)}] : list (list nat * list nat)).",
+            f"pose (c := ({self._curve('(var 1)')})%formula : curve expr).",
+            "assert (N : all_nonzero K l atoms).",
+            "{ repeat apply Forall_cons; try apply Forall_nil.",
+        ]
+        for key in self.units.atoms:
+            lines.append(f"  - apply (explicit_nonzero K t Hz Ht {len(key) - 1}). vm_cast_no_check (eq_refl true).")
+        lines[-1] += " }"
+        for i, node in enumerate(["w c", *[self.writer(node) for node in self.premises]]):
+            lines += [f"assert (H{i} : value K l ({node} : expr)%formula <> zero K).", unit]
+        lines += [f"assert (U : value K l ({text} : expr)%formula <> zero K).", unit]
+        lines += [f"split; [vm_cast_no_check H{i}|]." for i in range(len(holds))]
+        lines.append(closing)
+        conclusion = " /\\\n  ".join([*holds, said])
+        several = len(self.kind.dimensions) > 1
+        name = identifier(self.claim.key) + (f"_in_dimension_{self.dimension}" if several else "") + "_fails"
+        return (
+            f"(** {self.claim.id}, {self.claim.source}, fails. *)\n"
+            f"Theorem {name} : forall (K : differential_field) (t : K),\n"
+            "  characteristic_zero K -> derivative K s t = one K ->\n"
+            f"  let c := {curve} in\n  {conclusion}.\n"
+            "Proof.\n  " + "\n  ".join(lines) + "\nQed.\n"
+        )
+
+    def _curve(self, t: str) -> str:
+        parts = "; ".join(polynomial(key, t, "number") for key in self.curve.numerators)
+        point = "; ".join(f"number {integer(value)}" for value in self.curve.point)
+        return f"rational_curve s [{parts}] ({polynomial(self.curve.denominator, t, 'number')}) [{point}]"
+
+
+def polynomial(coefficients: tuple[int, ...], t: str, number: str) -> str:
+    """A polynomial in t as a term.
+
+    >>> polynomial((1, 0, -2), "t", "number")
+    'number 1 - number 2 * t ^ 2'
+    """
+    terms = []
+    for k, c in enumerate(coefficients):
+        if c:
+            factors = [t if k == 1 else f"{t} ^ {k}"] if k else []
+            if abs(c) != 1 or not k:
+                factors.insert(0, f"{number} {abs(c)}")
+            terms.append(("- " if c < 0 else "+ ") + " * ".join(factors))
+    text = " ".join(terms)
+    return text.removeprefix("+ ") if text.startswith("+") else f"{number} 0 {text}"
+
+
+@singledispatch
+def differing(claim: Claim, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
+    """The differences that are not zero, with what is denied and how it follows."""
+    raise ClaimError(f"claims of the kind {claim.kind!r} are no equalities", where=claim.key, remedy="state identities")
+
+
+@differing.register
+def _(claim: Identity, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
+    left, right = attempt.called(claim.find(claim.left)), attempt.called(claim.find(claim.right))
+    return attempt.components(left, times_factor(claim, attempt, right))
+
+
+@differing.register
+def _(claim: Vanishing, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
+    return attempt.components(attempt.called(claim.find(claim.left)), None)
+
+
+@differing.register
+def _(claim: SameSurface, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
+    left, right = attempt.called(claim.find(claim.left)), attempt.called(claim.find(claim.right))
+    return attempt.two_surfaces(left, right)
+
+
+@differing.register
+def _(claim: IsoCurve, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
+    return attempt.on_surface(attempt.called(claim.find(claim.left)), claim.find(claim.right))

@@ -1,0 +1,300 @@
+"""Trees as terms of Coq, in the words of ``theory/Base.v``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from exactspline.errors import FormulaError
+from exactspline.exact import rational
+from exactspline.language.formula import Formula
+from exactspline.language.operand import Constant
+from exactspline.readings.tree import Node, Operation
+
+#: How tightly an operation binds.
+SUM, PRODUCT, UNARY, POWER, APPLICATION, ATOM = range(6)
+#: The operations between scalars, with their sign, how tightly they bind, and how tightly the arguments must.
+_INFIX = {
+    Operation.PLUS: (SUM, SUM, PRODUCT),
+    Operation.MINUS: (SUM, SUM, PRODUCT),
+    Operation.TIMES: (PRODUCT, PRODUCT, UNARY),
+    Operation.OVER: (PRODUCT, PRODUCT, UNARY),
+}
+_AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
+_PARAMETERS = {"s": "s", "s̄": "s_bar"}
+#: Words that formulas cannot have as names: those of the language and of the base.
+RESERVED = frozenset(
+    [
+        "as",
+        "at",
+        "cofix",
+        "else",
+        "end",
+        "exists",
+        "exists2",
+        "fix",
+        "for",
+        "forall",
+        "fun",
+        "if",
+        "in",
+        "let",
+        "match",
+        "mod",
+        "return",
+        "then",
+        "using",
+        "where",
+        "with",
+        "Prop",
+        "Set",
+        "Type",
+        "SProp",
+        "parameter",
+        "s",
+        "s_bar",
+        "operations",
+        "number",
+        "add",
+        "sub",
+        "mul",
+        "div",
+        "neg",
+        "power",
+        "der",
+        "zip",
+        "vadd",
+        "vsub",
+        "vneg",
+        "vmul",
+        "vdiv",
+        "vder",
+        "component",
+        "components",
+        "along",
+        "ders",
+        "vders",
+        "sum_from",
+        "dot",
+        "perp",
+        "cross",
+        "each",
+        "alternating",
+        "minor",
+        "det",
+        "generalized_cross",
+        "axis",
+        "curve",
+        "Curve",
+        "p",
+        "w",
+        "gamma",
+        "point",
+        "pair",
+        "Pair",
+        "first",
+        "second",
+        "table",
+        "Table",
+        "p1",
+        "w1",
+        "v1",
+        "p2",
+        "w2",
+        "v2",
+        "rational_curve",
+        "homogeneous",
+        "embedded",
+        "surface",
+        "directrix",
+        "generator",
+        "ruled",
+        "on_ruling",
+        "same_surface",
+        "element",
+        "zero",
+        "one",
+        "plus",
+        "times",
+        "minus",
+        "opposite",
+        "quotient",
+        "inverse",
+        "derivative",
+        "repeated",
+        "integer",
+        "constant",
+        "map",
+        "nth",
+        "seq",
+        "fst",
+        "snd",
+        "K",
+        "A",
+        "o",
+        "c",
+        "x",
+        "y",
+        "z",
+        "X",
+        "Y",
+        "Z",
+        "W",
+        "a",
+        "b",
+        "e",
+        "q",
+        "l",
+    ]
+)
+
+
+def identifier(name: str) -> str:
+    """A name as an identifier of Coq: primes and letters stay, anything else becomes an underscore.
+
+    >>> identifier("C42b-g1-g0"), identifier("at"), identifier("T7′")
+    ('C42b_g1_g0', 'at_', "T7'")
+    """
+    plain = "".join("'" if x == "′" else x if (x.isalnum() and x.isascii()) or x == "_" else "_" for x in name)
+    return f"{plain}_" if plain in RESERVED else plain if plain[0].isalpha() else f"n{plain}"
+
+
+class Writer:
+    """Trees as terms; `named` says how the formulas of other files are called."""
+
+    def __init__(self, named: Callable[[Formula], str], argument: str = "c", *, table: bool = False) -> None:
+        self.named, self.argument, self.table = named, argument, table
+
+    def __call__(self, node: Node) -> str:
+        """The term of a tree."""
+        return self.at(node, SUM)
+
+    def at(self, node: Node, least: int) -> str:
+        """The term of a tree that must bind at least so tightly."""
+        text, binding = self.show(node)
+        return text if binding >= least else f"({text})"
+
+    def show(self, node: Node) -> tuple[str, int]:
+        """The term and how tightly it binds."""
+        if node.op is Operation.LEAF:
+            return self.leaf(node.value), APPLICATION
+        if node.op is Operation.NUMBER:
+            return number(node.value)
+        if node.op is Operation.NAMED:
+            return f"{self.named(node.value.formula)} {self.part(node.value.path)}", APPLICATION
+        if node.op is Operation.LEVEL:
+            # one denominator is a step of the computation; what is computed does not change
+            return self.show(node.args[node.value])
+        if node.op in _INFIX and not node.is_vector:
+            binding, left, right = _INFIX[node.op]
+            return f"{self.at(node.args[0], left)} {node.op} {self.at(node.args[1], right)}", binding
+        if node.op is Operation.POWER:
+            return f"{self.at(node.args[0], APPLICATION)} ^ {node.value}", POWER
+        if node.op is Operation.NEGATIVE and not node.is_vector:
+            return f"- {self.at(node.args[0], APPLICATION)}", UNARY
+        return self.applied(node), APPLICATION
+
+    def applied(self, node: Node) -> str:
+        """What is written as a function and its arguments."""
+        arguments = node.args
+        if node.op in (Operation.PLUS, Operation.MINUS):
+            name = "vadd" if node.op is Operation.PLUS else "vsub"
+        elif node.op is Operation.TIMES:
+            name = "vmul"
+            arguments = arguments if arguments[1].is_vector else arguments[::-1]
+        elif node.op is Operation.OVER:
+            name = "vdiv"
+        elif node.op is Operation.NEGATIVE:
+            name = "vneg"
+        elif node.op is Operation.DERIVATIVE:
+            return self.derivative(node)
+        elif node.op is Operation.COMPONENT:
+            return self.taken(node)
+        elif node.op in (Operation.DET, Operation.GENERALIZED_CROSS):
+            return f"{node.op} [{'; '.join(map(self, arguments))}]"
+        elif node.op is Operation.JOIN:
+            return f"({' ++ '.join(self.joined(each) for each in arguments)})"
+        elif node.op in (
+            Operation.DOT,
+            Operation.CROSS,
+            Operation.PERP,
+            Operation.RULED,
+            Operation.DIRECTRIX,
+            Operation.GENERATOR,
+        ):
+            name = node.op
+        else:
+            raise FormulaError(f"the operation {node.op!r} has no word in Coq", remedy="add one to the base")
+        return " ".join([name, *[self.at(each, ATOM) for each in arguments]])
+
+    def leaf(self, name: str) -> str:
+        """An operand of the argument."""
+        path, _, own = name.rpartition(".")
+        part = self.part(f"{path}." if path else "")
+        return f"axis {_AXES[own]} (length (p {part}))" if own in _AXES else f"{own} {part}"
+
+    def part(self, path: str) -> str:
+        """The part of the argument that a path names."""
+        return f"({path.removesuffix('.')} {self.argument})" if path else self.argument
+
+    def derivative(self, node: Node) -> str:
+        """A derivative by the parameter that is named, or by that on which the operand depends."""
+        order, by = node.value
+        parameter = _PARAMETERS[by] if by else self.parameter(node.args[0])
+        inner = self.at(node.args[0], ATOM)
+        if order == 1:
+            return f"{'vder' if node.is_vector else 'der'} {parameter} {inner}"
+        return f"{'vders' if node.is_vector else 'ders'} {parameter} {order} {inner}"
+
+    def parameter(self, node: Node) -> str:
+        """The parameter of the curve of which a tree speaks.
+
+        Raises `FormulaError` for what depends on two of them.
+        """
+        found = paths(node)
+        if len(found) > 1:
+            raise FormulaError(
+                "a derivative of what depends on two parameters", remedy="name the parameter: d(1, by=…)"
+            )
+        return "s" if self.table else f"(along {self.part(found.pop() if found else '')})"
+
+    def taken(self, node: Node) -> str:
+        """A component of a vector, or several."""
+        index, inner = node.value, self.at(node.args[0], ATOM)
+        if isinstance(index, slice):
+            return f"components {index.start} {index.stop} {inner}"
+        return f"component {index} {inner}"
+
+    def joined(self, node: Node) -> str:
+        """A vector, or a scalar as one."""
+        return self.at(node, APPLICATION) if node.is_vector else f"[{self(node)}]"
+
+
+def number(value: Constant) -> tuple[str, int]:
+    """A constant, a fraction as a quotient.
+
+    >>> number(3), number(rational("-1/2"))
+    (('number 3', 4), ('number (-1) / number 2', 1))
+    """
+    exact = rational(value)
+    top = f"number {integer(int(exact.numerator))}"
+    return (top, APPLICATION) if exact.denominator == 1 else (f"{top} / number {exact.denominator}", PRODUCT)
+
+
+def integer(value: int) -> str:
+    """An integer, in parentheses where it is negative."""
+    return f"({value})" if value < 0 else str(value)
+
+
+def paths(node: Node) -> set[str]:
+    """The parts of the argument whose operands occur in a tree."""
+    found, seen, todo = set[str](), set[int](), [node]
+    while todo:
+        each = todo.pop()
+        if id(each) in seen:
+            continue
+        seen.add(id(each))
+        if each.op is Operation.LEAF:
+            path, _, _ = each.value.rpartition(".")
+            found.add(f"{path}." if path else "")
+        todo += each.args
+    return found

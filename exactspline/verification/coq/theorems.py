@@ -1,0 +1,280 @@
+"""Claims as theorems: the statement, and the script that proves it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import singledispatch
+from typing import Any
+
+from exactspline.errors import FormulaError
+from exactspline.language.arguments import embedded
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
+from exactspline.language.vector import Vector
+from exactspline.papers import find
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.tree import Node, Operation
+from exactspline.symbolic.assumptions import Assumption
+from exactspline.verification.claim import Claim
+from exactspline.verification.claim_factor import factor_parts
+from exactspline.verification.coq.denominators import Evaluation, factored
+from exactspline.verification.coq.formulas import surface
+from exactspline.verification.coq.proofs import Premise, Proof
+from exactspline.verification.coq.settings import Setting
+from exactspline.verification.coq.terms import Writer, identifier
+from exactspline.verification.coq.tracing import Calling
+from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+
+#: The kinds of claims that become theorems.
+STATED = (Identity, Vanishing, SameSurface, IsoCurve)
+
+
+def theorem(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
+    """A claim as a theorem with its proof."""
+    return _Theorem(claim, dimension, named).text()
+
+
+class Statement:
+    """What statements that hold and statements that fail have in common: formulas as trees over the argument."""
+
+    kind: Kind
+    traced: Calling
+    evaluation: Evaluation
+
+    def called(self, formula: Formula, part: str = "first") -> Node:
+        """A formula called on the argument, or on a part of it."""
+        target: Any = self.traced
+        if self.kind is PAIR and formula.kind is not PAIR:
+            target = getattr(target, part)
+        node: Node = target.calls(formula)
+        return node
+
+    def assumed(self, assumption: Assumption) -> Node:
+        """What an assumption says is not zero; of a vector its squared length."""
+        tree = self.called(find(assumption.formula), "second" if assumption.second else "first")
+        return Node(Operation.DOT, (tree, tree)) if tree.is_vector else tree
+
+
+class _Theorem(Statement):
+    def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str]) -> None:
+        self.claim, self.dimension = claim, dimension
+        self.kind = kind = kind_of(claim.curve)
+        formulas = [claim.find(name) for name in claim.named]
+        if isinstance(claim, Identity):
+            formulas += [
+                claim.find(name)
+                for name, _ in factor_parts(claim.factor)
+                if name not in ("w", "W") and name[0].isalpha()
+            ]
+        formulas += [find(a.formula) for a in claim.assumes if a.formula]
+        order = max(order_of(formula, dimension if dimension in formula.kind.dimensions else 3) for formula in formulas)
+        self.setting = Setting(kind, dimension, order)
+        self.traced = Calling(kind, dimension)
+        self.writer = Writer(named)
+        self.evaluation = Evaluation(self.setting.argument)
+        several = len(kind.dimensions) > 1
+        self.name = identifier(claim.key) + (f"_in_dimension_{dimension}" if several else "")
+        premises = [self._premise(i, a) for i, a in enumerate(a for a in claim.assumes if a.formula)]
+        self.proof = Proof(self.setting, self.name, premises, self.evaluation, self.writer)
+
+    def _premise(self, i: int, assumption: Assumption) -> Premise:
+        node = self.assumed(assumption)
+        return Premise(f"H{i + 1}", node, self.evaluation(node))
+
+    def text(self) -> str:
+        """Statement and proof."""
+        conclusion, closing = stated(self.claim, self)
+        proof = self.proof
+        premises = [f"{self.writer.at(h.node, 1)} <> zero K" for h in proof.premises]
+        premises += [f"number {p} <> zero K" for p in proof.primes]
+        premises += [f"{self.writer.at(h.node, 1)} <> zero K" for h in proof.existing]
+        hypotheses = [
+            *[h.name for h in proof.premises],
+            *[f"P{p}" for p in proof.primes],
+            *[h.name for h in proof.existing],
+        ]
+        shape = self.setting.shape
+        introduced = " ".join(["K", *self.setting.introduced, *hypotheses])
+        lines = [*proof.script(), *closing]
+        if shape == "table":
+            first = f"unfold every_table; intros {introduced}."
+        else:
+            first = f"apply {shape}_by_position; intros {introduced}."
+        said = " ->\n  ".join([*premises, conclusion])
+        return (
+            f"(** {self.claim.id}, {self.claim.source}. *)\n"
+            f"Theorem {self.name} : {self.setting.quantifier} (fun K c =>\n  {said}).\n"
+            f"Proof.\n  {first}\n  " + "\n  ".join(lines) + "\nQed.\n"
+        )
+
+    def deep(self, node: Node) -> str:
+        """A tree as an expression (of the checker)."""
+        return f"({self.writer(node)})"
+
+    def equality(self, left: Node, right: Node | None) -> tuple[str, list[str]]:
+        """A statement that two trees are one (without a second: that the first is zero), and the steps that close it."""
+        value = self.evaluation(left)
+        components = len(value) if isinstance(value, Vector) else 0
+        if right is not None:
+            self.evaluation(right)
+        self.proof.met()
+        if components:
+            zero, deep_zero = ("[" + "; ".join([word] * components) + "]" for word in ("zero K", "num 0"))
+        else:
+            zero, deep_zero = "zero K", "num 0"
+        stated_right = zero if right is None else self.writer(right)
+        deep_right = deep_zero if right is None else self.writer(right)
+        statement = f"{self.writer(left)} = {stated_right}"
+        return statement, [*self.checked("E", left, deep_right, bool(components)), "vm_cast_no_check E."]
+
+    def same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:
+        """A statement that two ruled surfaces have one directrix and one generator."""
+        pairs = [(left.directrix, right.directrix), (left.generator, right.generator)]
+        for pair in pairs:
+            for node in pair:
+                self.evaluation(node)
+        self.proof.met()
+        steps = [
+            step
+            for name, (a, b) in zip(("E1", "E2"), pairs, strict=True)
+            for step in self.checked(name, a, self.writer(b), True)
+        ]
+        statement = " /\\ ".join(f"{self.writer(a)} = {self.writer(b)}" for a, b in pairs)
+        return statement, [*steps, "vm_cast_no_check (conj E1 E2)."]
+
+    def on_surface(self, left: Node, right: Formula) -> tuple[str, list[str]]:
+        """A statement that a plane curve is the directrix of a ruled surface of the same curve in space."""
+        inside = Calling(POINT_IN_SPACE, 3)
+        directrix = inside.calls(right).directrix
+        in_space = Evaluation(embedded(self.setting.argument))
+        in_space(directrix)
+        self.evaluation(left)
+        self.evaluation.denominators += in_space.denominators
+        self.proof.met()
+        writer = Writer(self.writer.named, "(embedded c)")
+        steps = [
+            f"assert (E : map (value K l) ({self.writer(left)} ++ [number 0] : list expr)%formula\n"
+            f"    = map (value K l) ({writer(directrix)} : list expr)%formula).",
+            "{ apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }",
+            "vm_cast_no_check E.",
+        ]
+        return f"{self.writer(left)} ++ [zero K] = {writer(directrix)}", steps
+
+    def checked(self, name: str, left: Node, deep_right: str, vector: bool) -> list[str]:
+        """The steps that prove that two expressions have one value."""
+        lemma = "one_vector" if vector else "one_value"
+        kind = "list expr" if vector else "expr"
+        a, b = f"({self.writer(left)} : {kind})%formula", f"({deep_right} : {kind})%formula"
+        value = "map (value K l)" if vector else "value K l"
+        return [
+            f"assert ({name} : {value} {a} = {value} {b}).",
+            f"{{ apply ({lemma} K l r R atoms known N). vm_cast_no_check (eq_refl true). }}",
+        ]
+
+
+@singledispatch
+def stated(claim: Claim, theorem: _Theorem) -> tuple[str, list[str]]:
+    """The conclusion and the steps that close the proof, the atoms being known."""
+    raise FormulaError(f"claims of the kind {claim.kind!r} are no equalities", remedy="state identities")
+
+
+@stated.register
+def _(claim: Identity, theorem: _Theorem) -> tuple[str, list[str]]:
+    left, right = theorem.called(claim.find(claim.left)), theorem.called(claim.find(claim.right))
+    if surface(left):
+        return theorem.same_parts(left, right)
+    return theorem.equality(left, times_factor(claim, theorem, right))
+
+
+def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
+    """The right side with its factor."""
+    above: Node | None = None
+    below: Node | None = None
+    for name, exponent in factor_parts(claim.factor):
+        if name == "1":
+            continue
+        base = _part(claim, theorem, name)
+        power = base ** abs(exponent) if abs(exponent) > 1 else base
+        if exponent > 0:
+            above = power if above is None else above * power
+        else:
+            below = power if below is None else below * power
+    if above is None and below is None:
+        return right
+    if below is not None:
+        above = (above if above is not None else Node(Operation.NUMBER, value=1)) / below
+    product: Node = above * right
+    return product
+
+
+def _part(claim: Identity, theorem: Statement, name: str) -> Node:
+    if name in ("w", "W"):
+        return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
+    if name[0].isalpha():
+        return theorem.called(claim.find(name))
+    from exactspline.exact import rational
+
+    return Node(Operation.NUMBER, value=rational(name))
+
+
+@stated.register
+def _(claim: Vanishing, theorem: _Theorem) -> tuple[str, list[str]]:
+    return theorem.equality(theorem.called(claim.find(claim.left)), None)
+
+
+@stated.register
+def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
+    left, right = theorem.called(claim.find(claim.left)), theorem.called(claim.find(claim.right))
+    (d, g), (e, h) = ((side.directrix, side.generator) for side in (left, right))
+    for node in (d, g, e, h):
+        theorem.evaluation(node)
+    theorem.proof.met()
+    zeros = "[num 0; num 0; num 0]"
+    witnesses = [_witness(theorem, own, other) for own, other in ((g, h), (h, g))]
+    steps = [
+        *theorem.checked("E1", Node(Operation.CROSS, (g, h), vector=True), zeros, True),
+        *theorem.checked("E2", Node(Operation.CROSS, (g, e - d), vector=True), zeros, True),
+    ]
+    for i, (own, other) in enumerate(witnesses):
+        product = Node(Operation.DOT, (own, other))
+        steps.append(f"assert (U{i + 1} : value K l ({theorem.writer(product)} : expr) <> zero K).")
+        steps.append("{ apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }")
+    exists = [
+        f"(ex_intro _ (map (value K l) {theorem.writer.at(other, 5)}) (conj eq_refl U{i + 1}))"
+        for i, (_, other) in enumerate(witnesses)
+    ]
+    values = " ".join(f"(map (value K l) {theorem.writer.at(node, 5)})" for node in (d, g, e, h))
+    steps.append(
+        f"vm_cast_no_check (one_surface K {values} eq_refl eq_refl eq_refl eq_refl\n    {exists[0]}\n    {exists[1]} E1 E2)."
+    )
+    return f"same_surface ({theorem.writer(left)}) ({theorem.writer(right)})", steps
+
+
+def _witness(theorem: _Theorem, generator: Node, other: Node) -> tuple[Node, Node]:
+    """A vector whose scalar product with a generator is a product of what does not vanish."""
+    velocity = Node(Operation.DERIVATIVE, (Node(Operation.LEAF, value="gamma", vector=True),), vector=True)
+    from exactspline.readings.tree import Derivation
+
+    gamma = Node(Operation.LEAF, value="gamma", vector=True)
+    first, second = (Node(Operation.DERIVATIVE, (gamma,), Derivation(k), vector=True) for k in (1, 2))
+    binormal = Node(Operation.CROSS, (first, second), vector=True)
+    candidates = [Node(Operation.LEAF, value=f"axis_{x}", vector=True) for x in "zxy"] + [generator, other, first]
+    if theorem.setting.order > 1:
+        candidates.append(binormal)
+    for candidate in candidates:
+        value = theorem.evaluation(Node(Operation.DOT, (generator, candidate)))
+        if not isinstance(value, JetFraction) or value.is_zero:
+            continue
+        parts = factored(value)
+        if all(theorem.proof.follows(p) for p, _ in parts.powers):
+            theorem.proof.recognize(parts)
+            return generator, candidate
+    raise FormulaError("nothing shows that a generator does not vanish", remedy="assume that it does not")
+
+
+@stated.register
+def _(claim: IsoCurve, theorem: _Theorem) -> tuple[str, list[str]]:
+    left, right = theorem.called(claim.find(claim.left)), claim.find(claim.right)
+    return theorem.on_surface(left, right)

@@ -1,0 +1,230 @@
+(** What the theorems are about: formulas over anything that knows + - * / and derivatives, and abstract
+    differential fields, in which they are equalities.
+
+    Nothing is assumed but the axioms of a field and that a derivation is additive and obeys Leibniz' rule. *)
+
+Require Import ZArith List Ring_theory Field_theory InitialRing.
+Import ListNotations.
+
+(** ** Operations *)
+
+(** The parameters of two curves; what depends on one parameter alone uses the first. *)
+Inductive parameter := s | s_bar.
+
+(** What a formula needs: every reading of a formula is an instance of this. *)
+Class operations (A : Type) := {
+  number : Z -> A;
+  add : A -> A -> A;
+  sub : A -> A -> A;
+  mul : A -> A -> A;
+  div : A -> A -> A;
+  neg : A -> A;
+  power : A -> nat -> A;
+  der : parameter -> A -> A
+}.
+
+Declare Scope formula_scope.
+Delimit Scope formula_scope with formula.
+Infix "+" := add : formula_scope.
+Infix "-" := sub : formula_scope.
+Infix "*" := mul : formula_scope.
+Infix "/" := div : formula_scope.
+Notation "- a" := (neg a) : formula_scope.
+Infix "^" := power : formula_scope.
+
+(** ** Vectors: lists of components *)
+
+Section Vectors.
+Context {A : Type} {o : operations A}.
+Local Open Scope formula_scope.
+
+Fixpoint zip (f : A -> A -> A) (a b : list A) : list A :=
+  match a, b with
+  | x :: a, y :: b => f x y :: zip f a b
+  | _, _ => []
+  end.
+
+Definition vadd (a b : list A) := zip add a b.
+Definition vsub (a b : list A) := zip sub a b.
+Definition vneg (a : list A) := map neg a.
+Definition vmul (k : A) (a : list A) := map (fun x => x * k) a.
+Definition vdiv (a : list A) (k : A) := map (fun x => x / k) a.
+Definition vder (q : parameter) (a : list A) := map (der q) a.
+Definition component (i : nat) (a : list A) := nth i a (number 0).
+Definition components (i j : nat) (a : list A) := firstn (j - i) (skipn i a).
+
+(** The derivative of an order. *)
+Definition ders (q : parameter) (order : nat) (a : A) := Nat.iter order (der q) a.
+Definition vders (q : parameter) (order : nat) (a : list A) := map (ders q order) a.
+
+Fixpoint sum_from (x : A) (a b : list A) : A :=
+  match a, b with
+  | y :: a, z :: b => sum_from (x + y * z) a b
+  | _, _ => x
+  end.
+
+(** Scalar product. *)
+Definition dot (a b : list A) : A :=
+  match a, b with
+  | x :: a, y :: b => sum_from (x * y) a b
+  | _, _ => number 0
+  end.
+
+(** The plane vector turned by a right angle to the left. *)
+Definition perp (a : list A) := [- component 1 a; component 0 a].
+
+(** Cross product in space. *)
+Definition cross (a b : list A) : list A :=
+  [component 1 a * component 2 b - component 2 a * component 1 b;
+   component 2 a * component 0 b - component 0 a * component 2 b;
+   component 0 a * component 1 b - component 1 a * component 0 b].
+
+(** The elements of a list, each with those that are left without it. *)
+Fixpoint each {B : Type} (before rest : list B) : list (B * list B) :=
+  match rest with
+  | [] => []
+  | x :: rest => (x, before ++ rest) :: each (before ++ [x]) rest
+  end.
+
+Fixpoint alternating (a : list A) : A :=
+  match a with
+  | [] => number 0
+  | [x] => x
+  | x :: a => x - alternating a
+  end.
+
+(** The minor of rows in some columns: Laplace's expansion along the first row. *)
+Fixpoint minor (rows : list (list A)) (columns : list nat) : A :=
+  match rows with
+  | [] => number 1
+  | [row] => component (hd 0%nat columns) row
+  | row :: rows => alternating (map (fun c => component (fst c) row * minor rows (snd c)) (each [] columns))
+  end.
+
+(** Determinant of n vectors in n dimensions. *)
+Definition det (rows : list (list A)) : A := minor rows (seq 0 (length rows)).
+
+(** The vector v with [det (rows, x) = v·x] for all x. *)
+Definition generalized_cross (rows : list (list A)) : list A :=
+  let n := length rows in
+  map (fun c => if Nat.even (n + fst c) then minor rows (snd c) else - minor rows (snd c)) (each [] (seq 0 (S n))).
+
+(** The unit vector of a coordinate. *)
+Definition axis (i n : nat) : list A := map (fun j => number (if Nat.eqb i j then 1 else 0)) (seq 0 n).
+
+End Vectors.
+
+(** ** What formulas are handed *)
+
+(** A curve by its parameter, numerators, denominator and itself, and a point beside it. *)
+Record curve (A : Type) := Curve { along : parameter; p : list A; w : A; gamma : list A; point : list A }.
+Record pair (A : Type) := Pair { first : curve A; second : curve A }.
+Record table (A : Type) := Table { p1 : A; w1 : A; v1 : list A; p2 : A; w2 : A; v2 : list A }.
+Arguments Curve {A} _ _ _ _ _. Arguments along {A} _. Arguments p {A} _. Arguments w {A} _. Arguments gamma {A} _. Arguments point {A} _.
+Arguments Pair {A} _ _. Arguments first {A} _. Arguments second {A} _.
+Arguments Table {A} _ _ _ _ _ _. Arguments p1 {A} _. Arguments w1 {A} _. Arguments v1 {A} _.
+Arguments p2 {A} _. Arguments w2 {A} _. Arguments v2 {A} _.
+
+Section Arguments.
+Context {A : Type} {o : operations A}.
+
+(** The curve [γ = p/w], with a point (empty for none). *)
+Definition rational_curve (q : parameter) (p : list A) (w : A) (point : list A) : curve A :=
+  Curve q p w (vdiv p w) point.
+
+(** The curve [γ] with the numerators [w γ]. *)
+Definition homogeneous (q : parameter) (gamma : list A) (w : A) (point : list A) : curve A :=
+  Curve q (vmul w gamma) w gamma point.
+
+(** A plane curve (and its point) in the plane z = 0 of space. *)
+Definition embedded (c : curve A) : curve A :=
+  Curve (along c) (p c ++ [number 0]) (w c) (gamma c ++ [number 0]) (point c ++ [number 0]).
+
+(** A ruled surface: directrix and generator. *)
+Definition surface : Type := list A * list A.
+Definition directrix (f : surface) : list A := fst f.
+Definition generator (f : surface) : list A := snd f.
+Definition ruled (directrix generator : list A) : surface := (directrix, generator).
+
+(** A point is on the ruling of a surface (at the parameter in question). *)
+Definition on_ruling (f : surface) (x : list A) : Prop := exists z, x = vadd (directrix f) (vmul z (generator f)).
+
+(** Two ruled surfaces are one: their rulings are the same lines. *)
+Definition same_surface (f g : surface) : Prop := forall x, on_ruling f x <-> on_ruling g x.
+
+End Arguments.
+Arguments surface A : clear implicits.
+
+(** ** Differential fields *)
+
+Record differential_field := {
+  element :> Type;
+  zero : element;
+  one : element;
+  plus : element -> element -> element;
+  times : element -> element -> element;
+  minus : element -> element -> element;
+  opposite : element -> element;
+  quotient : element -> element -> element;
+  inverse : element -> element;
+  derivative : parameter -> element -> element;
+  field_axioms : field_theory zero one plus times minus opposite quotient inverse (@eq element);
+  derivative_plus : forall q a b, derivative q (plus a b) = plus (derivative q a) (derivative q b);
+  derivative_times : forall q a b,
+    derivative q (times a b) = plus (times (derivative q a) b) (times a (derivative q b))
+}.
+
+Fixpoint repeated (K : differential_field) (a : K) (n : nat) : K :=
+  match n with
+  | 0 => one K
+  | 1 => a
+  | S n => times K (repeated K a n) a
+  end.
+
+(** The integers of a field. *)
+Definition integer (K : differential_field) : Z -> K := gen_phiZ (zero K) (one K) (plus K) (times K) (opposite K).
+
+(** The reading in which equalities hold: formulas are elements of a differential field. *)
+#[export] Instance field_operations (K : differential_field) : operations K := {
+  number := integer K;
+  add := plus K;
+  sub := minus K;
+  mul := times K;
+  div := quotient K;
+  neg := opposite K;
+  power := repeated K;
+  der := derivative K
+}.
+
+(** A point is a vector of constants. *)
+Definition constant {K : differential_field} (a : K) : Prop := forall q, derivative K q a = zero K.
+
+(** ** What theorems speak of *)
+
+(** Every rational plane curve, γ = (x, y)/w, over every differential field. *)
+Definition every_plane_curve (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w : K), w <> zero K -> P K (rational_curve s [x; y] w []).
+
+(** Every rational space curve, γ = (x, y, z)/w. *)
+Definition every_space_curve (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w : K), w <> zero K -> P K (rational_curve s [x; y; z] w []).
+
+(** Every rational plane curve with a point Q = (a, b) beside it. *)
+Definition every_plane_curve_with_point (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w a b : K), constant a -> constant b -> w <> zero K ->
+  P K (rational_curve s [x; y] w [a; b]).
+
+(** Every rational space curve with a point Q = (a, b, c) beside it. *)
+Definition every_space_curve_with_point (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w a b c : K), constant a -> constant b -> constant c -> w <> zero K ->
+  P K (rational_curve s [x; y; z] w [a; b; c]).
+
+(** Every two rational space curves, of the parameters s and s̄. *)
+Definition every_two_curves (P : forall K : differential_field, pair K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w X Y Z W : K), w <> zero K -> W <> zero K ->
+  P K (Pair (rational_curve s [x; y; z] w []) (rational_curve s_bar [X; Y; Z] W [])).
+
+(** All operands of Table 1. *)
+Definition every_table (P : forall K : differential_field, table K -> Prop) : Prop :=
+  forall (K : differential_field) (p1 w1 x1 y1 z1 p2 w2 x2 y2 z2 : K), w1 <> zero K -> w2 <> zero K ->
+  P K (Table p1 w1 [x1; y1; z1] p2 w2 [x2; y2; z2]).

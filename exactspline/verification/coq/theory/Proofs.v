@@ -1,0 +1,319 @@
+(** What the proofs of the theorems are made of: curves by their position γ instead of their numerators, polynomials
+    that do not vanish, and ruled surfaces. *)
+
+Require Import ZArith List Bool Ring_theory Ring_polynom Field_theory Field.
+From ExactSpline Require Import Base Reflection.
+Import ListNotations.
+
+(** ** By position *)
+
+Section Position.
+Variable K : differential_field.
+Add Field K : (field_axioms K).
+
+Lemma rational_is_homogeneous (q : parameter) (p : list K) (w : K) (Q : list K) :
+  w <> zero K -> rational_curve q p w Q = homogeneous q (vdiv p w) w Q.
+Proof.
+  intro Hw. unfold rational_curve, homogeneous. f_equal.
+  induction p as [|x p IH]; [reflexivity|]. simpl. rewrite <- IH. f_equal. field. exact Hw.
+Qed.
+End Position.
+
+Lemma plane_by_position (P : forall K : differential_field, curve K -> Prop) :
+  (forall (K : differential_field) (x y w : K), w <> zero K -> P K (homogeneous s [x; y] w [])) -> every_plane_curve P.
+Proof. intros H K x y w Hw. rewrite rational_is_homogeneous by exact Hw. apply H, Hw. Qed.
+
+Lemma space_by_position (P : forall K : differential_field, curve K -> Prop) :
+  (forall (K : differential_field) (x y z w : K), w <> zero K -> P K (homogeneous s [x; y; z] w [])) ->
+  every_space_curve P.
+Proof. intros H K x y z w Hw. rewrite rational_is_homogeneous by exact Hw. apply H, Hw. Qed.
+
+Lemma plane_point_by_position (P : forall K : differential_field, curve K -> Prop) :
+  (forall (K : differential_field) (x y w a b : K), constant a -> constant b -> w <> zero K ->
+   P K (homogeneous s [x; y] w [a; b])) -> every_plane_curve_with_point P.
+Proof. intros H K x y w a b Ha Hb Hw. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
+Lemma space_point_by_position (P : forall K : differential_field, curve K -> Prop) :
+  (forall (K : differential_field) (x y z w a b c : K), constant a -> constant b -> constant c -> w <> zero K ->
+   P K (homogeneous s [x; y; z] w [a; b; c])) -> every_space_curve_with_point P.
+Proof. intros H K x y z w a b c Ha Hb Hc Hw. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
+Lemma pair_by_position (P : forall K : differential_field, pair K -> Prop) :
+  (forall (K : differential_field) (x y z w X Y Z W : K), w <> zero K -> W <> zero K ->
+   P K (Pair (homogeneous s [x; y; z] w []) (homogeneous s_bar [X; Y; Z] W []))) -> every_two_curves P.
+Proof.
+  intros H K x y z w X Y Z W Hw HW. rewrite (rational_is_homogeneous K s [x; y; z] w) by exact Hw.
+  rewrite (rational_is_homogeneous K s_bar [X; Y; Z] W) by exact HW. now apply H.
+Qed.
+
+(** ** Jets *)
+
+Definition jets {K : differential_field} (q : parameter) (order : nat) (x : K) : list K :=
+  map (fun k => ders q k x) (seq 0 (S order)).
+
+(** The rules of so many variables, each the derivative of the one before. *)
+Fixpoint chain (i : positive) (order : nat) : rules :=
+  match order with 0 => [] | S n => (i, inl (Pos.succ i)) :: chain (Pos.succ i) n end.
+
+Definition constants (is : list positive) : rules := map (fun i => (i, inr 0%Z)) is.
+
+Definition of_parameters (first second : rules) (q : parameter) : rules :=
+  match q with s => first | s_bar => second end.
+
+Ltac rules_by_computation :=
+  let q := fresh in intro q; destruct q; repeat (apply Forall_cons; [first [reflexivity | match goal with
+    H : constant _ |- _ => exact (H _) end]|]); apply Forall_nil.
+
+(** ** Atoms *)
+
+Section Atoms.
+Variable K : differential_field.
+Variable l : list K.
+Variable r : parameter -> rules.
+Hypothesis Hr : forall q, rules_hold K l q (r q).
+
+Definition polynomial (e : expr) : poly := match norm [] [] r e with Some (a, []) => a | _ => Pc 0%Z end.
+Definition is_polynomial (e : expr) : bool := match norm [] [] r e with Some (_, []) => true | _ => false end.
+
+Definition all_nonzero (es : list expr) : Prop := Forall (fun e => value K l e <> zero K) es.
+
+Lemma nonzero_polynomials es :
+  forallb is_polynomial es = true -> all_nonzero es -> Forall (nonzero K l) (map polynomial es).
+Proof.
+  induction es as [|e es IH]; intros H N; [constructor|].
+  simpl in H. apply andb_prop in H. destruct H as [He H]. inversion N; subst. constructor; [|now apply IH].
+  unfold is_polynomial in He. unfold polynomial.
+  destruct (norm [] [] r e) as [[a [|? ?]]|] eqn:E; try discriminate.
+  exact (atom_nonzero K l [] [] r Hr (Forall_nil _) e a E H2).
+Qed.
+
+Lemma and_nonzero es e : all_nonzero es -> value K l e <> zero K -> all_nonzero (es ++ [e]).
+Proof. intros H N. apply Forall_app. split; [exact H | now constructor]. Qed.
+
+Variable es : list expr.
+Variable known : list (list nat * list nat).
+Hypothesis Hes : all_nonzero es.
+
+(** Two expressions are one. *)
+Lemma one_value a b :
+  forallb is_polynomial es && equal (map polynomial es) known r a b = true -> value K l a = value K l b.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P E].
+  exact (equal_sound K l _ known r Hr (nonzero_polynomials es P Hes) a b E).
+Qed.
+
+(** Two vectors are one. *)
+Lemma one_vector a b :
+  forallb is_polynomial es && all_equal (map polynomial es) known r a b = true ->
+  map (value K l) a = map (value K l) b.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P E].
+  exact (all_equal_sound K l _ known r Hr (nonzero_polynomials es P Hes) a b E).
+Qed.
+
+(** What divides something that is not zero. *)
+Lemma factor_nonzero e b a :
+  forallb is_polynomial es && equal (map polynomial es) known r e (emul b a) = true ->
+  value K l e <> zero K -> value K l a <> zero K.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P E].
+  exact (divisor_nonzero K l _ known r Hr (nonzero_polynomials es P Hes) e b a E).
+Qed.
+
+Add Field K' : (field_axioms K).
+
+(** What would, with its derivative, make something vanish that does not. *)
+Lemma differential_factor_nonzero e b c a :
+  forallb is_polynomial es &&
+    equal (map polynomial es) known r e (eadd (emul b a) (emul c (eder s a))) = true ->
+  value K l e <> zero K -> value K l a <> zero K.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P E]. intros N Z. apply N.
+  rewrite (equal_sound K l _ known r Hr (nonzero_polynomials es P Hes) _ _ E). simpl. rewrite Z.
+  rewrite derivative_zero. ring.
+Qed.
+
+(** What is a product of atoms. *)
+Definition is_unit (e : expr) : bool :=
+  match norm (map polynomial es) known r e with
+  | Some b => match recognized (map polynomial es) b known with Some _ => true | None => false end
+  | None => false
+  end.
+
+Lemma unit_nonzero e : forallb is_polynomial es && is_unit e = true -> value K l e <> zero K.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P E]. unfold is_unit in E.
+  pose proof (nonzero_polynomials es P Hes) as N.
+  destruct (norm (map polynomial es) known r e) as [b|] eqn:En; [|discriminate].
+  destruct (recognized (map polynomial es) b known) as [[[positive top] bottom]|] eqn:Eb; [|discriminate].
+  pose proof (recognized_sound K l _ known N b positive top bottom Eb) as H.
+  intro Z. rewrite <- (norm_sound K l _ known r Hr N e b En) in Z.
+  assert (Hb : at_point K l (fst b) = zero K).
+  { transitivity (times K (quotient K (at_point K l (fst b)) (at_point K l (product (map polynomial es) (snd b))))
+                          (at_point K l (product (map polynomial es) (snd b)))).
+    - field. now apply den_nonzero.
+    - rewrite Z. ring. }
+  rewrite Hb in H.
+  assert (NZ : times K (at_point K l (product (map polynomial es) top))
+                       (at_point K l (product (map polynomial es) (snd b))) <> zero K)
+    by (apply product_nonzero; now apply den_nonzero).
+  apply NZ. destruct positive.
+  - transitivity (times K (one K) (times K (at_point K l (product (map polynomial es) top))
+      (at_point K l (product (map polynomial es) (snd b))))); [ring|]. rewrite <- H. ring.
+  - transitivity (opposite K (times K (opposite K (one K)) (times K (at_point K l (product (map polynomial es) top))
+      (at_point K l (product (map polynomial es) (snd b)))))); [ring|]. rewrite <- H. ring.
+Qed.
+
+End Atoms.
+
+(** ** Ruled surfaces *)
+
+Section Surfaces.
+Variable K : differential_field.
+Add Field K'' : (field_axioms K).
+
+Lemma three (a b c x y z : K) : a = x -> b = y -> c = z -> [a; b; c] = [x; y; z].
+Proof. now intros -> -> ->. Qed.
+
+Lemma proportional (a b : list K) : length a = 3 -> length b = 3 ->
+  (exists x : list K, length x = 3 /\ dot a x <> zero K) -> cross a b = [zero K; zero K; zero K] ->
+  exists k, b = vmul k a.
+Proof.
+  intros La Lb [x [Lx N]] H.
+  destruct a as [|a0 [|a1 [|a2 [|]]]]; try discriminate.
+  destruct b as [|b0 [|b1 [|b2 [|]]]]; try discriminate.
+  destruct x as [|x0 [|x1 [|x2 [|]]]]; try discriminate.
+  unfold cross, dot, component, vmul in *. simpl in *. injection H as H0 H1 H2.
+  set (n := plus K (plus K (times K a0 x0) (times K a1 x1)) (times K a2 x2)) in *.
+  set (m := plus K (plus K (times K b0 x0) (times K b1 x1)) (times K b2 x2)).
+  exists (quotient K m n).
+  assert (E0 : times K a1 b2 = times K a2 b1).
+  { transitivity (plus K (minus K (times K a1 b2) (times K a2 b1)) (times K a2 b1)); [ring|]. rewrite H0. ring. }
+  assert (E1 : times K a2 b0 = times K a0 b2).
+  { transitivity (plus K (minus K (times K a2 b0) (times K a0 b2)) (times K a0 b2)); [ring|]. rewrite H1. ring. }
+  assert (E2 : times K a0 b1 = times K a1 b0).
+  { transitivity (plus K (minus K (times K a0 b1) (times K a1 b0)) (times K a1 b0)); [ring|]. rewrite H2. ring. }
+  assert (M0 : times K b0 n = times K a0 m).
+  { unfold m, n. transitivity (plus K (plus K (times K (times K a0 b0) x0) (times K (times K a1 b0) x1))
+                         (times K (times K a2 b0) x2)); [ring|]. rewrite <- E2, E1. ring. }
+  assert (M1 : times K b1 n = times K a1 m).
+  { unfold m, n. transitivity (plus K (plus K (times K (times K a0 b1) x0) (times K (times K a1 b1) x1))
+                         (times K (times K a2 b1) x2)); [ring|]. rewrite E2, <- E0. ring. }
+  assert (M2 : times K b2 n = times K a2 m).
+  { unfold m, n. transitivity (plus K (plus K (times K (times K a0 b2) x0) (times K (times K a1 b2) x1))
+                         (times K (times K a2 b2) x2)); [ring|]. rewrite <- E1, E0. ring. }
+  clearbody m. apply three.
+  - transitivity (quotient K (times K b0 n) n); [field; exact N|]. rewrite M0. field. exact N.
+  - transitivity (quotient K (times K b1 n) n); [field; exact N|]. rewrite M1. field. exact N.
+  - transitivity (quotient K (times K b2 n) n); [field; exact N|]. rewrite M2. field. exact N.
+Qed.
+
+(** Parallel generators, neither of them zero, and directrices that differ along them. *)
+Lemma one_surface (d g e h : list K) :
+  length d = 3 -> length g = 3 -> length e = 3 -> length h = 3 ->
+  (exists x : list K, length x = 3 /\ dot g x <> zero K) -> (exists x : list K, length x = 3 /\ dot h x <> zero K) ->
+  cross g h = [zero K; zero K; zero K] -> cross g (vsub e d) = [zero K; zero K; zero K] ->
+  same_surface (d, g) (e, h).
+Proof.
+  intros Ld Lg Le Lh Ng Nh H1 H2.
+  destruct (proportional g h Lg Lh Ng H1) as [k Hk].
+  assert (Lv : length (vsub e d) = 3).
+  { destruct d as [|? [|? [|? [|]]]]; try discriminate. destruct e as [|? [|? [|? [|]]]]; try discriminate.
+    reflexivity. }
+  destruct (proportional g (vsub e d) Lg Lv Ng H2) as [m Hm].
+  destruct d as [|d0 [|d1 [|d2 [|]]]]; try discriminate.
+  destruct e as [|e0 [|e1 [|e2 [|]]]]; try discriminate.
+  destruct g as [|g0 [|g1 [|g2 [|]]]]; try discriminate.
+  unfold vsub, vmul in *. simpl in Hm, Hk. subst h. injection Hm as M0 M1 M2.
+  assert (E0 : e0 = plus K d0 (times K g0 m)) by (rewrite <- M0; ring).
+  assert (E1 : e1 = plus K d1 (times K g1 m)) by (rewrite <- M1; ring).
+  assert (E2 : e2 = plus K d2 (times K g2 m)) by (rewrite <- M2; ring).
+  assert (Nk : k <> zero K).
+  { intro Z. destruct Nh as [x [Lx N]]. apply N. destruct x as [|x0 [|x1 [|x2 [|]]]]; try discriminate.
+    unfold dot. simpl. rewrite Z. ring. }
+  intro x. unfold on_ruling, directrix, generator, vadd, vmul. simpl. split; intros [z ->].
+  - exists (quotient K (minus K z m) k). rewrite E0, E1, E2. apply three; field; exact Nk.
+  - exists (plus K m (times K z k)). rewrite E0, E1, E2. apply three; ring.
+Qed.
+
+End Surfaces.
+
+(** ** One explicit curve *)
+
+(** No integer but 0 vanishes. *)
+Definition characteristic_zero (K : differential_field) : Prop :=
+  forall z : Z, z <> 0%Z -> integer K z <> zero K.
+
+Section Explicit.
+Variable K : differential_field.
+Variable t : K.
+Hypothesis Hz : characteristic_zero K.
+Hypothesis Ht : derivative K s t = one K.
+Add Field K3 : (field_axioms K).
+
+Definition explicit_rules : parameter -> rules := of_parameters [(1%positive, inr 1%Z)] [].
+
+Lemma explicit_rules_hold q : rules_hold K [t] q (explicit_rules q).
+Proof. destruct q; [apply Forall_cons; [exact Ht|]|]; apply Forall_nil. Qed.
+
+(** A polynomial that becomes a constant other than 0 after so many derivatives. *)
+Fixpoint constant_after (n : nat) (a : poly) : bool :=
+  match n with
+  | 0 => match a with Pc z => negb (Z.eqb z 0) | _ => false end
+  | S n => match dpoly (explicit_rules s) 0 a with Some a => constant_after n a | None => false end
+  end.
+
+Lemma constant_after_sound n : forall a, constant_after n a = true -> at_point K [t] a <> zero K.
+Proof.
+  induction n as [|n IH]; intros a H.
+  - destruct a as [z| |]; try discriminate. apply Hz. intros ->. discriminate.
+  - cbn [constant_after] in H. destruct (dpoly (explicit_rules s) 0 a) as [d|] eqn:E; [|discriminate].
+    intro Z. apply (IH d H).
+    rewrite <- (dpoly_sound K [t] s (explicit_rules s) (explicit_rules_hold s) a 0 d E).
+    change (jumped K [t] 0) with [t]. unfold at_point in Z. rewrite Z. apply derivative_zero.
+Qed.
+
+Lemma explicit_nonzero n e : 
+  is_polynomial explicit_rules e && constant_after n (polynomial explicit_rules e) = true ->
+  value K [t] e <> zero K.
+Proof.
+  intro H. apply andb_prop in H. destruct H as [P C]. unfold is_polynomial in P. unfold polynomial in C.
+  destruct (norm [] [] explicit_rules e) as [[a [|? ?]]|] eqn:E; try discriminate.
+  rewrite <- (norm_sound K [t] [] [] explicit_rules explicit_rules_hold (Forall_nil _) e _ E). cbn [fst snd].
+  apply constant_after_sound in C. intro Z. apply C.
+  rewrite den_nil in Z. rewrite <- Z. field. apply (F_1_neq_0 (field_axioms K)).
+Qed.
+
+Lemma different (a b : K) : minus K a b <> zero K -> a <> b.
+Proof. intros N ->. apply N. ring. Qed.
+
+Lemma different_vectors (i : nat) (a b : list K) :
+  minus K (component i a) (component i b) <> zero K -> a <> b.
+Proof. intros N ->. apply N. ring. Qed.
+
+Lemma parallel_of_one_surface (d g e h : list K) :
+  length d = 3 -> length g = 3 -> length e = 3 -> length h = 3 -> same_surface (d, g) (e, h) ->
+  cross g h = [zero K; zero K; zero K] /\ cross g (vsub e d) = [zero K; zero K; zero K].
+Proof.
+  intros Ld Lg Le Lh H.
+  destruct (proj2 (H (vadd e (vmul (zero K) h)))) as [m Hm]; [now exists (zero K)|].
+  destruct (proj2 (H (vadd e (vmul (one K) h)))) as [n Hn]; [now exists (one K)|].
+  destruct d as [|d0 [|d1 [|d2 [|]]]]; try discriminate.
+  destruct e as [|e0 [|e1 [|e2 [|]]]]; try discriminate.
+  destruct g as [|g0 [|g1 [|g2 [|]]]]; try discriminate.
+  destruct h as [|h0 [|h1 [|h2 [|]]]]; try discriminate.
+  unfold vadd, vmul, cross, vsub, component, directrix, generator in *. simpl in *.
+  injection Hm as M0 M1 M2. injection Hn as N0 N1 N2.
+  assert (E0 : e0 = plus K d0 (times K g0 m)) by (rewrite <- M0; ring).
+  assert (E1 : e1 = plus K d1 (times K g1 m)) by (rewrite <- M1; ring).
+  assert (E2 : e2 = plus K d2 (times K g2 m)) by (rewrite <- M2; ring).
+  assert (F0 : h0 = times K g0 (minus K n m)).
+  { transitivity (minus K (plus K e0 (times K h0 (one K))) e0); [ring|]. rewrite N0, E0. ring. }
+  assert (F1 : h1 = times K g1 (minus K n m)).
+  { transitivity (minus K (plus K e1 (times K h1 (one K))) e1); [ring|]. rewrite N1, E1. ring. }
+  assert (F2 : h2 = times K g2 (minus K n m)).
+  { transitivity (minus K (plus K e2 (times K h2 (one K))) e2); [ring|]. rewrite N2, E2. ring. }
+  split; apply three; rewrite ?F0, ?F1, ?F2, ?E0, ?E1, ?E2; ring.
+Qed.
+
+End Explicit.

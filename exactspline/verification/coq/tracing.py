@@ -1,0 +1,67 @@
+"""The tree reading with every call of a formula a node: the formulas of a paper as they build on each other."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import Kind
+from exactspline.readings.tree import Node, Operation, Traced
+
+
+class Called(NamedTuple):
+    """A formula that is called, and on which part of the argument: ``second.`` or on all of it."""
+
+    formula: Formula
+    path: str
+
+
+class Call(Node):
+    """A node of a called formula; its one argument is the tree of the body."""
+
+    __slots__ = ()
+
+    def __init__(self, body: Node, called: Called) -> None:
+        super().__init__(Operation.NAMED, (body,), called, vector=body.is_vector)
+
+    @property
+    def generator(self) -> Node:
+        """The generator of the ruled surface that is called."""
+        return Node(Operation.GENERATOR, (self,), vector=True)
+
+    @property
+    def directrix(self) -> Node:
+        """The directrix of the ruled surface that is called."""
+        return Node(Operation.DIRECTRIX, (self,), vector=True)
+
+
+class Calling(Traced):
+    """The argument of the tree reading, on which formulas that are called become nodes."""
+
+    def __init__(self, kind: Kind, dimension: int, *, path: str = "", known: dict[Called, Call] | None = None) -> None:
+        super().__init__(kind, dimension, path=path)
+        self._known: dict[Called, Call] = {} if known is None else known
+
+    def __getattr__(self, name: str) -> Node | Traced:
+        found = super().__getattr__(name)
+        if isinstance(found, Traced):
+            return Calling(self._kind.parts[name], self._dimension, path=f"{name}.", known=self._known)
+        return found
+
+    def calls(self, formula: Formula) -> Any:
+        """A node with the formula; a formula called twice is traced once."""
+        called = Called(formula, self._path)
+        if called not in self._known:
+            self._known[called] = Call(formula.function(self), called)
+        return self._known[called]
+
+
+def body(formula: Formula, dimension: int) -> Node:
+    """The tree of a formula, the formulas that it calls by name.
+
+    >>> from exactspline.papers import find
+    >>> body(find("f1"), 2).args[0].value.formula.name
+    'D1'
+    """
+    tree: Node = formula.function(Calling(formula.kind, dimension))
+    return tree
