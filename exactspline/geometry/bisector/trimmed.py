@@ -207,7 +207,6 @@ class _Family:
         rows, degree = self.rest
         return all(holds_certainly(rows, e, n, part, degree) for part in parts)
 
-
     def of_certain_sign(self, n: int, parts: list[Part]) -> bool:
         """Whether it certainly has one sign on each of some parts, whatever that of e: the condition then changes where
         e has a zero.
