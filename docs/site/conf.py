@@ -2,7 +2,7 @@
 
 project = "exactspline"
 author = "the exactspline developers"
-copyright = "the exactspline developers"  # noqa: A001  # Sphinx's name
+copyright = "the exactspline developers"  # Sphinx's name
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]

@@ -65,7 +65,7 @@ def draw_gallery(folder: Path, page: Path) -> None:
     lines = ["# Gallery"]
     for picture in sorted(folder.glob("*.svg")):
         title = picture.stem.replace("_", " ").capitalize()
-        lines += [f"## {title}", f"![{title}](gallery/{picture.name})"]
+        lines += [f"## {title}", f'<img src="gallery/{picture.name}" alt="{title}" style="max-width:100%">']
         turning = picture.with_suffix(".html")
         if turning.exists():
             lines.append(f'<a href="gallery/{turning.name}">The same, to be turned</a>')
