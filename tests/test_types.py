@@ -44,17 +44,12 @@ ALLOWED: dict[str, str] = {
     "language/rational.py: Rational.degree": DEGREE,
     "language/reading.py: Reading.of": RESULT,
     "language/services.py: service": "a service is whatever was registered under its name",
-    "papers/folder.py: read_toml": DATA,
-    "papers/folder.py: told_of": DATA,
     "programs/compiled.py: compiled": "runs over whatever integers and polynomials it is given",
     "readings/tree.py: Traced.calls": RESULT,
     "readings/tree.py: applied": RESULT,
     "readings/tree.py: evaluate": RESULT,
-    "symbolic/motions.py: Map.of_vector": OPERANDS,
-    "symbolic/motions.py: rotation": OPERANDS,
     "verification/coq/explicit.py: ExplicitCurve.argument": RESULT,
     "verification/coq/settings.py: Setting.argument": RESULT,
-    "verification/kinds/invariance.py: components": RESULT,
 }
 
 
