@@ -76,6 +76,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
     parser.add_argument("--results", type=Path, default=RESULTS)
     parser.add_argument("--witnesses", action="store_true", help="engines by the tests on record, nothing kept")
+    parser.add_argument("--table", action="store_true", help="only tell what is judged so far, module by module")
     parser.add_argument("--record", action="store_true", help="write witnesses.json from the verdicts so far")
     return parser.parse_args()
 
@@ -92,10 +93,12 @@ def main() -> int:
         if not options.witnesses:
             with options.results.open("a", encoding="utf-8") as stream:
                 stream.write(json.dumps(known[key(mutant)], ensure_ascii=False) + "\n")
-        return monotonic() < end
+        return bool(monotonic() < end)
 
     if options.record:
         return record(known)
+    if options.table:
+        return table(known)
     chosen: list[Mutant] = []
     if options.only != "engines":
         chosen += judge_formulas(options, known, told)
@@ -155,6 +158,24 @@ def record(known: Known) -> int:
     engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     print(f"{len(found)} functions with their tests in {engines.WITNESSES.relative_to(ROOT)}")
     return 0
+
+
+def table(known: Known) -> int:
+    """What is judged of all functions as they stand now, module by module, whatever was drawn."""
+    from mutation import engines, formulas
+
+    judged = [m for m in (*formulas.all_mutants(), *engines.all_mutants()) if key(m) in known]
+    by_room: dict[str, list[Mutant]] = {}
+    for mutant in judged:
+        by_room.setdefault("/".join(Path(mutant.file).parts[1:3]), []).append(mutant)
+    why = explained()
+    for room, mutants in sorted(by_room.items()):
+        counts = Counter(known[key(m)]["verdict"] for m in mutants)
+        told = sum(known[key(m)]["verdict"] == "survived" and stable(m.name) in why for m in mutants)
+        print(
+            f"{room}: {len(mutants)} judged, {counts['killed']} killed, {counts['survived']} survived, {told} explained"
+        )
+    return report(judged, known, by_score=True)
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
