@@ -32,6 +32,8 @@ DOCUMENTS = {
     "errata": ["errata", "--json"],
     "degrees": ["degrees", "--curve", "straight_between_arcs", "--json"],
     "generic": ["degrees", "--generic", "--json"],
+    "formula degrees": ["degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
+    "identity": ["prove", "--identity", "f1 = w f2", "--json"],
     "certificates": ["degrees", "--certify", "--curve", "circle"],
     "reduce": ["reduce", "rectifying_developable", "--json"],
     "derivable": ["derive", "--json"],
@@ -102,9 +104,10 @@ def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
 
 def test_help_shows_examples_and_exit_statuses():
     for command in COMMANDS:
-        told = run(command.__name__, "--help").stdout
+        name = command.__name__.replace("_", "-")
+        told = run(name, "--help").stdout
         assert "Exit status: 0 success" in told
-        assert f"  exactspline {command.__name__}" in told
+        assert f"  exactspline {name}" in told
     assert "..." not in run("--help").stdout.split("Commands:")[1]
     assert "[default: 20" in run("inspect", "--help").stdout
 

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import signal
 import threading
-import warnings
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
 from itertools import chain, islice
@@ -52,7 +51,7 @@ def mapped(
     """What `call` gives for chunks of the given, one after the other in their order.
 
     At most `CHUNK` · `WINDOW` a process are held at a time, however many there are and however slowly the results are
-    taken. Closing the generator ends the work.
+    taken. Closing the generator ends the work when the chunks that are begun are finished.
 
     >>> list(mapped(lambda chunk: [2 * x for x in chunk], [3, 1, 2]))
     [6, 2, 4]
@@ -66,7 +65,8 @@ def mapped(
         return
     from joblib import Parallel, delayed
 
-    chunks = _chunks(given)
+    closed = threading.Event()
+    chunks = _chunks(given, closed)
     with ExitStack() as stack:
         with _interrupts_ignored():
             stack.enter_context(_configured(backend, jobs, scheduler))
@@ -76,7 +76,7 @@ def mapped(
             pass
         for first in chunks:
             window = chain([first], islice(chunks, WINDOW * jobs - 1))
-            yield from _taken(parallel(delayed(call)(chunk) for chunk in window))
+            yield from _taken(parallel(delayed(call)(chunk) for chunk in window), closed)
 
 
 @contextmanager
@@ -94,20 +94,23 @@ def _interrupts_ignored() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
-def _taken(results: Generator[list[V]]) -> Iterator[V]:
-    """What is in the chunks of results. Who stops taking them has no use for those on their way, and knows it."""
+def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
+    """What is in the chunks of results. Where nobody takes them any more, those begun are waited for: processes
+    that are killed at their work complain.
+    """
     try:
         for chunk in results:
             yield from chunk
-    finally:
-        with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", ".*cancelled", UserWarning)
-            results.close()
+    except GeneratorExit:
+        closed.set()
+        for _ in results:
+            pass
+        raise
 
 
-def _chunks(given: Iterable[T]) -> Iterator[list[T]]:
+def _chunks(given: Iterable[T], closed: threading.Event) -> Iterator[list[T]]:
     source = iter(given)
-    while chunk := list(islice(source, CHUNK)):
+    while not closed.is_set() and (chunk := list(islice(source, CHUNK))):
         yield chunk
 
 

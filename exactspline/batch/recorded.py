@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
+from pathlib import Path
 
 from exactspline.batch.backends import mapped
 from exactspline.batch.corpus import Item, Source, items
 from exactspline.batch.lines import VERSION, Line
-from exactspline.batch.results import Results, ResultsError, opened
+from exactspline.batch.parquet import Parquet
+from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
 from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
 from exactspline.splines.nurbs import Nurbs
@@ -71,6 +73,16 @@ def recorded(
             summary.add(line)
             tick(item.share, line, True)
         _compute(given, work, where, results, summary, tick)
+
+
+def opened(place: str, settings: Settings) -> Results:
+    """Results at a place, begun or gone on with: Parquet for ``*.parquet``, JSON Lines otherwise.
+
+    Raises `ResultsError`, also where pyarrow is needed and missing.
+    """
+    if place.endswith(".parquet"):
+        return Parquet(Path(place), settings)
+    return JsonLines(Path(place), settings)
 
 
 def _compute(

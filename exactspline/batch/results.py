@@ -160,15 +160,3 @@ def _reporting(place: Path, call: Callable[[], V]) -> V:
         raise ResultsError(
             f"cannot be written ({error.strerror})", where=str(place), remedy="name a file that can be written"
         ) from None
-
-
-def opened(place: str, settings: Settings) -> Results:
-    """Results at a place, begun or gone on with: Parquet for ``*.parquet``, JSON Lines otherwise.
-
-    Raises `ResultsError`, also where pyarrow is needed and missing.
-    """
-    if place.endswith(".parquet"):
-        from exactspline.batch.parquet import Parquet
-
-        return Parquet(Path(place), settings)
-    return JsonLines(Path(place), settings)

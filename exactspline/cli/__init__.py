@@ -19,7 +19,9 @@ from exactspline.cli import (
     errata,
     figures,
     glossary,
+    grade,
     inspect,
+    new_paper,
     oracle,
     prove,
     reduce,
@@ -42,14 +44,16 @@ app = typer.Typer(
 #: Every command: what it does in a few words, and examples of its use.
 COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     prove.prove: (
-        "Decide every claim of the paper.",
+        "Decide every claim of a paper.",
         "prove",
+        "prove --paper my-paper --report report.html",
         "prove --curve my.json",
         "prove --section 4.2 --verdict refuted",
     ),
     show.show: ("Spell out one claim.", "show", 'show "eq. (12)"', "show C4.2 --latex"),
     errata.errata: ("List the errors of the paper.", "errata", "errata C4.2b"),
     degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees evolute --curve my.json"),
+    new_paper.new_paper: ("Begin a paper of yours.", "new-paper my-paper"),
     reduce.reduce: ("Factor a formula, yours too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
     derive.derive: ("Evolutes, focal curves, … exactly.", "derive", "derive evolute my.json -o evolute.json"),
     inspect.inspect: (
@@ -63,6 +67,11 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "oracle circle --ask value@1/3 --ask length",
         "oracle drawing.svg --ask inflections --ask bounding_box --json",
         "oracle --list",
+    ),
+    grade.grade: (
+        "Libraries held against exact answers.",
+        "grade scipy geomdl --cases 20",
+        "grade --cache truths.jsonl.gz --page scoreboard.md",
     ),
     bisector.bisector: (
         "Bisectors of curves and points.",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from exactspline.cli.common import quiet_fonts
 from exactspline.cli.output import Output, is_quiet, printing
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ def bench(
     from exactspline.batch.bench.row import Options
     from exactspline.batch.bench.table import chosen_sections, rows, sheet
 
+    quiet_fonts()
     found = _told(rows(chosen_sections(section or []), Options(limit, curves, full)))
     if plot:
         from exactspline.batch.bench.picture import draw

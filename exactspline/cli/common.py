@@ -17,18 +17,23 @@ from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
+    from exactspline.verification.claim import Claim
 
 __all__ = [
     "CURVE_HELP",
     "CurveFiles",
     "Digits",
     "Exact",
+    "Papers",
+    "Trust",
     "also_in_their_planes",
     "check_output",
+    "claims_of_papers",
     "curves_in",
     "described",
     "load_curve",
     "loaded",
+    "quiet_fonts",
     "tell_skipped",
     "tracked",
 ]
@@ -43,6 +48,18 @@ _SEVERAL = re.compile(rb'^\s*\{\s*"(curves|shape)"')
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
 ]
+Papers = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--paper",
+        metavar="PAPER",
+        help="A folder with formulas.py and claims.toml, the name of a paper that comes with exactspline, or all. "
+        "May be repeated.",
+    ),
+]
+Trust = Annotated[
+    bool, typer.Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
+]
 Digits = Annotated[
     int,
     typer.Option(
@@ -50,6 +67,14 @@ Digits = Annotated[
     ),
 ]
 Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
+
+
+def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
+    """The claims of papers named by their names or folders; of those that are meant where none is named."""
+    from exactspline.papers import named_papers
+    from exactspline.verification.claims import claims_in
+
+    return claims_in(named_papers(names or [], trust=trust))
 
 
 def load_curve(name: str) -> Nurbs:
@@ -161,6 +186,13 @@ def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
     from rich.progress import track
 
     return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
+
+
+def quiet_fonts() -> None:
+    """Let fontTools keep to itself what it thinks of the dates in a font: nothing of it concerns outlines."""
+    import logging
+
+    logging.getLogger("fontTools").setLevel(logging.ERROR)
 
 
 def described(c: Nurbs) -> str:

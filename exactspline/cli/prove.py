@@ -7,7 +7,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import CurveFiles, Digits, Exact, also_in_their_planes, described, loaded, tracked
+from exactspline.cli.common import (
+    CurveFiles,
+    Digits,
+    Exact,
+    Papers,
+    Trust,
+    also_in_their_planes,
+    claims_of_papers,
+    described,
+    loaded,
+    tracked,
+)
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.errors import ClaimError, nearest
 
@@ -17,7 +28,11 @@ if TYPE_CHECKING:
     from exactspline.display.ledger import Failure
     from exactspline.display.sheet import Sheet
     from exactspline.verification.claim import Claim
+    from exactspline.verification.questions import Proof
     from exactspline.verification.verdict import Row
+
+#: So many claims are listed one by one, more are summed up.
+FEW = 12
 
 
 @printing
@@ -42,32 +57,66 @@ def prove(
     ] = None,
     judge: Annotated[
         str,
-        typer.Option("--judge", metavar="JUDGE", help="Who decides the identities once more, for all curves: sympy."),
+        typer.Option(
+            "--judge",
+            metavar="JUDGE",
+            help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (a column).",
+        ),
+    ] = "",
+    emit_coq: Annotated[
+        str,
+        typer.Option(
+            "--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."
+        ),
     ] = "",
     rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
     html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
+    paper: Papers = None,
+    trust: Trust = False,
+    report: Annotated[
+        str, typer.Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
+    ] = "",
+    identity: Annotated[
+        str,
+        typer.Option(
+            "--identity",
+            metavar="TEXT",
+            help='Decide one identity instead: "file.py:left = w^3 * file.py:right", for all curves.',
+        ),
+    ] = "",
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """Decide every claim of the paper: for all curves at once, and exactly on the curves given (without --curve: on the
-    example curves).
+    """Decide every claim of a paper: for all curves at once, and exactly on the curves given (without --curve: on those
+    in its folder, or on the example curves).
     """
+    if identity:
+        _identity(out, identity, trust)
+        return
     from exactspline.display.ledger import WORDS, word
     from exactspline.display.ledger_page import write_page
     from exactspline.verification.ledger import tasks
 
+    if emit_coq:
+        _emit(emit_coq)
+        return
     wanted = [_word(each, WORDS) for each in verdict or []]
-    claims = _of_sections(_named(claim or []), section or [])
+    claims = _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or [])
     given, good = loaded(curve or [])
     curves = also_in_their_planes(given) if curve else None
     if judge and curve:
         raise OptionsError("--judge and --curve", remedy="another judge decides for all curves: leave --curve out")
     found = tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving")
+    kernel = _kernel(claims) if judge == "coq" else None
     chosen = [row for row in found if not wanted or word(row) in wanted]
     if html:
         write_page(html, chosen)
-    listed = rows or bool(claim or section or verdict)
-    pages = _Ledger(chosen, claims, curves, digits, exact)
+    if report:
+        from exactspline.display.report import write_report
+
+        write_report(report, claims, found)
+    listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
+    pages = _Ledger(chosen, claims, curves, digits, exact, kernel)
     out.give(
         "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
     )
@@ -77,22 +126,71 @@ def prove(
         raise typer.Exit(1)
 
 
-def _named(ids: Sequence[str]) -> Sequence[Claim]:
-    """The claims with these ids or places, in the order of the paper; all of them for none."""
+def _named(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
+    """The claims with these ids or places, in the order of the papers; all of them for none."""
     from exactspline.display.statement import located
-    from exactspline.verification.claims import all_claims
 
-    keep = {claim.key for name in ids for claim in located(name)}
-    return [claim for claim in all_claims() if not ids or claim.key in keep]
+    keep = {claim for name in ids for claim in located(name, claims)}
+    return [claim for claim in claims if not ids or claim in keep]
+
+
+def _identity(out: Output, text: str, trust: bool) -> None:
+    """One identity between formulas of anybody; status 1 where it does not hold."""
+    from exactspline.verification.questions import proof_of
+
+    found = proof_of(text, trust=trust)
+    out.give("identity", lambda: [found.data()], lambda: [_sheet(found)], lambda: _told(str(found)))
+    if not found:
+        raise typer.Exit(1)
+
+
+def _sheet(found: Proof) -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    made = Sheet("left", "factor", "right", "holds", "quotient")
+    made.add_row(found.left, found.factor, found.right, "yes" if found else "no", str(found.quotient or "–"))
+    return made
+
+
+def _told(text: str) -> None:
+    from exactspline.display import console
+
+    console.lines(console.console(), text)
 
 
 def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
     """What gives the calls of another judge."""
+    if name == "coq":
+        from exactspline.verification import ledger
+
+        return ledger.tasks
     if name != "sympy":
-        raise ClaimError(f"no judge is called {name!r}", remedy="there is sympy")
+        raise ClaimError(f"no judge is called {name!r}", remedy="there are sympy and coq")
     from exactspline.verification import sympy_judge
 
     return sympy_judge.tasks
+
+
+def _kernel(claims: Sequence[Claim]) -> dict[tuple[str, str], str]:
+    """The column of the kernel: what Coq says, claim by claim."""
+    from exactspline.verification.coq_judge import opinions
+
+    return {key: str(opinion) for key, opinion in opinions(claims).items()}
+
+
+def _emit(directory: str) -> None:
+    """Write the theorems, and say how many there are and what has none."""
+    from pathlib import Path
+
+    from exactspline.display import console
+    from exactspline.verification.coq.emission import emit
+
+    made = emit(Path(directory))
+    shown = console.console()
+    theorems = [each for own in made.theorems.values() for each in own if not each.reason]
+    console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
+    for each in made.unstated:
+        console.lines(shown, f"{each.claim.key}: no theorem, {each.reason}")
 
 
 def _word(name: str, known: Sequence[str]) -> str:
@@ -123,18 +221,38 @@ class _Ledger:
     """The rows of a run, for programs and for people."""
 
     def __init__(
-        self, rows: list[Row], claims: Sequence[Claim], curves: list[Any] | None, digits: int, exact: bool
+        self,
+        rows: list[Row],
+        claims: Sequence[Claim],
+        curves: list[Any] | None,
+        digits: int,
+        exact: bool,
+        kernel: dict[tuple[str, str], str] | None = None,
     ) -> None:
         self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
+        self.kernel = kernel
+
+    @property
+    def own(self) -> bool:
+        """Whether the claims are checked on curves of their own papers."""
+        from exactspline.verification.paper_curves import own_curves
+
+        return any(own_curves(claim.source_paper) for claim in self.claims)
 
     def data(self) -> list[dict[str, object]]:
         """Every row, with a key of its own."""
         from exactspline.display.ledger import keyed
 
         return [
-            row.data() | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            row.data()
+            | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            | self._said(row)
             for key, word, row in keyed(self.rows)
         ]
+
+    def _said(self, row: Row) -> dict[str, object]:
+        """What the kernel says, where it was asked."""
+        return {} if self.kernel is None else {"kernel": self.kernel.get((row.paper, row.key), "")}
 
     def sheets(self) -> list[Sheet]:
         """The ledger, curve by curve."""
@@ -144,7 +262,8 @@ class _Ledger:
         for name in dict.fromkeys(row.curve for row in self.rows):
             own = [row for row in self.rows if row.curve == name]
             title = name or "For all curves"
-            shown.append(ledger(own, title, self.digits, exact=self.exact, name=name or "all curves"))
+            told = None if name else self.kernel
+            shown.append(ledger(own, title, self.digits, exact=self.exact, name=name or "all curves", kernel=told))
         return shown
 
     def print(self, out: Output, found: Sequence[Row], *, listed: bool, everything: bool) -> None:
@@ -213,7 +332,8 @@ class _Ledger:
         concrete = [row for row in self.rows if row.curve]
         if concrete and not everything:
             made = by_curve(concrete)
-            made.title = "On the example curves, exactly (each in full with --curve NAME, all of them with --rows)"
+            of = "its own" if self.own else "the example"
+            made.title = f"On {of} curves, exactly (each in full with --curve CURVE, all of them with --rows)"
             shown.print()
             shown.print(made)
             self._not_as_recorded(shown)
@@ -221,7 +341,7 @@ class _Ledger:
     def _not_as_recorded(self, shown: Console) -> None:
         from exactspline.display.ledger import ledger
 
-        if differing := [row for row in self.rows if row.curve and not row.as_recorded]:
+        if differing := [row for row in self.rows if not row.as_recorded]:
             shown.print()
             shown.print(ledger(differing, "Not as recorded", self.digits, exact=self.exact))
 

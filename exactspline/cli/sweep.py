@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from exactspline.cli.common import quiet_fonts
 from exactspline.cli.output import Output, is_quiet, printing
 from exactspline.errors import CurveFileError
 
@@ -118,6 +119,7 @@ def sweep(
 
     sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits)
     check_backend(backend)
+    quiet_fonts()
     summary, where, to_stdout = Summary(), Where(backend, jobs, scheduler), output == "-"
     start = monotonic()
     with _interruptible() as stopped:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
-from exactspline.papers import paper
+from exactspline.papers import Paper, paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
@@ -36,13 +36,13 @@ def word(row: Row) -> str:
 
 
 @cache
-def _claims(name: str) -> dict[str, Claim]:
-    return {claim.key: claim for claim in claims_of(name)}
+def _claims(source: Paper) -> dict[str, Claim]:
+    return {claim.key: claim for claim in claims_of(source)}
 
 
 def claim_of(row: Row) -> Claim:
     """The claim of which a row is a line."""
-    return _claims(row.paper)[row.key]
+    return _claims(paper(row.paper))[row.key]
 
 
 def section(claim: Claim) -> str:
@@ -56,7 +56,7 @@ def section(claim: Claim) -> str:
         return OURS
     if number := re.match(r"C(\d+(?:\.\d+)?)", claim.id):
         return f"§{number[1]}"
-    return {"T": "Table 1", "E": "equations", "F": "figures"}.get(claim.id[0], claim.id)
+    return claim.source_paper.sections.get(claim.id[0], claim.source)
 
 
 def found(row: Row) -> str:
@@ -85,13 +85,23 @@ def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
     return "" if said else decimals(row.witness, digits, exact=exact)
 
 
-def ledger(rows: Iterable[Row], title: str = "", digits: int = 0, *, exact: bool = False, name: str = "") -> Sheet:
-    """The rows of one curve (or of all curves), one a line."""
-    columns = ("verdict", "claim", "statement", "found", "witness")
-    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness"), heads=2)
+def ledger(
+    rows: Iterable[Row],
+    title: str = "",
+    digits: int = 0,
+    *,
+    exact: bool = False,
+    name: str = "",
+    kernel: Mapping[tuple[str, str], str] | None = None,
+) -> Sheet:
+    """The rows of one curve (or of all curves), one a line; with `kernel`, what the kernel of Coq says of each claim."""
+    asked = () if kernel is None else ("kernel",)
+    columns = ("verdict", "claim", "statement", "found", "witness", *asked)
+    made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {row.expected})"
-        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact))
+        says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
+        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact), *says)
     return made
 
 

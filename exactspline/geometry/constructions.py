@@ -19,7 +19,7 @@ from exactspline.language.choices import choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
-from exactspline.papers import find, papers
+from exactspline.papers import default_papers, find
 from exactspline.programs.wronskian import wronskian_of
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
@@ -151,7 +151,7 @@ def _lowest(lift: str, lifted: str, construction: str, first: str, dimension: in
 def all_constructions() -> dict[str, Construction]:
     """Every construction that a paper declares, with the variants that later papers add to it."""
     made: dict[str, Construction] = {}
-    for source in papers():
+    for source in default_papers():
         for name, table in source.construction_tables().items():
             entry = dict(table.entry)
             variants = {

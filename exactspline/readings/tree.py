@@ -47,6 +47,9 @@ class Operation(StrEnum):
     #: A directrix with its generator; a normal with its height, brought to one denominator.
     RULED = "ruled"
     LEVEL = "level"
+    #: A part of a ruled surface that is called by its name.
+    DIRECTRIX = "directrix"
+    GENERATOR = "generator"
 
 
 #: What carries nothing out.
@@ -193,6 +196,11 @@ class Traced(Argument):
     def __init__(self, kind: Kind, dimension: int, *, expand: bool = False, path: str = "") -> None:
         self._kind, self._dimension, self._expand, self._path = kind, dimension, expand, path
 
+    @property
+    def dimension(self) -> int:
+        """Number of coordinates."""
+        return self._dimension
+
     def __getattr__(self, name: str) -> Node | Traced:
         if name.startswith("_"):
             raise AttributeError(name)
@@ -270,7 +278,7 @@ def evaluate(node: Node, c: Any) -> Any:
 
     def visit(n: Node) -> Any:
         if id(n) not in known:
-            known[id(n)] = _apply(n, [visit(a) for a in n.args], c)
+            known[id(n)] = applied(n, [visit(a) for a in n.args], c)
         return known[id(n)]
 
     return visit(node)
@@ -282,7 +290,8 @@ _BINARY = {Operation.PLUS: add, Operation.MINUS: sub, Operation.TIMES: mul, Oper
 _PRODUCTS = {Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)}
 
 
-def _apply(n: Node, args: list[Any], c: Any) -> Any:
+def applied(n: Node, args: list[Any], c: Any) -> Any:
+    """The value of one node from those of its arguments, in the reading of the curve `c`."""
     if n.op is Operation.LEAF:
         return attrgetter(n.value)(c)
     if n.op is Operation.NUMBER:
@@ -301,6 +310,8 @@ def _apply(n: Node, args: list[Any], c: Any) -> Any:
         return args[0][n.value]
     if n.op is Operation.LEVEL:
         return level(args[0], args[1])[n.value]
+    if n.op in (Operation.DIRECTRIX, Operation.GENERATOR):
+        return getattr(args[0], n.op)
     return _PRODUCTS[n.op](*args)
 
 

@@ -16,15 +16,12 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_poly, nmod_poly
 
-from exactspline.exact import mpq, ratio
+from exactspline.exact import PRIME, mpq, ratio
 from exactspline.language.factorization import Factorization, multiplied
 from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
-#: A prime for the square-free test: any prime that does not divide the leading coefficient and the degree gives a
-#: proof.
-PRIME = (1 << 61) - 1
 
 
 class Factor:

@@ -10,7 +10,7 @@ from typing import overload
 from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import text
+from exactspline.exact import PRIME, text
 from exactspline.language.parts import split
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
@@ -21,9 +21,6 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineSurface, SplineValue, SplineVector
 
-#: The prime modulo which polynomials are first held against one another.
-PRIME = (1 << 61) - 1
-
 
 def common_factor(v: Vector[BSpline]) -> BSpline:
     """A spline that vanishes exactly where all components do: their greatest common divisor, segment by segment.
@@ -33,7 +30,7 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
     1
     """
     rows = []
-    for parts in zip(*[c.polynomials for c in v], strict=True):
+    for parts in zip(*[c._polynomials for c in v], strict=True):
         common = _greatest_common_divisor(parts)
         at_end = min((x.degree - c.degree() for x, c in zip(v, parts, strict=True) if c), default=0)
         rows.append((common, max(common.degree(), 0) + at_end))
@@ -165,7 +162,7 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
     if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
         return f
     rows = [
-        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f.polynomials, w.polynomials, strict=True)
+        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f._polynomials, w._polynomials, strict=True)
     ]
     if not any(lost for _, lost in rows):
         return f
@@ -198,10 +195,10 @@ def primitive(f: BSpline) -> BSpline:
         return f
     first = f.denominators[0]
     if all(m == first for m in f.denominators):
-        polynomials = list(f.polynomials)
+        polynomials = list(f._polynomials)
     else:
         scale = _common(f.denominators)
-        polynomials = [c * (scale // m) for c, m in zip(f.polynomials, f.denominators, strict=True)]
+        polynomials = [c * (scale // m) for c, m in zip(f._polynomials, f.denominators, strict=True)]
     content = polynomials[0].content()
     for c in polynomials[1:]:
         if content == 1:

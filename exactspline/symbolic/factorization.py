@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from math import gcd, lcm
@@ -21,7 +23,7 @@ from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
-from exactspline.papers import Paper, find, papers
+from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -97,15 +99,16 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
 
 
-def jets_with_roots(formulas: Iterable[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
-    """The same with the roots of the frame adjoined. Where neither formulas nor factor speak of the denominator, γ has
-    indeterminate coordinates: w = 1.
-    """
-    chosen = list(formulas)
-    alone = (
-        all(speaks_of_gamma_alone(each, dimension) for each in chosen) and "w" not in factor.replace("^", " ").split()
-    )
-    return jets_for(chosen, dimension, polynomial=polynomial or alone)
+def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
+    """Whether neither the formulas nor a factor as claims write it speak of the denominator, but of γ alone."""
+    weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
+    return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
+
+
+def jets_with_roots(formulas: Sequence[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
+    """The same with the roots of the frame adjoined; for formulas of γ alone γ has indeterminate coordinates."""
+    alone = without_denominator(formulas, factor, dimension)
+    return jets_for(formulas, dimension, polynomial=polynomial or alone)
 
 
 def find_factor(left: Value, right: Value) -> Factor | None:
@@ -198,9 +201,32 @@ def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
 def named_values(ring: JetRing) -> list[tuple[str, object]]:
     """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
     found: list[tuple[str, object]] = []
-    for source in papers():
+    for source in naming():
         found += _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
     return _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial) + found
+
+
+#: The paper whose own words for things come first; None where none is spoken of.
+_SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
+
+
+def naming() -> tuple[Paper, ...]:
+    """The papers whose formulas give factors their names: that which is spoken of and those that it uses, then those
+    that are meant where none is named.
+    """
+    source = _SPOKEN_OF.get()
+    own = (source, *source.uses) if source is not None and not source.default else ()
+    return tuple(dict.fromkeys((*own, *default_papers())))
+
+
+@contextmanager
+def speaking_of(source: Paper) -> Iterator[None]:
+    """While this lasts, factors have the names that a paper has for them."""
+    token = _SPOKEN_OF.set(source)
+    try:
+        yield
+    finally:
+        _SPOKEN_OF.reset(token)
 
 
 @cache

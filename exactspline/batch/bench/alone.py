@@ -53,7 +53,7 @@ def _inspect(count: int) -> Callable[[], object]:
 
 def _trim(_: int) -> Callable[[], object]:
     from exactspline.batch.bench.inputs import wandering
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector
 
     c = wandering(3, 500, rational=False)
     return lambda: trimmed_bisector(c, (7, 100))
@@ -61,7 +61,7 @@ def _trim(_: int) -> Callable[[], object]:
 
 def _trim_rational(_: int) -> Callable[[], object]:
     from exactspline.batch.bench.inputs import wandering
-    from exactspline.geometry.trimmed_bisector import trimmed_bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector
 
     c = wandering(5, 10, rational=True)
     return lambda: trimmed_bisector(c, (7, 100))

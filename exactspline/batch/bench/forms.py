@@ -19,8 +19,10 @@ from exactspline.batch.bench import inline
 from exactspline.batch.bench.inputs import curve, forms
 from exactspline.batch.bench.peers import FractionPoly, powers
 from exactspline.batch.bench.row import OURS, Options, Row, Timed, best, compared
+from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
 from exactspline.papers import find
+from exactspline.programs import evaluated
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import surface_pair
 
@@ -62,7 +64,7 @@ def _afresh(formula: Formula, c: Nurbs) -> Timed:
 
     def call(made: object) -> object:
         assert isinstance(made, Nurbs)
-        return formula(made)
+        return evaluated(formula, made)
 
     return call, lambda: Nurbs(c.degree, c.knots, c.control_points, c.weights)
 
@@ -152,5 +154,9 @@ def _bisector() -> Iterator[Row]:
     def by_hand(_: object) -> object:
         return packed_bisector(one, two)
 
-    took = best({OURS: (formula, prepare), INLINE: (by_hand, lambda: None)})
+    def ours(pair: object) -> object:
+        assert isinstance(pair, Pair)
+        return evaluated(formula, pair)
+
+    took = best({OURS: (ours, prepare), INLINE: (by_hand, lambda: None)})
     yield from compared(FORMS, "bisector of two rational cubics, 1 × 1 segments", took, {INLINE: TWICE})

@@ -61,9 +61,11 @@ def _case(case: str, digits: int) -> Iterator[Row]:
     def made() -> BSpline:
         return BSpline.from_forms(f.degree, f.mesh, f.continuity, f.forms)
 
-    timed: dict[str, Timed] = {
-        OURS: (lambda g: zeros(g).refine(digits), made)  # type: ignore[arg-type]  # `made` made it
-    }
+    def ours(g: object) -> object:
+        assert isinstance(g, BSpline)
+        return zeros(g).refine(digits)
+
+    timed: dict[str, Timed] = {OURS: (ours, made)}
     if installed("PARI"):
         timed["PARI"] = _pari(case, digits)
     if f.degree <= MODERATE:

@@ -17,7 +17,7 @@ def spinor(c):
     return join(c.u, c.v)
 
 
-@formula("The plane: square the radius, double the angle", on="hodograph", symbol="w^2")
+@formula("The plane: square the radius, double the angle", on="hodograph")
 def spinor_squared(c):
     """``w²``, in complex notation."""
     return complex_product(spinor(c), spinor(c))
@@ -48,7 +48,7 @@ def turned_unit_tangent(c):
     return perp(c.gamma.d(1)) / ph_speed(c)
 
 
-@formula("phCurve, computePHOffset", on="hodograph", symbol="(NX, NY)")
+@formula("phCurve, computePHOffset", on="hodograph")
 def ph_offset_numerator(c):
     """``(x σ − d y′, y σ + d x′)`` at the distance d = 1."""
     a, s = c.gamma.d(1), ph_speed(c)

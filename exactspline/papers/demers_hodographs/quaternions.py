@@ -16,7 +16,7 @@ def quaternion(c):
     return join(c.w, c.p)
 
 
-@formula("Space: square the radius, rotate i", on="space", symbol="A i A^*")
+@formula("Space: square the radius, rotate i", on="space")
 def sandwich(c):
     """``A i A*``."""
     a = quaternion(c)
@@ -36,7 +36,7 @@ def sandwich_squared(c):
     return norm2(sandwich(c))
 
 
-@formula("Space: square the radius, rotate i", on="space", symbol="|A|^2")
+@formula("Space: square the radius, rotate i", on="space")
 def quaternion_squared(c):
     """``|A|²``."""
     return norm2(quaternion(c))
@@ -64,7 +64,7 @@ def turned_sandwich(c):
     return _product(by_i, join(turned[0], -turned[1:4]))[1:4]
 
 
-@formula("The ambiguity is a group", on="space with a, b", symbol="a^2 + b^2")
+@formula("The ambiguity is a group", on="space with a, b")
 def turning_squared(c):
     """``a² + b²``: 1 for ``a + bi = e^{iθ}``."""
     return c.a * c.a + c.b * c.b

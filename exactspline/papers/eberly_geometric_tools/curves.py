@@ -5,19 +5,19 @@ from exactspline.language.vector import dot, join
 from exactspline.papers.petrunin_zamora_barrera.space import acceleration_by_arc_length
 
 
-@formula("NURBSCurve.h, Evaluate", symbol=r"\mathrm{jet}_1")
+@formula("NURBSCurve.h, Evaluate", symbol="J_1")
 def jet_1(c):
     """``(X′ − w′ jet[0]) / w``."""
     return (c.p.d(1) - c.gamma * c.w.d(1)) / c.w
 
 
-@formula("NURBSCurve.h, Evaluate", symbol=r"\mathrm{jet}_2")
+@formula("NURBSCurve.h, Evaluate", symbol="J_2")
 def jet_2(c):
     """``(X″ − 2 w′ jet[1] − w″ jet[0]) / w``."""
     return (c.p.d(2) - jet_1(c) * (2 * c.w.d(1)) - c.gamma * c.w.d(2)) / c.w
 
 
-@formula("NURBSCurve.h, Evaluate", symbol=r"\mathrm{jet}_3")
+@formula("NURBSCurve.h, Evaluate", symbol="J_3")
 def jet_3(c):
     """``(X‴ − 3 w′ jet[2] − 3 w″ jet[1] − w‴ jet[0]) / w``."""
     lower = jet_2(c) * (3 * c.w.d(1)) + jet_1(c) * (3 * c.w.d(2)) + c.gamma * c.w.d(3)
@@ -43,7 +43,7 @@ def bending_along_the_clockwise_normal(c):
     return clockwise_normal(c) * (dot_perp(c) / dot(c.gamma.d(1), c.gamma.d(1)) ** 2)
 
 
-@formula("Frenet equations", on="plane", symbol="dT/ds")
+@formula("Frenet equations", on="plane")
 def tangent_by_arc_length(c):
     """The derivative of the unit tangent by arc length."""
     return acceleration_by_arc_length(c)

@@ -16,7 +16,7 @@ def gradient_squared(c):
     return c.fx * c.fx + c.fy * c.fy
 
 
-@formula("ImplicitCurve2.h, GetCurvature", on="implicit", symbol=r"\kappa^2")
+@formula("ImplicitCurve2.h, GetCurvature", on="implicit")
 def implicit_curvature_squared(c):
     """The square of the curvature."""
     return implicit_curvature_numerator(c) ** 2 / gradient_squared(c) ** 3

@@ -9,13 +9,13 @@ from exactspline.language.vector import cross, dot, join, norm2
 PLACE = "ImplicitSurface3.h, GetPrincipalInformation"
 
 
-@formula(PLACE, on="implicit surface", symbol="L^2")
+@formula(PLACE, on="implicit surface")
 def length_squared(c):
     """``L²``."""
     return norm2(c.gradient_f)
 
 
-@formula(PLACE, on="implicit surface", symbol="D^2F DF")
+@formula(PLACE, on="implicit surface")
 def hessian_on_gradient(c):
     """``D²F DF``."""
     g = c.gradient_f
@@ -37,19 +37,19 @@ def mean_in_the_code(c):
     return c.fxx * (yy + zz) + c.fyy * (xx + zz) + c.fzz * (xx + yy) - 2 * mixed
 
 
-@formula(PLACE, on="implicit surface", symbol=r"\mathrm{adj}_1")
+@formula(PLACE, on="implicit surface")
 def adjugate_1(c):
     """The first row of ``adj(D²F)``, as the comment has it."""
     return join(c.fyy * c.fzz - c.fyz * c.fyz, c.fyz * c.fxz - c.fxy * c.fzz, c.fxy * c.fyz - c.fxz * c.fyy)
 
 
-@formula(PLACE, on="implicit surface", symbol=r"\mathrm{adj}_2")
+@formula(PLACE, on="implicit surface")
 def adjugate_2(c):
     """The second row."""
     return join(c.fyz * c.fxz - c.fxy * c.fzz, c.fxx * c.fzz - c.fxz * c.fxz, c.fxy * c.fxz - c.fxx * c.fyz)
 
 
-@formula(PLACE, on="implicit surface", symbol=r"\mathrm{adj}_3")
+@formula(PLACE, on="implicit surface")
 def adjugate_3(c):
     """The third row."""
     return join(c.fxy * c.fyz - c.fxz * c.fyy, c.fxy * c.fxz - c.fxx * c.fyz, c.fxx * c.fyy - c.fxy * c.fxy)
@@ -101,19 +101,19 @@ def _form(c, u, v):
     return dot(u, join(dot(c.hessian_fx, v), dot(c.hessian_fy, v), dot(c.hessian_fz, v)))
 
 
-@formula("second fundamental form", on="implicit surface", symbol=r"a^\top D^2F\, a")
+@formula("second fundamental form", on="implicit surface")
 def form_along(c):
     """``aᵀ D²F a`` for a = γ′."""
     return _form(c, c.gamma.d(1), c.gamma.d(1))
 
 
-@formula("second fundamental form", on="implicit surface", symbol=r"b^\top D^2F\, b")
+@formula("second fundamental form", on="implicit surface")
 def form_across(c):
     """``bᵀ D²F b``."""
     return _form(c, across(c), across(c))
 
 
-@formula("second fundamental form", on="implicit surface", symbol=r"a^\top D^2F\, b")
+@formula("second fundamental form", on="implicit surface")
 def form_mixed(c):
     """``aᵀ D²F b``."""
     return _form(c, c.gamma.d(1), across(c))
@@ -137,7 +137,7 @@ def determinant_of_the_form(c):
     return form_along(c) * form_across(c) - form_mixed(c) ** 2
 
 
-@formula(PLACE, on="implicit surface", symbol=r"m_0 L^3")
+@formula(PLACE, on="implicit surface", symbol="m_0")
 def shape_row_0(c):
     """``L³ (m00, m01, m02)``: the sum of the terms of the code over one power of L."""
     n = length_squared(c)
@@ -145,7 +145,7 @@ def shape_row_0(c):
     return join(dot(weights, c.hessian_fx), dot(weights, c.hessian_fy), dot(weights, c.hessian_fz))
 
 
-@formula(PLACE, on="implicit surface", symbol=r"m_1 L^3")
+@formula(PLACE, on="implicit surface", symbol="m_1")
 def shape_row_1(c):
     """``L³ (m10, m11, m12)``."""
     n = length_squared(c)
@@ -153,7 +153,7 @@ def shape_row_1(c):
     return join(dot(weights, c.hessian_fx), dot(weights, c.hessian_fy), dot(weights, c.hessian_fz))
 
 
-@formula(PLACE, on="implicit surface", symbol=r"m_2 L^3")
+@formula(PLACE, on="implicit surface", symbol="m_2")
 def shape_row_2(c):
     """``L³ (m20, m21, m22)``."""
     n = length_squared(c)

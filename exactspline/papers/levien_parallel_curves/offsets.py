@@ -12,13 +12,13 @@ from exactspline.language.vector import det, dot, join, norm2, perp
 KIND = "plane with delta"
 
 
-@formula("complex notation", on="plane", symbol="x'")
+@formula("complex notation", on="plane", symbol="V")
 def root_velocity(c):
     """``x′ = (u + iv)²``."""
     return complex_product(c.p, c.p)
 
 
-@formula("complex notation", on="plane", symbol="|x'|")
+@formula("complex notation", on="plane", symbol=r"\sigma")
 def root_speed(c):
     """``|x′| = u² + v²``."""
     return norm2(c.p)
@@ -36,13 +36,13 @@ def root_speed_squared(c):
     return root_speed(c) ** 2
 
 
-@formula("Cusp finding", on="plane", symbol=r"\kappa_{\mathrm{printed}}")
+@formula("Cusp finding", on="plane", symbol=r"\kappa")
 def offset_curvature_printed(c):
     """``(x″ × x′) / |x′|³``."""
     return det(root_velocity(c).d(1), root_velocity(c)) / root_speed(c) ** 3
 
 
-@formula("curvature in complex notation", on="plane", symbol=r"\kappa")
+@formula("curvature in complex notation", on="plane")
 def curvature_by_root(c):
     """``2 (u v′ − v u′) / (u² + v²)²``: positive where the curve turns left."""
     return 2 * det(c.p, c.p.d(1)) / root_speed(c) ** 2
@@ -87,6 +87,12 @@ def velocity_less_curvature(c):
     return root_velocity(c) * (1 - offset_curvature_printed(c) * c.delta)
 
 
+@formula("the parallel on the other side", on=KIND)
+def velocities_of_both_sides(c):
+    """``(1 − κδ) x′`` and the velocity of the parallel, less twice x′."""
+    return velocity_less_curvature(c) + offset_velocity(c) - 2 * root_velocity(c)
+
+
 @formula("Cusp finding", on=KIND)
 def velocity_plus_curvature(c):
     """``(1 + κδ) x′``."""
@@ -99,7 +105,13 @@ def offset_distance_squared(c):
     return norm2(offset_step(c))
 
 
-@formula("the parallel curve", on=KIND, symbol=r"\delta^2")
+@formula("the parallel curve", on=KIND, symbol=r"\delta")
+def distance(c):
+    """``δ``."""
+    return c.delta
+
+
+@formula("the parallel curve", on=KIND)
 def distance_squared(c):
     """``δ²``."""
     return c.delta**2
@@ -112,12 +124,6 @@ def offset_step_on_velocity(c):
 
 
 @formula("the parallel curve", on=KIND)
-def offset_tangent_turned(c):
-    """``[x′ (x + step)′]``: zero, since tangents of the parallel curve are parallel."""
-    return det(root_velocity(c), offset_velocity(c))
-
-
-@formula("the parallel curve", on=KIND, symbol=r"1 + \kappa_{\mathrm{printed}} \delta")
 def shrinking(c):
     """``1 + κδ`` for the curvature that is printed."""
     return cusp_function(c) / root_speed(c) ** 3

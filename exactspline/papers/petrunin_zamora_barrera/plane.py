@@ -5,7 +5,7 @@ from exactspline.language.vector import det, dot, norm2, perp
 from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import speed_squared
 
 
-@formula("chapter Signed curvature", on="plane", symbol=r"|\gamma'|^3 k")
+@formula("chapter Signed curvature", on="plane")
 def turning_left(c):
     """``⟨γ″, γ′ turned left⟩``: the signed curvature times ``|γ′|³``."""
     return dot(c.gamma.d(2), perp(c.gamma.d(1)))
@@ -92,7 +92,7 @@ def signed_curvature_derivative(c):
     return turning_left(c).d(1) * speed_squared(c) - turning_left(c) * speed_squared(c).d(1) * 3 / 2
 
 
-@formula("ex:inverse", on="plane", symbol=r"\hat\gamma")
+@formula("ex:inverse", on="plane")
 def inverse_curve(c):
     """The inversion of the curve with respect to the unit circle."""
     return c.gamma / norm2(c.gamma)

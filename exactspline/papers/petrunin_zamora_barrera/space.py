@@ -52,7 +52,7 @@ def indicatrix_speed_squared(c):
     return (norm2(b) * speed_squared(c) - dot(a, b) ** 2) / speed_squared(c) ** 2
 
 
-@formula("chapter Torsion, Frenet frame", on="space", symbol=r"\|\gamma'\| \kappa B")
+@formula("chapter Torsion, Frenet frame", on="space")
 def binormal_by_arc_length(c):
     """``γ′ × K``: the binormal ``B = T × N`` times ``|γ′|κ``."""
     return cross(c.gamma.d(1), acceleration_by_arc_length(c))
@@ -87,7 +87,7 @@ def frenet_equation_of_the_binormal(c):
     return b.d(1) - b * (norm2(b).d(1) / (2 * norm2(b))) + k * (speed_squared(c) * torsion_by_derivatives(c))
 
 
-@formula("ex:lancret, b", on="space", symbol=r"\|\gamma'\| \kappa w")
+@formula("ex:lancret, b", on="space")
 def lancret_vector(c):
     """``|γ′|κ (τ/κ T + B)``."""
     return c.gamma.d(1) * torsion_by_derivatives(c) + binormal_by_arc_length(c)

@@ -22,7 +22,7 @@ def spherical_tangent_on_radius(c):
     return dot(spherical_curve(c).d(1), spherical_curve(c))
 
 
-@formula("ex:spherical-frenet, nu", on="plane", symbol=r"\kappa N")
+@formula("ex:spherical-frenet, nu", on="plane")
 def spherical_acceleration(c):
     """The second derivative of S by arc length."""
     a, b = spherical_curve(c).d(1), spherical_curve(c).d(2)
@@ -41,7 +41,7 @@ def spherical_curvature_excess(c):
     return norm2(spherical_acceleration(c)) - 1
 
 
-@formula("ex:curvature-of-spherical-curve", on="plane", symbol="|S'|^2")
+@formula("ex:curvature-of-spherical-curve", on="plane")
 def spherical_speed_squared(c):
     """``|S′|²``."""
     return norm2(spherical_curve(c).d(1))

@@ -12,7 +12,7 @@ from exactspline.papers.primer_on_bezier_curves.control_points import (
 )
 
 
-@formula("the canonical form, mapped₄", on="plane")
+@formula("the canonical form, mapped₄", on="plane", symbol="x")
 def mapped_x(c):
     """The first coordinate of the mapped fourth point, in the coordinates x₁ … y₄."""
     a, b, d, e = bezier_1(c), bezier_2(c), bezier_3(c), bezier_4(c)
@@ -21,7 +21,7 @@ def mapped_x(c):
     return above / (-x1 + x3 - (-x1 + x2) * (-y1 + y3) / (-y1 + y2))
 
 
-@formula("the canonical form, mapped₄", on="plane")
+@formula("the canonical form, mapped₄", on="plane", symbol="y")
 def mapped_y(c):
     """The second coordinate of the mapped fourth point, in the coordinates x₁ … y₄."""
     a, b, d, e = bezier_1(c), bezier_2(c), bezier_3(c), bezier_4(c)
@@ -30,25 +30,25 @@ def mapped_y(c):
     return (-y1 + y4) / (-y1 + y2) + above / (-x1 + x3 - (-x1 + x2) * (-y1 + y3) / (-y1 + y2))
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="U_2")
 def moved_2(c):
     """The second point after T₁, which moves the first to the origin."""
     return bezier_2(c) - bezier_1(c)
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="U_3")
 def moved_3(c):
     """The third point after T₁."""
     return bezier_3(c) - bezier_1(c)
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="U_4")
 def moved_4(c):
     """The fourth point after T₁."""
     return bezier_4(c) - bezier_1(c)
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="x_{43}")
 def x43(c):
     """``(x₄ − x₂ y₄₂) / (x₃ − x₂ y₃₂)`` with ``y₄₂ = y₄/y₂`` and ``y₃₂ = y₃/y₂``, after the translation."""
     b, d, e = moved_2(c), moved_3(c), moved_4(c)
@@ -62,34 +62,34 @@ def y_by_x43(c):
     return y4 / y2 + x43(c) * (1 - y3 / y2)
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="V_2")
 def sheared_2(c):
     """The second point after T₂, which shears it onto ``x = 0``."""
     a, b = moved_2(c), moved_2(c)
     return join(b[0] - a[0] / a[1] * b[1], b[1])
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="V_3")
 def sheared_3(c):
     """The third point after T₂."""
     a, b = moved_2(c), moved_3(c)
     return join(b[0] - a[0] / a[1] * b[1], b[1])
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="V_4")
 def sheared_4(c):
     """The fourth point after T₂."""
     a, b = moved_2(c), moved_4(c)
     return join(b[0] - a[0] / a[1] * b[1], b[1])
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="W_3")
 def scaled_3(c):
     """The third point after T₃: its coordinates over ``V₃ₓ`` and ``V₂ᵧ``."""
     return join(sheared_3(c)[0] / sheared_3(c)[0], sheared_3(c)[1] / sheared_2(c)[1])
 
 
-@formula("the canonical form", on="plane")
+@formula("the canonical form", on="plane", symbol="W_4")
 def scaled_4(c):
     """The fourth point after T₃."""
     return join(sheared_4(c)[0] / sheared_3(c)[0], sheared_4(c)[1] / sheared_2(c)[1])

@@ -8,61 +8,61 @@ from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, join, norm2
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="P_1")
 def bezier_1(c):
     """First control point: the curve itself."""
     return c.p
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="P_2")
 def bezier_2(c):
     """Second control point, ``p + p′/3``."""
     return c.p + c.p.d(1) / 3
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="P_3")
 def bezier_3(c):
     """Third control point, ``p + 2p′/3 + p″/6``."""
     return c.p + c.p.d(1) * 2 / 3 + c.p.d(2) / 6
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="P_4")
 def bezier_4(c):
     """Fourth control point, ``p + p′ + p″/2 + p‴/6``: the end of a cubic."""
     return c.p + c.p.d(1) + c.p.d(2) / 2 + c.p.d(3) / 6
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="A'")
 def derivative_weight_1(c):
     """``3 (B − A)``."""
     return 3 * (bezier_2(c) - bezier_1(c))
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="B'")
 def derivative_weight_2(c):
     """``3 (C − B)``."""
     return 3 * (bezier_3(c) - bezier_2(c))
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="C'")
 def derivative_weight_3(c):
     """``3 (D − C)``."""
     return 3 * (bezier_4(c) - bezier_3(c))
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="A''")
 def second_derivative_weight_1(c):
     """``2 (B′ − A′)``."""
     return 2 * (derivative_weight_2(c) - derivative_weight_1(c))
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="B''")
 def second_derivative_weight_2(c):
     """``2 (C′ − B′)``."""
     return 2 * (derivative_weight_3(c) - derivative_weight_2(c))
 
 
-@formula("derivatives")
+@formula("derivatives", symbol="A'''")
 def third_derivative_weight(c):
     """``1 (B″ − A″)``."""
     return second_derivative_weight_2(c) - second_derivative_weight_1(c)
@@ -98,13 +98,13 @@ def extremities_b(c):
     return 6 * (bezier_1(c) - 2 * bezier_2(c) + bezier_3(c))
 
 
-@formula("reordering")
+@formula("reordering", symbol="Q_2")
 def quadratic_2(c):
     """The middle control point of a quadratic curve, ``p + p′/2``."""
     return c.p + c.p.d(1) / 2
 
 
-@formula("reordering")
+@formula("reordering", symbol="Q_3")
 def quadratic_3(c):
     """The last control point of a quadratic curve, ``p + p′ + p″/2``."""
     return c.p + c.p.d(1) + c.p.d(2) / 2
@@ -161,7 +161,7 @@ def inflection_coefficient_0(c):
     return -18 * x2 * y1 + 18 * x3 * y1 + 18 * x1 * y2 - 18 * x3 * y2 - 18 * x1 * y3 + 18 * x2 * y3
 
 
-@formula("inflections", on="plane")
+@formula("inflections", on="plane", symbol="h")
 def chord(c):
     """From the first control point to the last, along which the curve is aligned."""
     return bezier_4(c) - bezier_1(c)
@@ -173,19 +173,19 @@ def chord_squared(c):
     return norm2(chord(c))
 
 
-@formula("inflections, aligned", on="plane")
+@formula("inflections, aligned", on="plane", symbol="A_2")
 def aligned_2(c):
     """The second control point after aligning, scaled by the length of the chord."""
     return join(dot(chord(c), bezier_2(c) - bezier_1(c)), det(chord(c), bezier_2(c) - bezier_1(c)))
 
 
-@formula("inflections, aligned", on="plane")
+@formula("inflections, aligned", on="plane", symbol="A_3")
 def aligned_3(c):
     """The third control point after aligning, scaled likewise."""
     return join(dot(chord(c), bezier_3(c) - bezier_1(c)), det(chord(c), bezier_3(c) - bezier_1(c)))
 
 
-@formula("inflections, aligned", on="plane", symbol=r"x_{\mathrm{printed}}")
+@formula("inflections, aligned", on="plane")
 def aligned_t2_printed(c):
     """``3x₃y₂ + 2x₄y₂ + 3x₂y₃ − x₄y₃``: the coefficient of t² as it is first printed."""
     b, d, x4 = aligned_2(c), aligned_3(c), chord_squared(c)
@@ -193,7 +193,7 @@ def aligned_t2_printed(c):
     return 3 * x3 * y2 + 2 * x4 * y2 + 3 * x2 * y3 - x4 * y3
 
 
-@formula("inflections, aligned", on="plane", symbol=r"x_{\mathrm{aligned}}")
+@formula("inflections, aligned", on="plane", symbol="X")
 def aligned_t2(c):
     """``−3a + 2b + 3c − d``: the same as it is printed next."""
     b, d, x4 = aligned_2(c), aligned_3(c), chord_squared(c)
@@ -201,7 +201,7 @@ def aligned_t2(c):
     return -3 * (x3 * y2) + 2 * (x4 * y2) + 3 * (x2 * y3) - x4 * y3
 
 
-@formula("inflections, aligned", on="plane")
+@formula("inflections, aligned", on="plane", symbol="Y")
 def aligned_t1(c):
     """``3a − b − 3c``: the coefficient of t."""
     b, d, x4 = aligned_2(c), aligned_3(c), chord_squared(c)
@@ -209,7 +209,7 @@ def aligned_t1(c):
     return 3 * (x3 * y2) - x4 * y2 - 3 * (x2 * y3)
 
 
-@formula("inflections, aligned", on="plane")
+@formula("inflections, aligned", on="plane", symbol="Z")
 def aligned_t0(c):
     """``c − a``: the constant coefficient."""
     b, d = aligned_2(c), aligned_3(c)

@@ -31,7 +31,7 @@ def rotated_tangent_squared(c):
     return norm2(rotated_tangent(c))
 
 
-@formula("inflections; curvature", on="plane")
+@formula("inflections; curvature", on="plane", symbol="C")
 def curvature_function(c):
     """``C(t) = x′ y″ − y′ x″``."""
     a, b = c.gamma.d(1), c.gamma.d(2)
@@ -62,7 +62,7 @@ def third_derivative(c):
     return jerk(c)
 
 
-@formula("working with 3D normals", on="space")
+@formula("working with 3D normals", on="space", symbol="r")
 def rotation_axis(c):
     """``b × a`` with ``a = B′`` and ``b = a + B″``: r without its length."""
     a = c.gamma.d(1)

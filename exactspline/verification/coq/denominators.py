@@ -10,7 +10,7 @@ from flint import fmpq_mpoly
 from exactspline.exact import mpq
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, _apply
+from exactspline.readings.tree import Node, Operation, applied
 from exactspline.verification.coq.settings import Setting
 
 
@@ -31,15 +31,15 @@ class Evaluation:
         return self._known[id(node)]
 
     def _value(self, node: Node, values: list[Any]) -> Any:
-        if node.op == "call":
+        if node.op is Operation.NAMED:
             return values[0]
-        if node.op in ("directrix", "generator"):
+        if node.op in (Operation.DIRECTRIX, Operation.GENERATOR):
             return getattr(values[0], node.op)
-        if node.op == "number" and mpq(node.value).denominator != 1:
+        if node.op is Operation.NUMBER and mpq(node.value).denominator != 1:
             self._met(node, mpq(mpq(node.value).denominator))
-        if node.op == "/":
+        if node.op is Operation.OVER:
             self._met(node.args[1], values[1])
-        return _apply(node, values, self.argument)
+        return applied(node, values, self.argument)
 
     def _met(self, node: Node, value: Any) -> None:
         found = mpq(value) if isinstance(value, CONSTANTS) else value
@@ -77,7 +77,8 @@ def primitive(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     content = mpq(0)
     for c in coefficients:
         content = _gcd(content, abs(c))
-    return polynomial * _flint(1 / content * (1 if coefficients[0] > 0 else -1))
+    multiple: fmpq_mpoly = polynomial * _flint(1 / content * (1 if coefficients[0] > 0 else -1))
+    return multiple
 
 
 def primes(number: int) -> dict[int, int]:

@@ -8,7 +8,7 @@ from exactspline.errors import FormulaError
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CurveKind, Kind, PairKind, TableKind
 from exactspline.papers import Paper
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import Node, Operation
 from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.tracing import body
 
@@ -31,7 +31,8 @@ def type_of(kind: Kind) -> str:
 
 def written_for(kind: Kind) -> bool:
     """Whether formulas of a kind can be written."""
-    return type(kind) in (PairKind, TableKind, CurveKind)
+    plain = not isinstance(kind, CurveKind) or not kind.constants
+    return type(kind) in (PairKind, TableKind, CurveKind) and plain
 
 
 class Formulas:
@@ -101,7 +102,7 @@ def result_type(tree: Node) -> str:
 
 def surface(tree: Node) -> bool:
     """Whether a tree stands for a ruled surface."""
-    return tree.op == "ruled" or (tree.op == "call" and surface(tree.args[0]))
+    return tree.op is Operation.RULED or (tree.op is Operation.NAMED and surface(tree.args[0]))
 
 
 def calls(tree: Node) -> list[Formula]:
@@ -113,7 +114,7 @@ def calls(tree: Node) -> list[Formula]:
         if id(node) in seen:
             continue
         seen.add(id(node))
-        if node.op == "call":
+        if node.op is Operation.NAMED:
             found[node.value.formula] = None
         else:
             todo += node.args

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import singledispatch
-from typing import Any
 
 from flint import fmpq_poly
 
@@ -15,7 +14,7 @@ from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, CurveKind, kind_of
 from exactspline.language.vector import Vector
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import Node, Operation
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.denominators import Evaluation, primes
 from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates
@@ -33,7 +32,7 @@ class Units:
     atoms: list[tuple[int, ...]] = field(default_factory=list)
     known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
 
-    def recognize(self, value: Any) -> None:
+    def recognize(self, value: object) -> None:
         """Take in a function that is not zero."""
         if not isinstance(value, RationalFunction):
             value = RationalFunction(fmpq_poly([int(mpq(value))]))
@@ -115,7 +114,7 @@ class _Attempt(Statement):
         for i in range(len(a)):
             difference = left[i] if right is None else left[i] - right[i]
             if not self.evaluation(difference).is_zero:
-                step = difference if right is not None else left[i] - Node("number", value=0)
+                step = difference if right is not None else left[i] - Node(Operation.NUMBER, value=0)
                 self.evaluation(step)
                 yield step, said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
@@ -131,7 +130,7 @@ class _Attempt(Statement):
                 self.units.recognize(difference)
                 said = f"{self.writer(left)} ++ [zero K] <> {inside(directrix)}"
                 text = f"component {i} ({self.writer(left)} ++ [number 0]) - component {i} ({inside(directrix)})"
-                yield Node("leaf", value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
+                yield Node(Operation.LEAF, value=text), said, f"apply (different_vectors K {i}); vm_cast_no_check U."
 
     def two_surfaces(self, left: Node, right: Node) -> Iterator[tuple[Node, str, str]]:
         """The products that would vanish if two ruled surfaces were one."""
@@ -139,7 +138,7 @@ class _Attempt(Statement):
         said = f"~ same_surface ({self.writer(left)}) ({self.writer(right)})"
         values = [f"(map (value K l) ({self.writer(node)}))" for node in (d, g, e, h)]
         for part, other in enumerate((h, e - d)):
-            product = Node("cross", (g, other), vector=True)
+            product = Node(Operation.CROSS, (g, other), vector=True)
             for i in range(3):
                 if not self.evaluation(product[i]).is_zero:
                     one = f"same_surface ({values[0]}, {values[1]}) ({values[2]}, {values[3]})"
@@ -154,9 +153,9 @@ class _Attempt(Statement):
         """Statement and proof."""
         assert self.difference is not None
         difference, said, closing = self.difference
-        if difference.op != "leaf":
+        if difference.op is not Operation.LEAF:
             self.units.recognize(self.evaluation(difference))
-        text = difference.value if difference.op == "leaf" else self.writer(difference)
+        text = difference.value if difference.op is Operation.LEAF else self.writer(difference)
         curve = self._curve("t")
         holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
         atoms = [polynomial(key, "var 1", "num") for key in self.units.atoms]

@@ -8,16 +8,16 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.formula import Formula
 from exactspline.language.operand import Constant
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import Node, Operation
 
 #: How tightly an operation binds.
 SUM, PRODUCT, UNARY, POWER, APPLICATION, ATOM = range(6)
 #: The operations between scalars, with their sign, how tightly they bind, and how tightly the arguments must.
 _INFIX = {
-    "+": (SUM, SUM, PRODUCT),
-    "-": (SUM, SUM, PRODUCT),
-    "*": (PRODUCT, PRODUCT, UNARY),
-    "/": (PRODUCT, PRODUCT, UNARY),
+    Operation.PLUS: (SUM, SUM, PRODUCT),
+    Operation.MINUS: (SUM, SUM, PRODUCT),
+    Operation.TIMES: (PRODUCT, PRODUCT, UNARY),
+    Operation.OVER: (PRODUCT, PRODUCT, UNARY),
 }
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
 _PARAMETERS = {"s": "s", "s̄": "s_bar"}
@@ -175,47 +175,52 @@ class Writer:
 
     def show(self, node: Node) -> tuple[str, int]:
         """The term and how tightly it binds."""
-        if node.op == "leaf":
+        if node.op is Operation.LEAF:
             return self.leaf(node.value), APPLICATION
-        if node.op == "number":
+        if node.op is Operation.NUMBER:
             return number(node.value)
-        if node.op == "call":
+        if node.op is Operation.NAMED:
             return f"{self.named(node.value.formula)} {self.part(node.value.path)}", APPLICATION
-        if node.op == "named":
-            return self.show(node.args[0])
-        if node.op == "level":
+        if node.op is Operation.LEVEL:
             # one denominator is a step of the computation; what is computed does not change
             return self.show(node.args[node.value])
         if node.op in _INFIX and not node.is_vector:
             binding, left, right = _INFIX[node.op]
             return f"{self.at(node.args[0], left)} {node.op} {self.at(node.args[1], right)}", binding
-        if node.op == "**":
+        if node.op is Operation.POWER:
             return f"{self.at(node.args[0], APPLICATION)} ^ {node.value}", POWER
-        if node.op == "neg" and not node.is_vector:
+        if node.op is Operation.NEGATIVE and not node.is_vector:
             return f"- {self.at(node.args[0], APPLICATION)}", UNARY
         return self.applied(node), APPLICATION
 
     def applied(self, node: Node) -> str:
         """What is written as a function and its arguments."""
         arguments = node.args
-        if node.op in ("+", "-"):
-            name = "vadd" if node.op == "+" else "vsub"
-        elif node.op == "*":
+        if node.op in (Operation.PLUS, Operation.MINUS):
+            name = "vadd" if node.op is Operation.PLUS else "vsub"
+        elif node.op is Operation.TIMES:
             name = "vmul"
             arguments = arguments if arguments[1].is_vector else arguments[::-1]
-        elif node.op == "/":
+        elif node.op is Operation.OVER:
             name = "vdiv"
-        elif node.op == "neg":
+        elif node.op is Operation.NEGATIVE:
             name = "vneg"
-        elif node.op == "d":
+        elif node.op is Operation.DERIVATIVE:
             return self.derivative(node)
-        elif node.op == "[]":
+        elif node.op is Operation.COMPONENT:
             return self.taken(node)
-        elif node.op in ("det", "generalized_cross"):
+        elif node.op in (Operation.DET, Operation.GENERALIZED_CROSS):
             return f"{node.op} [{'; '.join(map(self, arguments))}]"
-        elif node.op == "join":
+        elif node.op is Operation.JOIN:
             return f"({' ++ '.join(self.joined(each) for each in arguments)})"
-        elif node.op in ("dot", "cross", "perp", "ruled", "directrix", "generator"):
+        elif node.op in (
+            Operation.DOT,
+            Operation.CROSS,
+            Operation.PERP,
+            Operation.RULED,
+            Operation.DIRECTRIX,
+            Operation.GENERATOR,
+        ):
             name = node.op
         else:
             raise FormulaError(f"the operation {node.op!r} has no word in Coq", remedy="add one to the base")
@@ -288,7 +293,7 @@ def paths(node: Node) -> set[str]:
         if id(each) in seen:
             continue
         seen.add(id(each))
-        if each.op == "leaf":
+        if each.op is Operation.LEAF:
             path, _, _ = each.value.rpartition(".")
             found.add(f"{path}." if path else "")
         todo += each.args

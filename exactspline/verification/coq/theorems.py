@@ -14,7 +14,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node
+from exactspline.readings.tree import Node, Operation
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import factor_parts
@@ -54,7 +54,7 @@ class Statement:
     def assumed(self, assumption: Assumption) -> Node:
         """What an assumption says is not zero; of a vector its squared length."""
         tree = self.called(find(assumption.formula), "second" if assumption.second else "first")
-        return Node("dot", (tree, tree)) if tree.is_vector else tree
+        return Node(Operation.DOT, (tree, tree)) if tree.is_vector else tree
 
 
 class _Theorem(Statement):
@@ -204,19 +204,19 @@ def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
     if above is None and below is None:
         return right
     if below is not None:
-        above = (above if above is not None else Node("number", value=1)) / below
+        above = (above if above is not None else Node(Operation.NUMBER, value=1)) / below
     product: Node = above * right
     return product
 
 
 def _part(claim: Identity, theorem: Statement, name: str) -> Node:
     if name in ("w", "W"):
-        return Node("leaf", value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
+        return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
     if name[0].isalpha():
         return theorem.called(claim.find(name))
     from exactspline.exact import rational
 
-    return Node("number", value=rational(name))
+    return Node(Operation.NUMBER, value=rational(name))
 
 
 @stated.register
@@ -234,11 +234,11 @@ def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
     zeros = "[num 0; num 0; num 0]"
     witnesses = [_witness(theorem, own, other) for own, other in ((g, h), (h, g))]
     steps = [
-        *theorem.checked("E1", Node("cross", (g, h), vector=True), zeros, True),
-        *theorem.checked("E2", Node("cross", (g, e - d), vector=True), zeros, True),
+        *theorem.checked("E1", Node(Operation.CROSS, (g, h), vector=True), zeros, True),
+        *theorem.checked("E2", Node(Operation.CROSS, (g, e - d), vector=True), zeros, True),
     ]
     for i, (own, other) in enumerate(witnesses):
-        product = Node("dot", (own, other))
+        product = Node(Operation.DOT, (own, other))
         steps.append(f"assert (U{i + 1} : value K l ({theorem.writer(product)} : expr) <> zero K).")
         steps.append("{ apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }")
     exists = [
@@ -254,17 +254,17 @@ def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
 
 def _witness(theorem: _Theorem, generator: Node, other: Node) -> tuple[Node, Node]:
     """A vector whose scalar product with a generator is a product of what does not vanish."""
-    velocity = Node("d", (Node("leaf", value="gamma", vector=True),), vector=True)
+    velocity = Node(Operation.DERIVATIVE, (Node(Operation.LEAF, value="gamma", vector=True),), vector=True)
     from exactspline.readings.tree import Derivation
 
-    gamma = Node("leaf", value="gamma", vector=True)
-    first, second = (Node("d", (gamma,), Derivation(k), vector=True) for k in (1, 2))
-    binormal = Node("cross", (first, second), vector=True)
-    candidates = [Node("leaf", value=f"axis_{x}", vector=True) for x in "zxy"] + [generator, other, first]
+    gamma = Node(Operation.LEAF, value="gamma", vector=True)
+    first, second = (Node(Operation.DERIVATIVE, (gamma,), Derivation(k), vector=True) for k in (1, 2))
+    binormal = Node(Operation.CROSS, (first, second), vector=True)
+    candidates = [Node(Operation.LEAF, value=f"axis_{x}", vector=True) for x in "zxy"] + [generator, other, first]
     if theorem.setting.order > 1:
         candidates.append(binormal)
     for candidate in candidates:
-        value = theorem.evaluation(Node("dot", (generator, candidate)))
+        value = theorem.evaluation(Node(Operation.DOT, (generator, candidate)))
         if not isinstance(value, JetFraction) or value.is_zero:
             continue
         parts = factored(value)

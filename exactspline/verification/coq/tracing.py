@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
-from exactspline.readings.tree import Node, Traced
+from exactspline.readings.tree import Node, Operation, Traced
 
 
 class Called(NamedTuple):
@@ -22,17 +22,17 @@ class Call(Node):
     __slots__ = ()
 
     def __init__(self, body: Node, called: Called) -> None:
-        super().__init__("call", (body,), called, vector=body.is_vector)
+        super().__init__(Operation.NAMED, (body,), called, vector=body.is_vector)
 
     @property
     def generator(self) -> Node:
         """The generator of the ruled surface that is called."""
-        return Node("generator", (self,), vector=True)
+        return Node(Operation.GENERATOR, (self,), vector=True)
 
     @property
     def directrix(self) -> Node:
         """The directrix of the ruled surface that is called."""
-        return Node("directrix", (self,), vector=True)
+        return Node(Operation.DIRECTRIX, (self,), vector=True)
 
 
 class Calling(Traced):
@@ -48,7 +48,7 @@ class Calling(Traced):
             return Calling(self._kind.parts[name], self._dimension, path=f"{name}.", known=self._known)
         return found
 
-    def calls(self, formula: Formula) -> Any:
+    def calls(self, formula: Formula) -> Node:
         """A node with the formula; a formula called twice is traced once."""
         called = Called(formula, self._path)
         if called not in self._known:

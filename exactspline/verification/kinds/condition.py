@@ -11,7 +11,6 @@ from exactspline.language.parts import split
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.examples import example
 from exactspline.verification.claim import ExampleClaim, formula_name, read
 from exactspline.verification.conditioning.condition_number import Interval, condition_number
 from exactspline.verification.evaluation import Evaluation, Handed
@@ -34,7 +33,7 @@ class Condition(ExampleClaim):
 
     def validate(self) -> None:
         """Refuse an example of which the claim does not speak, and a form compared with itself."""
-        curve = example(self.example)
+        curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
                 f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"

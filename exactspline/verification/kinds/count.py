@@ -11,7 +11,6 @@ from exactspline.errors import ClaimError
 from exactspline.geometry.features import curvature_extrema
 from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
@@ -54,7 +53,7 @@ class Count(ExampleClaim):
 
     def validate(self) -> None:
         """Refuse an example of which the claim does not speak."""
-        curve = example(self.example)
+        curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
                 f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"

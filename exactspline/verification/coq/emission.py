@@ -1,0 +1,148 @@
+"""The theorems of all papers as files of Coq: a base written by hand, formulas and claims written from the papers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from pathlib import Path
+
+from exactspline.atomic_write import write_atomically
+from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.language.kinds import kind_of
+from exactspline.papers import Paper, papers
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import claims_of
+from exactspline.verification.coq.formulas import HEADER, Formulas, written_for
+from exactspline.verification.coq.refutations import refutation
+from exactspline.verification.coq.theorems import STATED, theorem
+from exactspline.verification.vocabulary import Verdict
+
+#: The files written by hand, each after those that it requires.
+THEORY = ("Base", "Reflection", "Proofs")
+#: The logical name of the directory.
+ROOT = "ExactSpline"
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A claim in one dimension as a theorem: its name and its text, or why there is none."""
+
+    claim: Claim
+    name: str
+    text: str
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Library:
+    """The files by their names, each after those that it requires, and the theorems by the file in which they stand."""
+
+    files: dict[str, str]
+    theorems: dict[str, tuple[Stated, ...]]
+
+    def write(self, directory: Path) -> None:
+        """Write the files, and the list of them by which they are compiled."""
+        for name, text in self.files.items():
+            _write(directory / f"{name}.v", text)
+        listed = "\n".join([f"-R . {ROOT}", *[f"{name}.v" for name in self.files]])
+        _write(directory / "_CoqProject", f"{listed}\n")
+
+    @property
+    def unstated(self) -> list[Stated]:
+        """The claims of equalities that have no theorem, with the reason."""
+        return [each for own in self.theorems.values() for each in own if each.reason]
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as reason:
+        raise ClaimError(
+            f"no directory can be made here ({reason.strerror})", where=str(path.parent), remedy="name another one"
+        ) from None
+    write_atomically(path, lambda stream: stream.write(text.encode("utf-8")), ClaimError)
+
+
+def theory(name: str) -> str:
+    """A file written by hand."""
+    return resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
+
+
+@cache
+def library() -> Library:
+    """The theorems of every paper that comes with the library."""
+    formulas = Formulas(papers())
+    files = {name: theory(name) for name in THEORY}
+    files |= {f"formulas/{paper.name}": formulas.definitions(paper) for paper in formulas.papers}
+    theorems: dict[str, tuple[Stated, ...]] = {}
+    for paper in formulas.papers:
+        for table, claims in by_table(paper):
+            found = tuple(each for claim in claims for each in stated(claim, paper, formulas))
+            if found:
+                name = f"claims/{paper.name}_{table}"
+                theorems[name] = found
+                files[name] = claims_file(paper, found)
+    return Library(files, theorems)
+
+
+def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
+    """The claims of a paper by the file in which they stand."""
+    groups: dict[str, list[Claim]] = {}
+    for table, claim in zip(paper.claim_tables(), claims_of(paper.name), strict=True):
+        stem = Path(table.place.split(",")[0]).stem
+        groups.setdefault(stem, []).append(claim)
+    yield from groups.items()
+
+
+def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
+    """A claim of an equality as theorems, one a dimension: that it holds, or where its record says so, that it fails."""
+    if not isinstance(claim, STATED):
+        return []
+    kind = kind_of(claim.curve)
+    if not written_for(kind):
+        return [Stated(claim, "", "", f"arguments of the kind {kind.name!r} are not written")]
+    make = refutation if claim.expected == Verdict.REFUTED else theorem
+    found = []
+    for dimension in kind.dimensions:
+        try:
+            text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
+        except ExactSplineError as error:
+            found.append(Stated(claim, "", "", str(error)))
+            continue
+        match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
+        assert match is not None
+        found.append(Stated(claim, match[1], text))
+    return found
+
+
+def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
+    """The file of the theorems of one table of claims."""
+    return "\n".join([claims_header(paper.name), *[each.text for each in found if not each.reason]])
+
+
+def claims_header(name: str) -> str:
+    """How a file with theorems about a paper begins."""
+    own = next(each for each in papers() if each.name == name)
+    others = [f"From {ROOT}.formulas Require {used.name}." for used in papers() if used is not own]
+    return "\n".join(
+        [
+            HEADER.format(title=own.title, about="its claims"),
+            "Require Import ZArith List.",
+            f"From {ROOT} Require Import {' '.join(THEORY)}.",
+            *others,
+            f"From {ROOT}.formulas Require Import {own.name}.",
+            "Import ListNotations.",
+            "Local Open Scope formula_scope.",
+            "",
+        ]
+    )
+
+
+def emit(directory: Path) -> Library:
+    """Write all theorems into a directory."""
+    made = library()
+    made.write(directory)
+    return made

@@ -1,0 +1,131 @@
+"""The kernel of Coq as a judge: the theorems are compiled, and asked what they assume."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from exactspline.verification.claim import Claim
+from exactspline.verification.coq.emission import ROOT, Library, Stated, claims_header, library
+from exactspline.verification.vocabulary import Verdict
+
+#: What Coq answers about a theorem that assumes nothing.
+CLOSED = "Closed under the global context"
+#: What the column says where there is no Coq.
+MISSING = "Coq is not installed"
+#: What stands before every answer.
+MARK = "about"
+#: How long one file may take.
+SECONDS = 600
+
+
+@dataclass(frozen=True)
+class Opinion:
+    """What the kernel says of a claim: the theorem, or why there is none; and what the theorem assumes."""
+
+    theorem: str
+    says: str
+    assumes: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.says}, {self.assumes}" if self.assumes else self.says
+
+
+def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
+    """What the kernel says of claims, by paper and key; nothing of claims that are no equalities.
+
+    Every theorem of the claims is compiled; without Coq every opinion says so.
+    """
+    wanted = {(claim.paper, claim.key) for claim in claims}
+    made = library()
+    chosen = {
+        name: tuple(each for each in own if (each.claim.paper, each.claim.key) in wanted)
+        for name, own in made.theorems.items()
+    }
+    found: dict[tuple[str, str], list[Opinion]] = {}
+    compiled = _compiled(made, chosen) if shutil.which("coqc") else {}
+    for own in chosen.values():
+        for each in own:
+            if each.reason:
+                said = Opinion("", "not stated", each.reason)
+            elif not shutil.which("coqc"):
+                said = Opinion(each.name, MISSING)
+            elif each.name in compiled:
+                fails = each.claim.expected == Verdict.REFUTED
+                said = Opinion(each.name, "fails" if fails else "holds", compiled[each.name])
+            else:
+                said = Opinion(each.name, "not accepted")
+            found.setdefault((each.claim.paper, each.claim.key), []).append(said)
+    return {key: _together(own) for key, own in found.items()}
+
+
+def _together(own: list[Opinion]) -> Opinion:
+    """The least favourable opinion of those on the dimensions of one claim."""
+    order = ("not accepted", "not stated", MISSING, "holds", "fails")
+    return min(own, key=lambda each: order.index(each.says))
+
+
+def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> dict[str, str]:
+    """What the theorems that are accepted assume, by their names."""
+    found: dict[str, str] = {}
+    with tempfile.TemporaryDirectory() as room:
+        place = Path(room)
+        made.write(place)
+        for name in made.files:
+            if name in chosen and not chosen[name]:
+                continue
+            accepted = compile_file(place, name)
+            theorems = [each for each in chosen.get(name, ()) if not each.reason]
+            if accepted:
+                found |= assumptions(place, name, [each.name for each in theorems])
+                continue
+            for each in theorems:
+                if _alone(place, name, each):
+                    found |= assumptions(place, f"{name}_{each.name}", [each.name])
+    return found
+
+
+def compile_file(place: Path, name: str) -> bool:
+    """Whether Coq accepts a file of a library."""
+    return _coqc(place, f"{name}.v")[0]
+
+
+def _alone(place: Path, name: str, theorem: Stated) -> bool:
+    """Whether one theorem of a file that is not accepted is accepted."""
+    (place / f"{name}_{theorem.name}.v").write_text(claims_header(theorem.claim.paper) + theorem.text, encoding="utf-8")
+    return compile_file(place, f"{name}_{theorem.name}")
+
+
+def assumptions(place: Path, module: str, theorems: Iterable[str]) -> dict[str, str]:
+    """What compiled theorems of a module assume, each in one line."""
+    names = list(theorems)
+    logical = f"{ROOT}.{module.replace('/', '.')}"
+    asked = "".join(
+        f'Goal True. idtac "{MARK} {name}". Abort.\nPrint Assumptions {logical}.{name}.\n' for name in names
+    )
+    ask = place / "Ask.v"
+    ask.write_text(f"Require {logical}.\n{asked}", encoding="utf-8")
+    accepted, said = _coqc(place, "Ask.v")
+    answers = said.split(MARK)[1:] if accepted else []
+    return {name: _told(answer) for name, answer in zip(names, answers, strict=False)}
+
+
+def _told(answer: str) -> str:
+    if CLOSED in answer:
+        return "no axioms"
+    return "axioms " + ", ".join(re.findall(r"^(\S+)(?=\s*:)", answer, re.MULTILINE))
+
+
+def _coqc(place: Path, file: str) -> tuple[bool, str]:
+    try:
+        run = subprocess.run(
+            ["coqc", "-q", "-R", ".", ROOT, file], cwd=place, capture_output=True, text=True, timeout=SECONDS
+        )
+    except subprocess.TimeoutExpired:
+        return False, ""
+    return run.returncode == 0, run.stdout

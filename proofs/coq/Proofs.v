@@ -1,0 +1,1 @@
+../../exactspline/verification/coq/theory/Proofs.v
