@@ -42,11 +42,17 @@ def prove(
     ] = None,
     judge: Annotated[
         str,
-        typer.Option("--judge", metavar="JUDGE", help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (a column)."),
+        typer.Option(
+            "--judge",
+            metavar="JUDGE",
+            help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (in a column).",
+        ),
     ] = "",
     emit_coq: Annotated[
         str,
-        typer.Option("--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."),
+        typer.Option(
+            "--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."
+        ),
     ] = "",
     rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
     html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
@@ -173,7 +179,9 @@ class _Ledger:
         from exactspline.display.ledger import keyed
 
         return [
-            row.data() | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded} | self._said(row)
+            row.data()
+            | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
+            | self._said(row)
             for key, word, row in keyed(self.rows)
         ]
 

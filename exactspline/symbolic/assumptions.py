@@ -88,7 +88,14 @@ _EVERYWHERE = (
         PAIR,
         second=True,
     ),
-    Assumption("γ′", "γ′ has no zero", "positive where the curve is regular", _formula("D1_squared"), (*ALONE, *PAIR), formula="D1_squared"),
+    Assumption(
+        "γ′",
+        "γ′ has no zero",
+        "positive where the curve is regular",
+        _formula("D1_squared"),
+        (*ALONE, *PAIR),
+        formula="D1_squared",
+    ),
     Assumption(
         "γ̄′",
         "γ̄′ has no zero",
@@ -111,7 +118,13 @@ _EVERYWHERE = (
 
 def _somewhere(name: str, formula: str, kinds: tuple[str, ...]) -> Assumption:
     return Assumption(
-        f"{name} ≢ 0", f"{name} vanishes on no whole segment", "", _formula(formula), kinds, everywhere=False, formula=formula
+        f"{name} ≢ 0",
+        f"{name} vanishes on no whole segment",
+        "",
+        _formula(formula),
+        kinds,
+        everywhere=False,
+        formula=formula,
     )
 
 

@@ -105,7 +105,9 @@ def assumptions(place: Path, module: str, theorems: Iterable[str]) -> dict[str, 
     """What compiled theorems of a module assume, each in one line."""
     names = list(theorems)
     logical = f"{ROOT}.{module.replace('/', '.')}"
-    asked = "".join(f'Goal True. idtac "{MARK} {name}". Abort.\nPrint Assumptions {logical}.{name}.\n' for name in names)
+    asked = "".join(
+        f'Goal True. idtac "{MARK} {name}". Abort.\nPrint Assumptions {logical}.{name}.\n' for name in names
+    )
     ask = place / "Ask.v"
     ask.write_text(f"Require {logical}.\n{asked}", encoding="utf-8")
     accepted, said = _coqc(place, "Ask.v")
@@ -122,7 +124,12 @@ def _told(answer: str) -> str:
 def _coqc(place: Path, file: str) -> tuple[bool, str]:
     try:
         run = subprocess.run(
-            ["coqc", "-q", "-R", ".", ROOT, file], cwd=place, capture_output=True, text=True, timeout=SECONDS
+            ["coqc", "-q", "-R", ".", ROOT, file],
+            cwd=place,
+            capture_output=True,
+            text=True,
+            timeout=SECONDS,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         return False, ""
