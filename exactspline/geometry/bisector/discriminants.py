@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from flint import fmpz, fmpz_poly
 
@@ -48,7 +49,7 @@ def through(values: Sequence[mpz]) -> fmpz_poly:
     factorial = mpz(1)
     for k in range(len(values)):
         differences.append(row[0])
-        row = [b - a for a, b in zip(row, row[1:], strict=False)]
+        row = [b - a for a, b in pairwise(row)]
         factorial *= max(k, 1)
     # Horner's rule in x, x − 1, …, everything over the factorial of the last step, which divides out again
     total, scale = fmpz_poly([]), mpz(1)
