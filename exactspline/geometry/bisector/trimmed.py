@@ -21,8 +21,9 @@ from typing import Any
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
-from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
+from exactspline.exact import Number, mpq, ratio, rational, text
+from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, keeps_sign, possible_parts
+from exactspline.geometry.bisector.discriminants import discriminant
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.features import joints, singular_points
@@ -35,13 +36,16 @@ from exactspline.papers import find
 from exactspline.roots.root import Root, between
 from exactspline.roots.zero_set import zeros
 from exactspline.splines import tensor_bernstein
-from exactspline.splines.bernstein import ONE, is_nonnegative
+from exactspline.splines.bernstein import ONE, bezier, is_nonnegative
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import common_factor, lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly
+from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
 
+#: So many segments near the point, and as many from all over the curve, are asked first whether an arc is on the true
+#: bisector at all.
+NEAREST = 6
 #: An exact parameter: rational, or a certified root.
 Parameter = mpq | Root
 
@@ -138,7 +142,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
             continue
         forms, value = arc
         moved = Rational(value.numerator + Vector(*[value.denominator * x for x in q]), value.denominator)
-        for low, high in conditions.kept(*forms, (a, b)):
+        for low, high in conditions.kept(*forms, (a, b), i):
             pieces.append(TrimmedPiece(PieceKind.ARC, low, high, moved))
     for kind, t in _corners(curve, missing):
         pieces += _line_pieces(conditions, c, q, kind, t)
@@ -181,12 +185,59 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
     return (forms, n), Rational(Vector(x, y), below)
 
 
+@dataclass(frozen=True)
+class _Family:
+    """The condition of one segment of the curve on B(s): a form in u for every s, packed, and its rows by powers of u.
+
+    On the segment that B has its foot on every member is a square times what `rest` holds.
+    """
+
+    whole: fmpz_poly
+    stride: int
+    rows: list[fmpz_poly]
+    below: fmpz_poly
+    rest: tuple[list[fmpz_poly], int] | None
+
+    def certain(self, e: fmpz_poly, n: int, parts: list[Part]) -> bool:
+        """Whether it holds certainly all over some parts."""
+        if _of_one_sign(self.below, self.whole) or all(holds_certainly(self.rows, e, n, part) for part in parts):
+            return True
+        if self.rest is None:
+            return False
+        rows, degree = self.rest
+        return all(holds_certainly(rows, e, n, part, degree) for part in parts)
+
+    def of_certain_sign(self, n: int, parts: list[Part]) -> bool:
+        """Whether it certainly has one sign on each of some parts, whatever that of e: the condition then changes where
+        e has a zero.
+        """
+        rows, m = (self.rows, n) if self.rest is None else self.rest
+        return all(keeps_sign(rows, m, part, 1) or keeps_sign(rows, m, part, -1) for part in parts)
+
+
+def _borders(parts: list[Part], segment: tuple[mpq, mpq]) -> list[Parameter]:
+    """The ends of parts of a segment by the parameter of the curve, those of the segment left out."""
+    a, b = segment
+    return [a + (b - a) * t for part in parts for t in part if 0 < t < 1]
+
+
+def _without_foot(whole: fmpz_poly, stride: int, n: int, degree: int) -> tuple[list[fmpz_poly], int] | None:
+    """The rows of a family of these degrees in s and u over ``(u − s)²``, and their degree in s; None where that does
+    not divide it.
+    """
+    z, u = CONTEXT.gens()
+    quotient, rest = divmod(as_mpoly(whole, stride), (z - u) ** 2)
+    if rest or not quotient:
+        return None
+    return tensor_bernstein.rows(as_packed(quotient, stride), stride, degree - 2), n - 2
+
+
 class _Conditions:
     """``‖a(u)‖²`` and ``2 w(u) a(u)`` on all segments, for a = γw around the origin."""
 
     def __init__(self, c: Curve[BSpline]) -> None:
         square, twice = norm2(c.p), [x * c.w * 2 for x in c.p]
-        self.degree = square.degree
+        self.degree, self._w = square.degree, c.w
         self.rows = []
         for forms in zip(square.forms, *[x.elevated_to(square).forms for x in twice], strict=True):
             common = ONE
@@ -194,34 +245,66 @@ class _Conditions:
                 common = common.lcm(m)
             self.rows.append([form * (common // m) for form, m in forms])
 
-    def kept(self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq]) -> list[tuple[Parameter, Parameter]]:
+        #: What is not on the true bisector mostly fails where the curve comes near Q, or on both sides of Q.
+        count = len(self.rows)
+        self.nearest = {
+            *sorted(range(count), key=self._closeness)[:NEAREST],
+            *(k * count // NEAREST for k in range(NEAREST)),
+        }
+
+    def _closeness(self, j: int) -> mpq:
+        """The least Bézier ordinate of ``‖a‖²`` over the largest of w²: cheap, and no more than an order."""
+        (square, *_), w = self.rows[j], self._w.polynomials[j]
+        m = ratio(ONE, self._w.denominators[j])
+        largest = max(abs(x) for x in bezier((w, ONE), self._w.degree)) * m
+        return min(bezier((square, ONE), self.degree)) / (largest * largest)
+
+    def kept(
+        self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq], own: int | None = None
+    ) -> list[tuple[Parameter, Parameter]]:
         """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
-        split where B is infinite.
+        split where B is infinite. `own` is the segment of the curve that B has its foot on, at the same parameter.
 
         Parts of the segment on which one condition fails certainly are set aside first, and conditions that hold
         certainly on the rest. At a border between both a condition fails, so that it is none of the latter.
         """
-        x, y, e = forms
-        stride = tensor_bernstein.stride_for(n)
-        families = [
-            e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride) for square, cx, cy in self.rows
-        ]
-        rows = [tensor_bernstein.rows(family, stride, self.degree) for family in families]
-        open_parts = possible_parts(rows, e, n)
+        e, build = forms[2], self._builder(forms, n, own)
+        first = {j: build(j) for j in {*self.nearest, *([] if own is None else [own])}}
+        open_parts = possible_parts([family.rows for family in first.values()], e, n)
         if not open_parts:
             return []
-        found: list[tuple[Parameter, Parameter]] = [segment]
-        for family, own in zip(families, rows, strict=True):
-            if _of_one_sign(e, family) or all(holds_certainly(own, e, n, part) for part in open_parts):
-                continue
-            candidates, holds = (
-                _candidates(as_mpoly(family, stride), segment),
-                partial(self._holds, own, e, n, segment),
-            )
-            found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
+        unclear = {}
+        for j in range(len(self.rows)):
+            family = first.get(j) or build(j)
+            if not family.certain(e, n, open_parts):
+                unclear[j] = family
+        open_parts = possible_parts([family.rows for family in (first | unclear).values()], e, n)
+        found: list[tuple[Parameter, Parameter]] = [segment] if open_parts else []
+        for family in unclear.values():
             if not found:
                 break
+            if family.certain(e, n, open_parts):
+                continue
+            if family.of_certain_sign(n, open_parts):
+                candidates: list[Parameter] = _borders(open_parts, segment)
+            else:
+                candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
+            holds = partial(self._holds, family.rows, e, n, segment)
+            found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
         return _on_parts(found, open_parts, segment)
+
+    def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
+        """What makes the family of a segment; `own` is that on which B has its foot."""
+        x, y, e = forms
+        stride = tensor_bernstein.stride_for(n)
+
+        def build(j: int) -> _Family:
+            square, cx, cy = (form.inflate(stride) for form in self.rows[j])
+            whole = e * square - x * cx - y * cy
+            rows = tensor_bernstein.rows(whole, stride, self.degree)
+            return _Family(whole, stride, rows, e, _without_foot(whole, stride, n, self.degree) if j == own else None)
+
+        return build
 
     def _holds(self, rows: list[fmpz_poly], e: fmpz_poly, n: int, segment: tuple[mpq, mpq], t: mpq) -> bool:
         """Whether the member at an inner parameter is non-negative, exactly."""
@@ -277,14 +360,17 @@ def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
 
 def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     """Where a square-free factor has a double zero, or one at an end: discriminant, first and last coefficient."""
-    z = CONTEXT.gens()[0]
-    rows: dict[int, fmpz_mpoly] = {}
+    by_power: dict[int, dict[int, fmpz]] = {}
     for (i, j), x in p.terms():
-        rows.setdefault(int(j), CONTEXT.constant(0))
-        rows[int(j)] += x * z ** int(i)
-    ends = [rows[min(rows)], rows[max(rows)]]
-    discriminant = [p.discriminant(1)] if max(rows) > 1 else []
-    return [root for q in (*ends, *discriminant) for root in _roots(_in_z(q), segment)]
+        by_power.setdefault(int(j), {})[int(i)] = x
+    rows = [_polynomial(by_power.get(j, {})) for j in range(max(by_power) + 1)]
+    ends = [rows[min(by_power)], rows[-1]]
+    conditions = [*ends, discriminant(rows)] if len(rows) > 2 else ends
+    return [root for q in conditions for root in _roots(q, segment)]
+
+
+def _polynomial(terms: dict[int, fmpz]) -> fmpz_poly:
+    return fmpz_poly([terms.get(i, fmpz(0)) for i in range(max(terms, default=-1) + 1)])
 
 
 def _in_z(p: fmpz_mpoly) -> fmpz_poly:
@@ -309,7 +395,7 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
 
 
 def _cells(
-    candidates: list[Root], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
+    candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
 ) -> list[tuple[Parameter, Parameter]]:
     """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite
     between them.
@@ -326,8 +412,8 @@ def _cells(
     return found
 
 
-def _distinct(roots: list[Root]) -> list[Root]:
-    distinct: list[Root] = []
+def _distinct(roots: list[Parameter]) -> list[Parameter]:
+    distinct: list[Parameter] = []
     for root in sorted(roots):
         if not distinct or distinct[-1] != root:
             distinct.append(root)

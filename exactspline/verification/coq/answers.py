@@ -119,7 +119,7 @@ def _spans(curve: Nurbs) -> list[int]:
 
 
 def _argument(curve: Nurbs, j: int) -> object:
-    pieces = [piece(curve.knots, curve.degree, column, j) for column in homogeneous(curve)]
+    pieces = [piece(list(curve.knots), curve.degree, column, j) for column in homogeneous(curve)]
     named = dict(zip("xyz"[: curve.dimension], pieces[:-1], strict=True)) | {"w": pieces[-1]}
 
     def operand(symbol: Symbol) -> RationalFunction:
@@ -156,10 +156,15 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     form = formulas.named(answer.formula)
     low, high = number(answer.cells[0][0].low), number(answer.cells[-1][-1].high)
     cells = ";\n  ".join("[" + "; ".join(map(_cell, own)) + "]" for own in answer.cells)
+    pieces = ";\n  ".join(
+        f"({number(own[-1].high)}, {_polynomial_text(f)})"
+        for f, own in zip(answer.polynomials, answer.cells, strict=True)
+    )
     points, stretches = _pairs(answer.points), _pairs(answer.stretches)
     n = len(answer.points)
     told = f"{n} point{'' if n == 1 else 's'}" + (f" and {len(answer.stretches)} stretches" if answer.stretches else "")
     return (
+        f"Definition {answer.name}_in_pieces : pieces := [\n  {pieces}\n].\n\n"
         f"Definition cells_of_{answer.name} : list (list cell) := [\n  {cells}\n].\n\n"
         f"(** The form with which {answer.what} vanishes is zero at exactly {told}; and its signs. *)\n"
         f"Theorem {answer.name}_vanishes :\n"
@@ -168,10 +173,9 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
         f"  Forall2 (fun b own => Forall (says (at_real (snd b))) own)\n"
         f"    (form_pieces {form} this_curve) cells_of_{answer.name}.\n"
         "Proof.\n"
-        f"  pose (f := ltac:(let v := eval vm_compute in (form_pieces {form} this_curve) in exact v) : pieces).\n"
-        f"  apply (curve_answers {form} this_curve _ _ cells_of_{answer.name} _ _ f);\n"
-        "    [vm_cast_no_check (eq_refl f)|].\n"
-        f"  vm_cast_no_check (eq_refl (true, ({high})%Q, ({points} : list (Q * Q))%Q, ({stretches} : list (Q * Q))%Q)).\n"
+        f"  apply (curve_answers {form} this_curve _ _ cells_of_{answer.name} _ _ {answer.name}_in_pieces);\n"
+        "    [vm_cast_no_check (eq_refl true)|].\n"
+        f"  vm_cast_no_check\n    (eq_refl (true, ({high})%Q, ({points} : list (Q * Q))%Q, ({stretches} : list (Q * Q))%Q)).\n"
         "Qed.\n"
     )
 

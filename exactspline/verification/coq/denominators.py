@@ -77,7 +77,8 @@ def primitive(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     content = mpq(0)
     for c in coefficients:
         content = _gcd(content, abs(c))
-    return polynomial * _flint(1 / content * (1 if coefficients[0] > 0 else -1))
+    multiple: fmpq_mpoly = polynomial * _flint(1 / content * (1 if coefficients[0] > 0 else -1))
+    return multiple
 
 
 def primes(number: int) -> dict[int, int]:

@@ -56,7 +56,8 @@ class Proof:
                 self.recognize(parts)
                 continue
             self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
-            if value.bottom == 1:
+            assert isinstance(value, JetFraction)  # a constant follows
+            if value.bottom.is_one():
                 self.known.append(((*[0] * len(self.atoms), 1), ()))
                 self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
             else:
@@ -190,7 +191,7 @@ class Proof:
 
     def _fraction(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> str:
         above = self.setting.expression(top)
-        if bottom == 1:
+        if bottom.is_one():
             return f"({above})%formula"
         return f"(({above}) / ({self.setting.expression(bottom)}))%formula"
 
