@@ -29,7 +29,7 @@ from exactspline.splines.examples import example
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for, name_of_vector
-from exactspline.symbolic.motions import rotation
+from exactspline.symbolic.motions import _rotation as rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
 
