@@ -736,6 +736,10 @@ def test_false_claims_of_every_kind_in_a_folder_are_never_proved(tmp_path):
     assert {claim.kind for claim in claims} >= {*MAKERS, "invariance", "contact", "sign"}
     fooled = [claim for claim in claims if proved(claim).verdict in (PROVED, VERIFIED)]
     assert fooled == []
+    curve = Evaluation(example("rational_cubic_s"))
+    everywhere = [c for c in claims[: len(own)] if c.kind != "sign" and c.speaks_of(2, False)]
+    assert len(everywhere) > 40
+    assert [claim for claim in everywhere if claim.check(curve).verdict == VERIFIED] == []
 
 
 def cheap(claim):
