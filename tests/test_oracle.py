@@ -247,7 +247,8 @@ def test_joints_and_corners():
 
 def test_zero_sets_carry_certificates_that_the_checker_accepts():
     for name, asked in (("cubic_s", "inflections"), ("ellipse", "extrema"), ("cusp", "cusps"), ("cusp", "singular"),
-                        ("circle", "turns:1"), ("circle", "bounding_box"), ("twisted_cubic", "torsion_zeros")):  # fmt: skip
+                        ("circle", "turns:1"), ("circle", "bounding_box"),
+                        ("twisted_cubic", "torsion_zeros")):  # fmt: skip
         answer = oracle(xs.example(name), asked)
         assert answer.certificates
         for certificate in answer.certificates:

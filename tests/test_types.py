@@ -18,6 +18,7 @@ CHECKOUT = ROOT.parent
 RESULT = "what a formula returns depends on the formula and on the reading"
 DEGREE = "a degree is a number, two of them or an expression, as the reading counts"
 OPERANDS = "operands are of one reading, which the argument does not know"
+PEERS = "runs over the polynomials of any library, typed or not"
 #: Public signatures with Any, each with its reason.
 ALLOWED: dict[str, str] = {
     "batch/bench/inline.py: bisector_patch": PEERS,
@@ -29,7 +30,7 @@ ALLOWED: dict[str, str] = {
     "batch/bench/inline.py: one_parameter": PEERS,
     "batch/bench/inline.py: torsion": PEERS,
     "batch/bench/inline.py: vertices": PEERS,
-    "batch/bench/peers.py: sympy_polys": FOREIGN,
+    "batch/bench/peers.py: sympy_polys": PEERS,
     "language/argument.py: Argument.calls": RESULT,
     "language/argument.py: Evaluated.calls": RESULT,
     "language/argument.py: Evaluated.mapped": OPERANDS,

@@ -19,6 +19,7 @@ from exactspline.cli import (
     errata,
     figures,
     glossary,
+    grade,
     inspect,
     new_paper,
     oracle,
@@ -66,6 +67,11 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "oracle circle --ask value@1/3 --ask length",
         "oracle drawing.svg --ask inflections --ask bounding_box --json",
         "oracle --list",
+    ),
+    grade.grade: (
+        "Libraries held against exact answers.",
+        "grade scipy geomdl --cases 20",
+        "grade --cache truths.jsonl.gz --page scoreboard.md",
     ),
     bisector.bisector: (
         "Bisectors of curves and points.",

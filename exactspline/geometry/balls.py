@@ -7,7 +7,7 @@ from functools import reduce
 from itertools import pairwise
 from math import comb
 
-from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq_poly
+from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly
 
 from exactspline.errors import ExactSplineError
 from exactspline.exact import mpq, to_fmpq
@@ -89,7 +89,7 @@ def of_ball(ball: Callable[[int], arb]) -> Real:
 
     def enclosed(digits: int) -> tuple[mpq, mpq]:
         bits, wanted = 10 * digits // 3 + 40, mpq(1, 10**digits)
-        while digits <= MOST_DIGITS and bits < 20 * MOST_DIGITS:
+        while digits <= MOST_DIGITS and bits < 8 * MOST_DIGITS:
             with ctx.workprec(bits):
                 found = ball(bits)
             if found.is_finite() and (ends := ball_ends(found)).high - ends.low <= wanted:
@@ -144,13 +144,24 @@ def _powers(f: BSpline, i: int) -> fmpq_poly:
 
 
 def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb, high: arb) -> arb:
-    """``∫ common √squared / weight²``."""
-    factor, top, bottom = (acb_poly(arb_poly(p)) for p in (common, squared, weight))
+    """``∫ common √squared / weight²``.
+
+    ``squared`` has no real zeros, so it is a constant times factors (z − a)² + b²: of each of them FLINT's balls give a
+    narrow enclosure, of the expanded polynomial they do not.
+    """
+    factor, bottom = acb_poly(arb_poly(common)), acb_poly(arb_poly(weight))
+    integers = squared.numer()
+    constant = arb(integers.leading_coefficient() / fmpq(squared.denom())).sqrt()
+    roots: list[tuple[acb, int]] = integers.complex_roots()  # type: ignore[assignment]  # flint says a single one
+    pairs = [(root.real, root.imag**2, times) for root, times in roots if root.imag > 0]
 
     def speed(z: acb, analytic: bool) -> acb:
-        return factor(z) * top(z).sqrt(analytic=analytic) / bottom(z) ** 2
+        value = factor(z) / bottom(z) ** 2
+        for a, b, times in pairs:
+            value *= ((z - a) ** 2 + b).sqrt(analytic=analytic) ** times
+        return value
 
-    return acb.integral(speed, acb(low), acb(high), eval_limit=100_000).real
+    return acb.integral(speed, acb(low), acb(high), eval_limit=20_000).real * constant
 
 
 def _exact_length(squared: BSpline) -> mpq | Surd | None:
