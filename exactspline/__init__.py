@@ -122,6 +122,10 @@ if TYPE_CHECKING:
     from exactspline.splines.surd import Surd as Surd
     from exactspline.splines.tensor import TensorSpline as TensorSpline
     from exactspline.splines.tensor import surface_pair as surface_pair
+    from exactspline.splines.triangles import de_boor_triangle as de_boor_triangle
+    from exactspline.splines.triangles import elevation_triangles as elevation_triangles
+    from exactspline.splines.triangles import insertion_triangle as insertion_triangle
+    from exactspline.splines.triangles import product_tables as product_tables
     from exactspline.symbolic.factorization import jets_for as jets_for
     from exactspline.verification.claims import all_claims as all_claims
     from exactspline.verification.claims import claims_of as claims_of
@@ -130,7 +134,7 @@ if TYPE_CHECKING:
     from exactspline.verification.errata import errata as errata
     from exactspline.verification.generic_proof import degree_table as table_1_degrees  # noqa: F401
     from exactspline.verification.generic_proof import factor_of as factor_of
-    from exactspline.verification.ledger import proved as decide  # noqa: F401
+    from exactspline.verification.ledger import proved as proved
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
     from exactspline.verification.questions import degree as degree
@@ -202,6 +206,11 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
+    # the algorithms step by step
+    "de_boor_triangle": "splines.triangles:de_boor_triangle",
+    "elevation_triangles": "splines.triangles:elevation_triangles",
+    "insertion_triangle": "splines.triangles:insertion_triangle",
+    "product_tables": "splines.triangles:product_tables",
     # the language of formulas
     "complex_product": "language.complex_numbers:complex_product",
     "complex_quotient": "language.complex_numbers:complex_quotient",
@@ -239,13 +248,13 @@ _HOMES = {
     "degree_table": "display.tables:degree_table",
     "errata": "verification.errata:errata",
     "factor_of": "verification.generic_proof:factor_of",
-    "decide": "verification.ledger:proved",
     "measurable": "verification.measure:measurable",
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
     "parse_degree": "readings.degree:parse",
     "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
+    "proved": "verification.ledger:proved",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
