@@ -122,6 +122,10 @@ if TYPE_CHECKING:
     from exactspline.splines.surd import Surd as Surd
     from exactspline.splines.tensor import TensorSpline as TensorSpline
     from exactspline.splines.tensor import surface_pair as surface_pair
+    from exactspline.splines.triangles import de_boor_triangle as de_boor_triangle
+    from exactspline.splines.triangles import elevation_triangles as elevation_triangles
+    from exactspline.splines.triangles import insertion_triangle as insertion_triangle
+    from exactspline.splines.triangles import product_tables as product_tables
     from exactspline.symbolic.factorization import jets_for as jets_for
     from exactspline.verification.claims import all_claims as all_claims
     from exactspline.verification.claims import claims_of as claims_of
@@ -202,6 +206,11 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
+    # the algorithms step by step
+    "de_boor_triangle": "splines.triangles:de_boor_triangle",
+    "elevation_triangles": "splines.triangles:elevation_triangles",
+    "insertion_triangle": "splines.triangles:insertion_triangle",
+    "product_tables": "splines.triangles:product_tables",
     # the language of formulas
     "complex_product": "language.complex_numbers:complex_product",
     "complex_quotient": "language.complex_numbers:complex_quotient",
@@ -211,6 +220,7 @@ _HOMES = {
     "dot": "language.vector:dot",
     "find": "papers:find",
     "load_paper": "papers:load_paper",
+    "paper": "papers:paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
     "join": "language.vector:join",
@@ -241,7 +251,6 @@ _HOMES = {
     "measurable": "verification.measure:measurable",
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
-    "paper": "papers:paper",
     "parse_degree": "readings.degree:parse",
     "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",

@@ -18,7 +18,7 @@ from mutation.coverage_map import ENGINE, MAP, ROOT, caches, fingerprint
 from mutation.forked import Result, end_after, forked
 from mutation.mutants import Mutant, mutants, node_of
 
-#: What noticed the mutants of each function, in the repository: with it a sample is judged without a map.
+#: What noticed each mutant, in the repository: with it a sample is judged without a map.
 WITNESSES = ROOT / "mutation" / "witnesses.json"
 
 
@@ -95,30 +95,25 @@ class Tests:
 
 
 class Witnesses:
-    """The few tests on record for each function: what a sample is judged by where nobody made a map."""
+    """The test on record for each mutant that was noticed: what a sample is judged by where nobody made a map."""
 
     def __init__(self) -> None:
-        self.recorded: dict[str, list[str]] = json.loads(WITNESSES.read_text(encoding="utf-8"))
+        self.recorded: dict[str, str] = json.loads(WITNESSES.read_text(encoding="utf-8"))
         self.seconds: dict[str, float] = {}
 
     def of(self, mutant: Mutant) -> list[str]:
-        """Those of the function, then those of the other functions of its file."""
-        own = self.recorded.get(place(mutant), [])
-        beside = [t for key, tests in self.recorded.items() if key.startswith(mutant.file + ":") for t in tests[:1]]
-        return list(dict.fromkeys([*own, *beside]))
+        """Its own, then those of other mutants of the function."""
+        beside = [test for name, test in self.recorded.items() if name.startswith(f"{place(mutant)}: ")]
+        return list(dict.fromkeys([self.recorded[mutant.stable], *beside]))
 
     def files(self, chosen: list[Mutant]) -> list[str]:
         """The files of these tests."""
         return sorted({test.partition("::")[0] for mutant in chosen for test in self.of(mutant)})
 
 
-def recorded(known: Iterable[tuple[Mutant, Result]], most: int = 12) -> dict[str, list[str]]:
-    """For every function the tests that noticed its mutants, those first that noticed most."""
-    found: dict[str, Counter[str]] = {}
-    for mutant, result in known:
-        if result["verdict"] == "killed" and "::" in result["by"]:
-            found.setdefault(place(mutant), Counter())[result["by"]] += 1
-    return {key: [name for name, _ in counts.most_common(most)] for key, counts in sorted(found.items())}
+def recorded(known: Iterable[tuple[Mutant, Result]]) -> dict[str, str]:
+    """Every mutant that a test noticed, by what it says, with that test."""
+    return {m.stable: r["by"] for m, r in known if r["verdict"] == "killed" and "::" in r["by"]}
 
 
 class Judge:

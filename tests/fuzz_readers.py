@@ -145,7 +145,8 @@ def main() -> int:
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 10
         spent = time.process_time() - start
         sys.stdout.write(
-            f"{name}: {options.runs} runs in {spent:.0f} s, {good} of them read, {failures} failures, longest {longest:.2f} s, "
+            f"{name}: {options.runs} runs in {spent:.0f} s, {good} of them read, {failures} failures, "
+            f"longest {longest:.2f} s, "
             f"{peak} MB at most\n"
         )
         sys.stdout.flush()

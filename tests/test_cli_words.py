@@ -44,6 +44,19 @@ DOCUMENTS = {
     "glossary": ["glossary", "--json"],
     "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
     "questions": ["oracle", "--list", "--json"],
+    "triangle": [
+        "triangle",
+        "rational_cubic",
+        "--at",
+        "1/3",
+        "--insert",
+        "1/2",
+        "--elevate",
+        "2",
+        "--product",
+        "x,w",
+        "--json",
+    ],
     "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
 }
 

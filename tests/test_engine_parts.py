@@ -1,5 +1,7 @@
 """The parts that readings, reductions and roots are made of, each held against what it means, with known answers."""
 
+from math import nextafter
+
 import pytest
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpz_poly
 from gmpy2 import mpq
@@ -9,7 +11,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, zeros
 from exactspline.errors import FormulaError
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE
-from exactspline.language.vector import Vector, join
+from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
@@ -22,10 +24,12 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.tree import TreeReading, trace
 from exactspline.roots.enclosure import Enclosure, rounded_outwards, sign_at, value_at, values_between
+from exactspline.roots.real import Real
 from exactspline.splines.examples import example
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for, name_of_vector
+from exactspline.symbolic.motions import rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
 
@@ -444,3 +448,56 @@ def test_plane_and_space_have_their_own_jets():
     assert len(JetReading(1).argument(PLANE, 2).p) == 2
     assert LeadingTermsReading(1).argument(CURVE, 3).p[2].leading[1, 0][0] == 0
     assert fmpq(1) == RationalJetReading(0).argument(CURVE, 2).w.constant(1).top.leading_coefficient()
+
+
+# ---- what others build on
+
+
+@given(st.tuples(fractions, fractions, fractions))
+def test_a_rotation_keeps_lengths_and_orientation_and_its_axis(quaternion):
+    """R Rᵀ = 1, det R = 1; the axis (a, b, c) stays; about the third axis it is the rotation of the plane."""
+    a, b, c = map(mpq, quaternion)
+    rows = rotation(3, {"turn1": a, "turn2": b, "turn3": c})
+    assert [[sum(x * y for x, y in zip(p, q, strict=True)) for q in rows] for p in rows] == [
+        [int(i == j) for j in range(3)] for i in range(3)
+    ]
+    assert det(*[Vector(*row) for row in rows]) == 1
+    assert [row[0] * a + row[1] * b + row[2] * c for row in rows] == [a, b, c]
+    flat, about = rotation(2, {"turn1": c}), rotation(3, {"turn1": 0, "turn2": 0, "turn3": c})
+    assert [row[:2] for row in about[:2]] == flat
+    cosine, sine = (1 - c * c) / (1 + c * c), 2 * c / (1 + c * c)
+    assert flat == [[cosine, -sine], [sine, cosine]]
+
+
+@pytest.mark.parametrize("sign", [1, -1, 0])
+def test_the_root_of_a_quotient_at_a_root(sign):
+    """√(t/3) and its negative at t = √2: the fourth power times 81/... is 2/9."""
+    t = BSpline.identity(1, 2)
+    told = Real.root_of_quotient_at(sign, t, t.constant(3), zeros(t * t - 2).roots[0])
+    value = told.told(30)
+    if sign == 0:
+        assert value == 0
+    else:
+        assert sorted([value.low**4, value.high**4])[0] <= mpq(2, 9) <= sorted([value.low**4, value.high**4])[1]
+        assert value.high - value.low <= mpq(1, 10**30)
+        assert value.low * sign > 0
+        nearest = sign * told.double()
+        below, above = (mpq(nextafter(nearest, end)) for end in (0, 1))
+        assert ((below + mpq(nearest)) / 2) ** 4 < mpq(2, 9) < ((mpq(nearest) + above) / 2) ** 4
+        assert told.double("down") <= told.double("up")
+    assert Real.root_of_quotient_at(1, t * t - 2, t, zeros(t * t - 2).roots[0]).told(5) == 0
+
+
+def test_products_of_vectors_are_vectors_or_numbers_in_trees():
+    c = TreeReading().argument(SPACE, 3)
+    v = c.p.d(1)
+    assert cross(c.p, v).is_vector
+    assert not dot(c.p, v).is_vector
+    assert not det(c.p, v, v.d(1)).is_vector
+    assert perp(TreeReading().argument(PLANE, 2).p).is_vector
+
+
+def test_derivatives_by_one_of_two_parameters_are_written_with_it():
+    c = TreeReading().argument(PAIR, 3)
+    assert r"\partial_{s} " in print_latex(c.first.w.d(1, by="s"))
+    assert r"\partial_{s}^{2} " in print_latex(c.first.w.d(2, by="s"))

@@ -86,7 +86,7 @@ def reduce(data: dict[str, Any]) -> dict[str, Any]:
 
     made = formulas_of(data["text"], "your formula", formulas_by_module(), plain=True)
     if not made:
-        raise xs.ExactSplineError("there is no function here", remedy="def name(c): return …")
+        raise xs.ExactSplineError("there is no function here", remedy="write def name(c): return …")
     formula = list(made.values())[-1]
     found = xs.reduction(formula, dimension=data["dimension"], polynomial=data["polynomial"])
     return {

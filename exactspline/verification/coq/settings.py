@@ -71,8 +71,8 @@ class Setting:
     @cached_property
     def argument(self) -> Any:
         """The argument in the fraction reading, its numerators w γ."""
-        one: Any = self._jet("w") if "w" in self.weights else None
-        return self.kind.argument(self.dimension, self._operand, one)
+        one = self.ring.context.constant(1)
+        return self.kind.argument(self.dimension, self._operand, JetFraction(self.ring, one, one))
 
     def _operand(self, symbol: Symbol) -> JetFraction:
         weight = "w" if symbol.name in COORDINATES else "W" if symbol.name in BARRED else ""
