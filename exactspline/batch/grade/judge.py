@@ -258,8 +258,9 @@ class _Form:
         for group in groups:
             low, high = group[0][0], group[-1][1]
             changes = sum(change for _, _, change in group) % 2 == 1
-            beside = [self.breaks[0], self.breaks[-1], *soft, *self.jumps]
-            found.append(_Place(low, high, changes and not any(self._near(t, low, high) for t in beside)))
+            beside = [self.breaks[0], self.breaks[-1], *self.jumps]
+            spared = any(self._near(t, low, high) for t in beside) or any(self._near(t, low, high, NEAR) for t in soft)
+            found.append(_Place(low, high, changes and not spared))
         return found
 
     def _near(self, t: mpq, low: mpq, high: mpq, reach: mpq = PLACE) -> bool:
@@ -267,7 +268,9 @@ class _Form:
 
     def explains(self, t: mpq, places: Sequence[_Place], soft: Sequence[mpq]) -> bool:
         """Whether a parameter that a library names is no invention."""
-        if any(self._near(t, p.low, p.high) for p in places) or any(self._near(t, s, s) for s in (*soft, *self.jumps)):
+        if any(self._near(t, p.low, p.high) for p in places) or any(self._near(t, s, s) for s in self.jumps):
+            return True
+        if any(self._near(t, s, s, NEAR) for s in soft):
             return True
         a, b = self.breaks[0], self.breaks[-1]
         if self._near(t, a, a) or self._near(t, b, b):

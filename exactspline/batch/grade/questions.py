@@ -15,11 +15,15 @@ class Asked:
 
 
 #: The unit of errors, said once.
-ULPS = "16 (degree + 1) ulps of the largest coordinate of a control point, times the largest ratio of weights"
+ULPS = (
+    "16 (degree + 1) ulps of the largest coordinate of a control point, times the largest ratio of weights (once more "
+    "a derivative)"
+)
 PLACES = (
     "every place at which the sign changes is named at least once within 2⁻¹⁶ of the domain; a place where it does not "
-    "change, an end of the domain, and a singular point may be named or not; a parameter is invented where the exact "
-    "function is above 2⁻³² of its largest Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
+    "change, an end of the domain, and whatever is within 2⁻⁸ of a singular point (where curvature is asked for, of a "
+    "knot too) may be named or not; a parameter is invented where the exact function is above 2⁻³² of its largest "
+    "Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
 )
 STRAIGHT = "anything where γ′ × γ″ is below 2⁻²⁰ of what γ′ and γ″ are"
 QUESTIONS: dict[str, Asked] = {
