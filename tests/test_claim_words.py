@@ -28,7 +28,7 @@ def misspelled(table):
         for i, each in enumerate(values):
             changed = copy.deepcopy(table.entry)
             if isinstance(each, int):
-                wrong = 0
+                wrong = f"{each}q"
             else:
                 place = {"id": 1, "factor": len(each) - 1, "claimed": len(each) - 1}.get(field, len(each))
                 wrong = each[:place] + "q" + each[place:]

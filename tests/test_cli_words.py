@@ -45,6 +45,19 @@ DOCUMENTS = {
     "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
     "questions": ["oracle", "--list", "--json"],
     "grade": ["grade", "fontTools", "--cases", "2", "--no-examples", "--json"],
+    "triangle": [
+        "triangle",
+        "rational_cubic",
+        "--at",
+        "1/3",
+        "--insert",
+        "1/2",
+        "--elevate",
+        "2",
+        "--product",
+        "x,w",
+        "--json",
+    ],
     "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
 }
 

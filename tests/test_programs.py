@@ -9,7 +9,7 @@ from exactspline.errors import FormulaError
 from exactspline.geometry.domain import part
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
-from exactspline.language.kinds import FramedKind, PairKind, TableKind
+from exactspline.language.kinds import CurveKind, PairKind, TableKind
 from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import det
@@ -20,7 +20,7 @@ from exactspline.programs.program import operands_of
 from exactspline.splines.examples import example
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
-ON_CURVES = [f for f in FORMULAS if not isinstance(f.kind, (PairKind, FramedKind, TableKind))]
+ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]
 CURVES = ["ellipse", "rational_cubic_spline", "unclamped", "jump", "space_quartic", "rational_space_cubic_spline"]
 
 

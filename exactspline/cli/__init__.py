@@ -28,6 +28,7 @@ from exactspline.cli import (
     schema,
     show,
     sweep,
+    triangle,
 )
 from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
@@ -77,6 +78,12 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "Bisectors of curves and points.",
         "bisector ellipse --point 1,1/2",
         "bisector twisted_cubic helix_like -o surface.json",
+    ),
+    triangle.triangle: (
+        "De Boor, step by step, in fractions.",
+        "triangle cubic_s --at 1/3",
+        "triangle my.json --insert 1/2 --times 2 --html > insertion.html",
+        "triangle parabola --elevate 1 --product x,y --latex",
     ),
     conditioning.conditioning: ("Condition numbers of zeros.", "conditioning", "conditioning my.json"),
     figures.figures: ("Draw the figures of the paper.", "figures --out pictures", "figures --out pictures --figure 2"),

@@ -141,6 +141,15 @@ def formulas_by_module() -> Mapping[str, Formula]:
     }
 
 
+def known_as(formula: Formula) -> str:
+    """The name by which `find` finds a formula: its own, with its paper where two papers share it.
+
+    >>> known_as(find("f2"))
+    'f2'
+    """
+    return next((name for name, known in all_formulas().items() if known is formula), formula.name)
+
+
 def find(name: str) -> Formula:
     """The formula with this name, ``name`` or ``paper:name``.
 

@@ -80,6 +80,26 @@ class JetRing:
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
+#: More terms than this no polynomial may have, and no more pairs of terms are multiplied at once.
+TERMS, PAIRS = 10**6, 10**9
+
+
+def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    """The product of two polynomials.
+
+    Raises `FormulaError` where it is too large to be worked with.
+    """
+    if len(a) * len(b) > PAIRS:
+        raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
+    product: fmpq_mpoly = a * b
+    if len(product) > TERMS:
+        raise FormulaError(f"a polynomial of {len(product)} terms", remedy=SHORTER)
+    return product
+
+
+SHORTER = f"at most {TERMS} are worked with: factor the formula, or name its parts"
+
+
 class Jet(Operand):
     """A differential polynomial."""
 
@@ -108,7 +128,8 @@ class Jet(Operand):
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial * right.polynomial, (PRODUCT, self.provenance, right.provenance))
+        product = bounded_product(self.polynomial, right.polynomial)
+        return Jet(self.ring, product, (PRODUCT, self.provenance, right.provenance))
 
     def scaled(self, constant: Constant) -> Jet:
         """The polynomial times an exact constant."""

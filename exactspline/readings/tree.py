@@ -196,6 +196,11 @@ class Traced(Argument):
     def __init__(self, kind: Kind, dimension: int, *, expand: bool = False, path: str = "") -> None:
         self._kind, self._dimension, self._expand, self._path = kind, dimension, expand, path
 
+    @property
+    def dimension(self) -> int:
+        """Number of coordinates."""
+        return self._dimension
+
     def __getattr__(self, name: str) -> Node | Traced:
         if name.startswith("_"):
             raise AttributeError(name)

@@ -16,7 +16,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PAIR, TABLE, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import find, known_as
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
@@ -124,7 +124,7 @@ def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -
     if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
-        found = true_degree(reduction(formula.name, dimension, polynomial).main.lowest[0])
+        found = true_degree(reduction(known_as(formula), dimension, polynomial).main.lowest[0])
     except FormulaError:
         return "–"
     return f"{found.k}, {found.m}, {found.j}"
@@ -334,13 +334,5 @@ def _formula_row(formula: Formula, curve: Nurbs) -> DegreeRow:
     seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
     return DegreeRow(
-        formula.name,
-        "as it stands",
-        str(m.nominal),
-        m.represented,
-        m.true,
-        m.control_points,
-        "–",
-        text,
-        seconds=seconds,
+        m.formula, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
     )

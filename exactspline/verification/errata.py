@@ -183,6 +183,7 @@ def check(claim: Claim) -> tuple[str, ...]:
             f'print(measure(find("{named(claim.formula)}"), example("{claim.example}")))',
         )
     return (
+        *([] if source.package else [f"import exactspline; exactspline.load_paper({str(source.folder)!r})"]),
         "from exactspline.verification.claims import claims_of",
         f'(claim,) = [each for each in claims_of("{claim.paper}") if each.key == "{claim.key}"]',
         "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from exactspline.errors import InapplicableError
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
@@ -146,17 +147,19 @@ def _dimension(formula: Formula, claim: Claim) -> int:
 
 
 def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
-    """The degree of a formula, None where it has roots."""
+    """The degree of a formula, None where it has none: over roots, of functions that are given by an equation."""
     formula = claim.find(name)
+    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
+    if formula.kind is TABLE:
+        degree: Degree = formula(degree_table()).degree
+        return degree
     if formula.kind.adjoins_roots:
         return None
-    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
-    handed = (
-        DegreeReading("d", *counts).argument(formula.kind, _dimension(formula, claim), polynomial=polynomial)
-        if formula.kind is not TABLE
-        else degree_table()
-    )
-    degree: Degree = formula(handed).degree
+    dimension, reading = _dimension(formula, claim), DegreeReading("d", *counts)
+    try:
+        degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
+    except InapplicableError:
+        return None
     return degree
 
 

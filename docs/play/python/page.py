@@ -78,6 +78,44 @@ def forms(data: dict[str, Any]) -> list[dict[str, Any]]:
     return told
 
 
+def reduce(data: dict[str, Any]) -> dict[str, Any]:
+    """What cancels in a formula that was typed, for all curves."""
+    from exactspline.papers import formulas_by_module
+    from exactspline.papers.formula_check import formulas_of
+    from exactspline.readings.printing.text import TextPrinter
+
+    made = formulas_of(data["text"], "your formula", formulas_by_module(), plain=True)
+    if not made:
+        raise xs.ExactSplineError("there is no function here", remedy="write def name(c): return …")
+    formula = list(made.values())[-1]
+    found = xs.reduction(formula, dimension=data["dimension"], polynomial=data["polynomial"])
+    return {
+        "name": formula.name,
+        "text": TextPrinter()(xs.trace(formula, data["dimension"])),
+        "parts": [part.data() for part in found.parts],
+    }
+
+
+def bisector(data: dict[str, Any]) -> dict[str, Any]:
+    """The trimmed bisector of a curve and a point: its pieces with certified ends, drawn in doubles."""
+    curve = _curve(data["curve"])
+    found = xs.trimmed_bisector(curve, data["point"])
+    return {"pieces": [_piece(curve, piece) for piece in found.pieces], "missing": list(found.missing)}
+
+
+def _piece(curve: Any, piece: Any, count: int = 48) -> dict[str, Any]:
+    low, high = (end.low if isinstance(end, xs.Root) else end for end in (piece.low, piece.high))
+    drawn = []
+    # the ends themselves may be infinite, or irrational: the picture stays just inside
+    for k in range(count):
+        t = low + (high - low) * (2 * k + 1) / (2 * count)
+        foot = curve(t if piece.foot is None else piece.foot)
+        drawn.append([[float(x) for x in piece(t)], [float(x) for x in foot]])
+    ends = [_decimal(end, DIGITS) if isinstance(end, xs.Root) else str(end) for end in (piece.low, piece.high)]
+    degree = max(piece.value.numerator.degree, piece.value.denominator.degree)
+    return {"kind": str(piece.kind), "ends": ends, "degree": degree, "drawn": drawn}
+
+
 def _decimal(root: Any, count: int) -> str:
     with mp.workdps(count + 10):
         return str(nstr(root.mpf(count + 2), count))
@@ -107,4 +145,10 @@ def _curve(data: dict[str, Any]) -> Any:
     return xs.Nurbs(data["degree"], data["knots"], data["points"], data["weights"])
 
 
-QUESTIONS: dict[str, Callable[[Any], Any]] = {"features": features, "digits": digits, "forms": forms}
+QUESTIONS: dict[str, Callable[[Any], Any]] = {
+    "features": features,
+    "digits": digits,
+    "forms": forms,
+    "reduce": reduce,
+    "bisector": bisector,
+}

@@ -66,9 +66,9 @@ def _ratios(axes: Axes, rows: Sequence[Row], cases: Sequence[str]) -> None:
 
 def _growth(axes: Axes, rows: Sequence[Row], begin: str) -> None:
     for who, (marker, colour) in {OURS: ("o", BLUE), "python-flint inline": ("D", GREY)}.items():
-        own = [row for row in rows if row.peer == who and row.value is not None]
-        axes.plot([int(row.case.removeprefix(begin)) for row in own], [row.value for row in own], marker=marker,
-                  color=colour, label=who, markersize=5)  # fmt: skip
+        own = [(int(row.case.removeprefix(begin)), row.value) for row in rows if row.peer == who and row.value]
+        sizes, times = [size for size, _ in own], [value for _, value in own]
+        axes.plot(sizes, times, marker=marker, color=colour, label=who, markersize=5)
     if begin != DEGREES:
         axes.set_xscale("log")
     axes.set_yscale("log")

@@ -25,23 +25,31 @@ Fixpoint at_real (a : polynomial) (t : R) : R :=
 Fixpoint at_rational (a : polynomial) (t : Q) : Q :=
   match a with [] => 0%Q | c :: a => Qred (c + t * at_rational a t) end.
 
+(** Where two denominators are one, nothing is reduced: greatest common divisors are what costs most. *)
+Definition qadd (x y : Q) : Q :=
+  if Pos.eqb (Qden x) (Qden y) then (Qnum x + Qnum y) # Qden x else Qred (x + y).
+
 Fixpoint padd (a b : polynomial) : polynomial :=
   match a, b with
   | [], b => b
   | a, [] => a
-  | x :: a, y :: b => Qred (x + y) :: padd a b
+  | x :: a, y :: b => qadd x y :: padd a b
   end.
 
-Definition pscale (k : Q) (a : polynomial) : polynomial := map (fun c => Qred (k * c)) a.
+Definition pscale (k : Q) (a : polynomial) : polynomial := map (fun c => (k * c)%Q) a.
 
 Fixpoint pmul (a b : polynomial) : polynomial :=
-  match a with [] => [] | c :: a => padd (pscale c b) (0%Q :: pmul a b) end.
+  match a with
+  | [] => []
+  | [c] => pscale c b
+  | c :: a => match pscale c b with [] => [] | x :: d => x :: padd d (pmul a b) end
+  end.
 
 Fixpoint ppow (a : polynomial) (n : nat) : polynomial :=
   match n with O => [1%Q] | S n => pmul a (ppow a n) end.
 
 Fixpoint pder_from (k : Z) (a : polynomial) : polynomial :=
-  match a with [] => [] | c :: a => Qred (inject_Z k * c) :: pder_from (k + 1) a end.
+  match a with [] => [] | c :: a => (inject_Z k * c)%Q :: pder_from (k + 1) a end.
 
 Definition pder (a : polynomial) : polynomial := match a with [] => [] | _ :: a => pder_from 1 a end.
 
@@ -66,22 +74,35 @@ Proof.
   rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_plus, Q2R_mult, IH. reflexivity.
 Qed.
 
+Lemma qadd_is x y : Q2R (qadd x y) = Q2R x + Q2R y.
+Proof.
+  unfold qadd. destruct (Pos.eqb (Qden x) (Qden y)) eqn:E.
+  - apply Pos.eqb_eq in E. unfold Q2R. simpl. rewrite E, plus_IZR. lra.
+  - rewrite (Qeq_eqR _ _ (Qred_correct _)). apply Q2R_plus.
+Qed.
+
 Lemma at_padd a t : forall b, at_real (padd a b) t = at_real a t + at_real b t.
 Proof.
   induction a as [|x a IH]; intros [|y b]; simpl; try lra.
-  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_plus, IH. lra.
+  rewrite qadd_is, IH. lra.
 Qed.
 
 Lemma at_pscale k a t : at_real (pscale k a) t = Q2R k * at_real a t.
 Proof.
   induction a as [|x a IH]; simpl; [lra|].
-  change (map (fun c => Qred (k * c)) a) with (pscale k a).
-  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_mult, IH. lra.
+  change (map (fun c => (k * c)%Q) a) with (pscale k a).
+  rewrite Q2R_mult, IH. lra.
 Qed.
 
 Lemma at_pmul a b t : at_real (pmul a b) t = at_real a t * at_real b t.
 Proof.
-  induction a as [|x a IH]; simpl; [lra|]. rewrite at_padd, at_pscale. simpl. rewrite IH, Q2R_0. lra.
+  induction a as [|x a IH]; [simpl; lra|].
+  destruct a as [|y a]; [simpl pmul; rewrite at_pscale; simpl; lra|].
+  change (at_real (match pscale x b with [] => [] | z :: d => z :: padd d (pmul (y :: a) b) end) t
+          = (Q2R x + t * at_real (y :: a) t) * at_real b t).
+  destruct b as [|z b]; [simpl; lra|].
+  change (pscale x (z :: b)) with ((x * z)%Q :: pscale x b). cbn [at_real].
+  rewrite at_padd, at_pscale, IH, Q2R_mult. simpl. lra.
 Qed.
 
 Lemma at_ppow a n t : at_real (ppow a n) t = at_real a t ^ n.
@@ -93,11 +114,11 @@ Lemma at_pder_from a t : forall k, at_real (pder_from k a) t = IZR k * at_real a
 Proof.
   assert (shift : forall a k, at_real (pder_from (k + 1) a) t = at_real (pder_from k a) t + at_real a t).
   { clear a. induction a as [|c a IH]; intro k; simpl; [lra|].
-    rewrite !(Qeq_eqR _ _ (Qred_correct _)), !Q2R_mult, IH.
+    rewrite !Q2R_mult, IH.
     assert (Hz : forall z, Q2R (inject_Z z) = IZR z) by (intro z; unfold Q2R; simpl; lra).
     rewrite !Hz, plus_IZR. lra. }
   induction a as [|c a IH]; intro k; simpl; [lra|].
-  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_mult, shift, IH.
+  rewrite Q2R_mult, shift, IH.
   assert (Hz : Q2R (inject_Z k) = IZR k) by (unfold Q2R; simpl; lra). rewrite Hz.
   assert (H1 : at_real (pder_from 1 a) t = at_real a t + t * at_real (pder a) t) by (rewrite IH; lra).
   rewrite H1. lra.
@@ -376,7 +397,8 @@ Definition inside (closed : bool) (from to : Q) (t : R) : Prop :=
 
 (** A function vanishes on an interval at exactly so many points, one in each of the intervals (or points) named. *)
 Definition exactly (f : R -> R) (closed : bool) (from to : Q) (where_ : list (Q * Q)) : Prop :=
-  exists zs, Forall2 within zs where_ /\ forall t, inside closed from to t -> (f t = 0 <-> In t zs).
+  exists zs, Forall2 within zs where_ /\ (forall z, In z zs -> inside closed from to z) /\
+  forall t, inside closed from to t -> (f t = 0 <-> In t zs).
 
 Lemma zero_at_sound a t : zero_at a t = true <-> at_real a (Q2R t) = 0.
 Proof.
@@ -418,29 +440,16 @@ Proof.
     destruct (Req_dec t z) as [->|D]; [reflexivity|]. exfalso. apply (Hn t); [lra | exact D | exact Y].
 Qed.
 
-Lemma zeros_after closed a to cells : forall from, chained from cells to = true ->
-  forall zs, Forall2 within zs (zeros closed a cells) -> forall z, In z zs -> Q2R from <= z.
+Lemma chained_ends cells to : cells <> [] -> forall from, chained from cells to = true -> Q2R from < Q2R to.
 Proof.
-  induction cells as [|e cells IH]; intros from; [intros _ zs W; inversion W; simpl; tauto|].
-  simpl. intros H zs W. apply andb_prop in H. destruct H as [H Hn]. apply andb_prop in H. destruct H as [He Hl].
-  apply Qeq_bool_eq, Qeq_eqR in He.
-  assert (Le : Q2R (low e) < Q2R (high e)).
-  { apply Qlt_Rlt, Qnot_le_lt. intro L. apply Qle_bool_iff in L. rewrite L in Hl. discriminate. }
-  apply Forall2_app_inv_r in W. destruct W as [z1 [z' [W1 [W' ->]]]].
-  apply Forall2_app_inv_r in W'. destruct W' as [z2 [z'' [W2 [W'' ->]]]].
-  apply Forall2_app_inv_r in W''. destruct W'' as [z3 [z4 [W3 [W4 ->]]]].
-  intros z I. rewrite !in_app_iff in I. rewrite <- He. destruct I as [I|[I|[I|I]]].
-  - destruct (zero_at a (low e)); inversion W1 as [|? ? ? ? V1 V2]; subst; [|destruct I].
-    inversion V2; subst. unfold within in V1. simpl in V1. destruct I as [<-|[]]. lra.
-  - assert (own_low : forall i, In i (own e) -> fst i = low e) by (destruct e; simpl; intuition (subst; reflexivity)).
-    fold (own e) in W2. clear -W2 I own_low.
-    induction W2 as [|x i zs is V W IHW]; [destruct I|]. destruct I as [<-|I].
-    + unfold within in V. rewrite (own_low i) in V by now left. lra.
-    + apply IHW; [exact I|]. intros j J. apply own_low. now right.
-  - destruct cells; [destruct (closed && zero_at a (high e))|];
-      inversion W3 as [|? ? ? ? V1 V2]; subst; try (destruct I; fail).
-    inversion V2; subst. unfold within in V1. simpl in V1. destruct I as [<-|[]]. lra.
-  - apply (IH (high e) Hn z4 W4) in I. lra.
+  induction cells as [|c cells IH]; intros N from H; [congruence|].
+  simpl in H. apply andb_prop in H. destruct H as [H Hn]. apply andb_prop in H. destruct H as [Hl Hh].
+  apply Qeq_bool_eq, Qeq_eqR in Hl.
+  assert (Lt : Q2R (low c) < Q2R (high c)).
+  { apply Qlt_Rlt, Qnot_le_lt. intro L. apply Qle_bool_iff in L. rewrite L in Hh. discriminate. }
+  destruct cells as [|d cells].
+  - simpl in Hn. apply Qeq_bool_eq, Qeq_eqR in Hn. lra.
+  - assert (Q2R (high c) < Q2R to) by (apply IH; [discriminate | exact Hn]). lra.
 Qed.
 
 Theorem answer_sound closed a cells : forall from to, cells <> [] ->
@@ -469,7 +478,10 @@ Proof.
         inversion W2; subst. unfold within in W1. simpl in W1. destruct I as [<-|[]]. lra. }
       exists (zl ++ zc ++ zh). split.
       * cbn [zeros andb]. rewrite app_nil_r. repeat apply Forall2_app; assumption.
-      * intros t [T1 T2]. simpl in T2. rewrite !in_app_iff.
+      * split.
+        { intros z I. rewrite !in_app_iff in I. unfold inside. simpl.
+          destruct I as [I|[I|I]]; [specialize (Il z I) | specialize (Ic z I) | specialize (Ih z I)]; lra. }
+        intros t [T1 T2]. simpl in T2. rewrite !in_app_iff.
         destruct (Rtotal_order t (Q2R (low c))) as [L|[L|L]]; [lra| |].
         -- rewrite (Pl t L). split; [tauto|]. intros [I|[I|I]]; [exact I| |].
            ++ specialize (Ic t I). lra.
@@ -483,20 +495,29 @@ Proof.
               ** specialize (Ic t I). lra.
     + exists (zl ++ zc). split.
       * cbn [zeros andb]. rewrite !app_nil_r. apply Forall2_app; assumption.
-      * intros t [T1 T2]. simpl in T2. rewrite in_app_iff.
+      * split.
+        { intros z I. rewrite in_app_iff in I. unfold inside. simpl.
+          destruct I as [I|I]; [specialize (Il z I) | specialize (Ic z I)]; lra. }
+        intros t [T1 T2]. simpl in T2. rewrite in_app_iff.
         destruct (Rtotal_order t (Q2R (low c))) as [L|[L|L]]; [lra| |].
         -- rewrite (Pl t L). split; [tauto|]. intros [I|I]; [exact I|]. specialize (Ic t I). lra.
         -- assert (M : t < Q2R (high c)) by lra. rewrite (Pc t (conj L M)). split; [tauto|].
            intros [I|I]; [|exact I]. specialize (Il t I). lra.
   - assert (Ar : answer a (high c) to (d :: rest) = true) by (unfold answer; now rewrite Hchain, Hr).
-    destruct (IH (high c) to) as [zr [Wr Pr]]; [discriminate | exact Nr | exact Ar |].
-    (* the zeros of the rest that lie to the right of this cell *)
-    assert (Order : forall z, In z zr -> Q2R (high c) <= z) by exact (zeros_after closed a _ _ _ Hchain _ Wr).
+    destruct (IH (high c) to) as [zr [Wr [Ir Pr]]]; [discriminate | exact Nr | exact Ar |].
+    assert (Order : forall z, In z zr -> Q2R (high c) <= z) by (intros z I; apply (Ir z I)).
+    assert (End : Q2R (high c) < Q2R to).
+    { apply (chained_ends (d :: rest)); [discriminate | exact Hchain]. }
     exists (zl ++ zc ++ zr). split.
     + change (zeros closed a (c :: d :: rest)) with
         ((if zero_at a (low c) then [(low c, low c)] else []) ++ own c ++ [] ++ zeros closed a (d :: rest)).
       simpl app at 3. repeat apply Forall2_app; assumption.
-    + intros t [T1 T2]. rewrite !in_app_iff.
+    + split.
+      { intros z I. rewrite !in_app_iff in I. destruct I as [I|[I|I]].
+        - specialize (Il z I). split; [lra | destruct closed; lra].
+        - specialize (Ic z I). split; [lra | destruct closed; lra].
+        - destruct (Ir z I) as [I1 I2]. split; [lra | exact I2]. }
+      intros t [T1 T2]. rewrite !in_app_iff.
       destruct (Rtotal_order t (Q2R (low c))) as [L|[L|L]]; [lra| |].
       * rewrite (Pl t L). split; [tauto|]. intros [I|[I|I]]; [exact I| |].
         -- specialize (Ic t I). lra.
@@ -509,4 +530,392 @@ Proof.
            rewrite (Pr t T). split; [tauto|]. intros [I|[I|I]]; [| |exact I].
            ++ specialize (Il t I). lra.
            ++ specialize (Ic t I). lra.
+Qed.
+
+(** ** B-splines *)
+
+(** A quotient, 0 where it does not exist: the convention of Cox and de Boor. *)
+Definition over (a b : R) : R := if Req_EM_T b 0 then 0 else a / b.
+
+Definition knot (u : list Q) (i : nat) : R := Q2R (nth i u 0%Q).
+
+(** The B-spline basis function of degree [d] that begins at the knot [i], by the recursion of Cox and de Boor. *)
+Fixpoint basis (u : list Q) (d i : nat) (t : R) : R :=
+  match d with
+  | O => if Rle_dec (knot u i) t then if Rlt_dec t (knot u (S i)) then 1 else 0 else 0
+  | S d =>
+    over (t - knot u i) (knot u (i + d + 1) - knot u i) * basis u d i t
+    + over (knot u (i + d + 2) - t) (knot u (i + d + 2) - knot u (i + 1)) * basis u d (S i) t
+  end.
+
+(** The spline with given coefficients, those from the index [i] on. *)
+Fixpoint spline_from (u : list Q) (d i : nat) (c : list Q) (t : R) : R :=
+  match c with [] => 0 | x :: c => Q2R x * basis u d i t + spline_from u d (S i) c t end.
+
+Definition spline (u : list Q) (d : nat) (c : list Q) : R -> R := spline_from u d 0 c.
+
+(** The same between the knots [j] and [j + 1], where it is a polynomial. *)
+Definition ramp (a b : Q) (rising : bool) : polynomial :=
+  let w := Qred (b - a) in
+  if Qeq_bool w 0 then []
+  else if rising then [Qred (- a / w); Qred (1 / w)] else [Qred (b / w); Qred (- (1) / w)].
+
+Fixpoint basis_piece (u : list Q) (j d i : nat) : polynomial :=
+  if (i <=? j) && (j <=? i + d) then
+    match d with
+    | O => [1%Q]
+    | S d =>
+      padd (pmul (ramp (nth i u 0%Q) (nth (i + d + 1) u 0%Q) true) (basis_piece u j d i))
+           (pmul (ramp (nth (i + 1) u 0%Q) (nth (i + d + 2) u 0%Q) false) (basis_piece u j d (S i)))
+    end
+  else [].
+
+Fixpoint piece_from (u : list Q) (j d i : nat) (c : list Q) : polynomial :=
+  match c with [] => [] | x :: c => padd (pscale x (basis_piece u j d i)) (piece_from u j d (S i) c) end.
+
+Definition piece (u : list Q) (d : nat) (c : list Q) (j : nat) : polynomial := piece_from u j d 0 c.
+
+Fixpoint increasing (u : list Q) : bool :=
+  match u with x :: ((y :: _) as r) => Qle_bool x y && increasing r | _ => true end.
+
+Lemma increasing_sound u : increasing u = true -> forall i k, (i <= k < length u)%nat -> knot u i <= knot u k.
+Proof.
+  unfold knot. induction u as [|x u IH]; intros H i k Hk; [simpl in Hk; lia|].
+  assert (H' : increasing u = true).
+  { destruct u; [reflexivity|]. simpl in H. apply andb_prop in H. apply H. }
+  destruct k as [|k]; [assert (i = 0)%nat as -> by lia; lra|].
+  simpl in Hk. destruct i as [|i]; [|simpl; apply IH; [exact H' | lia]].
+  destruct u as [|y u]; [simpl in Hk; lia|].
+  assert (B : Q2R x <= Q2R y).
+  { simpl in H. apply andb_prop in H. destruct H as [H _]. apply Qle_Rle. now apply Qle_bool_iff. }
+  specialize (IH H' 0%nat k). simpl in IH |- *. assert (0 <= k < S (length u))%nat as Hk' by (simpl in Hk; lia).
+  specialize (IH Hk'). lra.
+Qed.
+
+Lemma at_ramp_rising a b t : at_real (ramp a b true) t = over (t - Q2R a) (Q2R b - Q2R a).
+Proof.
+  unfold ramp, over. assert (W : Q2R (Qred (b - a)) = Q2R b - Q2R a)
+    by (rewrite (Qeq_eqR _ _ (Qred_correct _)); apply Q2R_minus).
+  destruct (Qeq_bool (Qred (b - a)) 0) eqn:E.
+  - apply Qeq_bool_eq, Qeq_eqR in E. rewrite W, Q2R_0 in E. destruct (Req_EM_T _ 0); [reflexivity | contradiction].
+  - assert (N : Q2R b - Q2R a <> 0).
+    { rewrite <- W. intro Z. rewrite <- Q2R_0 in Z. apply eqR_Qeq, Qeq_bool_iff in Z. congruence. }
+    assert (Nq : ~ Qred (b - a) == 0) by (intro Z; apply Qeq_bool_iff in Z; congruence).
+    destruct (Req_EM_T _ 0); [contradiction|]. simpl.
+    rewrite !(Qeq_eqR _ _ (Qred_correct (_ / _))). rewrite !Q2R_div, Q2R_opp, W, Q2R_1 by exact Nq. field. exact N.
+Qed.
+
+Lemma at_ramp_falling a b t : at_real (ramp a b false) t = over (Q2R b - t) (Q2R b - Q2R a).
+Proof.
+  unfold ramp, over. assert (W : Q2R (Qred (b - a)) = Q2R b - Q2R a)
+    by (rewrite (Qeq_eqR _ _ (Qred_correct _)); apply Q2R_minus).
+  destruct (Qeq_bool (Qred (b - a)) 0) eqn:E.
+  - apply Qeq_bool_eq, Qeq_eqR in E. rewrite W, Q2R_0 in E. destruct (Req_EM_T _ 0); [reflexivity | contradiction].
+  - assert (N : Q2R b - Q2R a <> 0).
+    { rewrite <- W. intro Z. rewrite <- Q2R_0 in Z. apply eqR_Qeq, Qeq_bool_iff in Z. congruence. }
+    assert (Nq : ~ Qred (b - a) == 0) by (intro Z; apply Qeq_bool_iff in Z; congruence).
+    destruct (Req_EM_T _ 0); [contradiction|]. simpl.
+    rewrite !(Qeq_eqR _ _ (Qred_correct (_ / _))). rewrite !Q2R_div, Q2R_opp, W, Q2R_1 by exact Nq. field. exact N.
+Qed.
+
+Section Pieces.
+Variable u : list Q.
+Variable j : nat.
+Hypothesis Hu : increasing u = true.
+Variable t : R.
+Hypothesis Ht : knot u j <= t < knot u (S j).
+
+Lemma basis_outside d : forall i, (i + d + 1 < length u)%nat -> (S j < length u)%nat -> (j < i \/ i + d < j)%nat ->
+  basis u d i t = 0.
+Proof.
+  induction d as [|d IH]; intros i Hi Hj O.
+  - simpl. destruct (Rle_dec (knot u i) t) as [L|]; [|reflexivity].
+    destruct (Rlt_dec t (knot u (S i))) as [G|]; [|reflexivity]. exfalso.
+    destruct O as [O|O].
+    + pose proof (increasing_sound u Hu (S j) i). assert (knot u (S j) <= knot u i) by (apply H; lia). lra.
+    + pose proof (increasing_sound u Hu (S i) j). assert (knot u (S i) <= knot u j) by (apply H; lia). lra.
+  - simpl. rewrite (IH i), (IH (S i)) by lia. lra.
+Qed.
+
+Lemma basis_is d : forall i, (i + d + 1 < length u)%nat -> (S j < length u)%nat ->
+  basis u d i t = at_real (basis_piece u j d i) t.
+Proof.
+  induction d as [|d IH]; intros i Hi Hj.
+  - simpl basis_piece. rewrite Nat.add_0_r.
+    destruct ((i <=? j) && (j <=? i)) eqn:E.
+    + apply andb_prop in E. destruct E as [A B]. apply Nat.leb_le in A. apply Nat.leb_le in B.
+      assert (i = j) as -> by lia. simpl. rewrite Q2R_1.
+      destruct (Rle_dec (knot u j) t); [|lra]. destruct (Rlt_dec t (knot u (S j))); lra.
+    + rewrite (basis_outside 0 i); [reflexivity | lia | lia |].
+      apply andb_false_iff in E. destruct E as [E|E]; apply Nat.leb_gt in E; lia.
+  - cbn [basis_piece]. destruct ((i <=? j) && (j <=? i + S d)) eqn:E.
+    + rewrite at_padd, !at_pmul, at_ramp_rising, at_ramp_falling. cbn [basis].
+      rewrite (IH i), (IH (S i)) by lia. unfold knot. reflexivity.
+    + rewrite (basis_outside (S d) i); [reflexivity | lia | lia |].
+      apply andb_false_iff in E. destruct E as [E|E]; apply Nat.leb_gt in E; lia.
+Qed.
+
+Lemma spline_from_is d c : forall i, (i + length c + d < length u)%nat -> (S j < length u)%nat ->
+  spline_from u d i c t = at_real (piece_from u j d i c) t.
+Proof.
+  induction c as [|x c IH]; intros i Hi Hj; [reflexivity|].
+  simpl in *. rewrite at_padd, at_pscale, (basis_is d i), (IH (S i)) by lia. reflexivity.
+Qed.
+
+End Pieces.
+
+(** ** A curve *)
+
+(** Knots, degree, and the control points times their weights: coordinate by coordinate, and the weights. *)
+Record nurbs := { knots : list Q; degree : nat; coordinates : list (list Q); weights : list Q }.
+
+Definition sound (c : nurbs) : bool :=
+  increasing (knots c) &&
+  forallb (fun x => Nat.eqb (length x + degree c + 1) (length (knots c))) (weights c :: coordinates c).
+
+(** Coefficients over one denominator. *)
+Definition denominator (as_ : list polynomial) : positive :=
+  fold_right (fun c d => Z.to_pos (Z.lcm (Zpos (Qden c)) (Zpos d))) 1%positive (concat as_).
+
+Definition over_one (d : positive) (c : Q) : Q :=
+  let e := (Qnum c * (Zpos d / Zpos (Qden c)))%Z # d in if Qeq_bool e c then e else c.
+
+Lemma at_over_one d a t : at_real (map (over_one d) a) t = at_real a t.
+Proof.
+  induction a as [|c a IH]; [reflexivity|]. simpl. rewrite IH. f_equal. unfold over_one.
+  destruct (Qeq_bool _ c) eqn:E; [now apply Qeq_eqR, Qeq_bool_eq | reflexivity].
+Qed.
+
+(** The curve between the knots [j] and [j + 1], as formulas are handed it. *)
+Definition curve_piece (c : nurbs) (j : nat) : curve polynomial :=
+  let x := map (fun x => piece (knots c) (degree c) x j) (coordinates c) in
+  let y := piece (knots c) (degree c) (weights c) j in
+  let d := denominator (y :: x) in
+  Curve s (map (map (over_one d)) x) (map (over_one d) y) [] [].
+
+(** The pieces are those of the B-splines by the recursion of Cox and de Boor. *)
+Theorem pieces_are_splines (c : nurbs) (j : nat) (t : R) :
+  sound c = true -> (S j < length (knots c))%nat -> knot (knots c) j <= t < knot (knots c) (S j) ->
+  Forall2 (fun x a => spline (knots c) (degree c) x t = at_real a t) (coordinates c) (p (curve_piece c j)) /\
+  spline (knots c) (degree c) (weights c) t = at_real (w (curve_piece c j)) t.
+Proof.
+  intros H Hj Ht. unfold sound in H. apply andb_prop in H. destruct H as [Hu H]. simpl in H.
+  apply andb_prop in H. destruct H as [Hw Hc]. apply Nat.eqb_eq in Hw. split.
+  - unfold curve_piece. cbn [p]. set (d := denominator _). clearbody d.
+    induction (coordinates c) as [|x xs IH]; constructor.
+    + simpl in Hc. apply andb_prop in Hc. destruct Hc as [Hx _]. apply Nat.eqb_eq in Hx. rewrite at_over_one.
+      apply (spline_from_is (knots c) j Hu t Ht); lia.
+    + apply IH. simpl in Hc. now apply andb_prop in Hc.
+  - unfold curve_piece. cbn [w]. rewrite at_over_one. apply (spline_from_is (knots c) j Hu t Ht); lia.
+Qed.
+
+(** ** What is said of a form of a curve *)
+
+(** The spans of the knots that are not empty, between the first and the last one at which the curve is complete. *)
+Definition spans (c : nurbs) : list nat :=
+  filter (fun j => negb (Qle_bool (nth (S j) (knots c) 0%Q) (nth j (knots c) 0%Q)))
+         (seq (degree c) (length (knots c) - 2 * degree c - 1)).
+
+(** A form in pieces: the right end of each, and its polynomial; the last one holds at its right end, too. *)
+Definition pieces : Type := list (Q * polynomial).
+
+(** Without zeros at the end, which change nothing. *)
+Fixpoint trimmed (a : polynomial) : polynomial :=
+  match a with
+  | [] => []
+  | c :: a => match trimmed a with [] => if Qeq_bool c 0 then [] else [c] | b => c :: b end
+  end.
+
+Lemma at_trimmed a t : at_real (trimmed a) t = at_real a t.
+Proof.
+  induction a as [|c a IH]; [reflexivity|]. simpl. rewrite <- IH. destruct (trimmed a) as [|d b]; [|reflexivity].
+  destruct (Qeq_bool c 0) eqn:E; [|reflexivity]. apply Qeq_bool_eq, Qeq_eqR in E. rewrite Q2R_0 in E. simpl. lra.
+Qed.
+
+Definition form_pieces (form : curve polynomial -> polynomial) (c : nurbs) : pieces :=
+  map (fun j => (nth (S j) (knots c) 0%Q, trimmed (form (curve_piece c j)))) (spans c).
+
+Fixpoint form_value (f : pieces) (t : R) : R :=
+  match f with
+  | [] => 0
+  | [(_, a)] => at_real a t
+  | (b, a) :: f => if Rlt_dec t (Q2R b) then at_real a t else form_value f t
+  end.
+
+(** A function vanishes, on an interval with its ends, at exactly so many points, one in each of the intervals (or at
+    the points) named, and on the stretches named. *)
+Definition vanishes_exactly (f : R -> R) (from to : Q) (points stretches : list (Q * Q)) : Prop :=
+  exists zs, Forall2 within zs points /\ forall t, Q2R from <= t <= Q2R to ->
+  (f t = 0 <-> In t zs \/ Exists (fun i => Q2R (fst i) <= t < Q2R (snd i)) stretches).
+
+Definition null_span (cells : list cell) : bool := match cells with [Null _ _] => true | _ => false end.
+
+Definition span_zeros (closed : bool) (a : polynomial) (cells : list cell) : list (Q * Q) :=
+  if null_span cells then match cells with c :: _ => if closed then [(high c, high c)] else [] | [] => [] end
+  else zeros closed a cells.
+
+Fixpoint all_zeros (f : pieces) (cells : list (list cell)) : list (Q * Q) :=
+  match f, cells with
+  | [(_, a)], [c] => span_zeros true a c
+  | (_, a) :: f, c :: cells => span_zeros false a c ++ all_zeros f cells
+  | _, _ => []
+  end.
+
+Definition stretch (cells : list cell) : list (Q * Q) :=
+  if null_span cells then match cells with c :: _ => [(low c, high c)] | [] => [] end else [].
+
+Definition all_stretches (cells : list (list cell)) : list (Q * Q) := flat_map stretch cells.
+
+Definition span_answer (a : polynomial) (from to : Q) (cells : list cell) : bool :=
+  answer a from to cells && (null_span cells || (negb (match cells with [] => true | _ => false end)
+                                                 && forallb (fun c => negb (is_null c)) cells)).
+
+Fixpoint answers (f : pieces) (from : Q) (cells : list (list cell)) : bool :=
+  match f, cells with
+  | [(b, a)], [c] => span_answer a from b c
+  | (b, a) :: f, c :: cells => span_answer a from b c && answers f b cells
+  | _, _ => false
+  end.
+
+Lemma span_sound closed a from to cells : span_answer a from to cells = true ->
+  Q2R from < Q2R to /\
+  (forall i, In i (stretch cells) -> Q2R from <= Q2R (fst i) /\ Q2R (snd i) <= Q2R to) /\
+  exists zs, Forall2 within zs (span_zeros closed a cells) /\
+  (forall z, In z zs -> inside closed from to z) /\
+  forall t, inside closed from to t ->
+  (at_real a t = 0 <-> In t zs \/ Exists (fun i => Q2R (fst i) <= t < Q2R (snd i)) (stretch cells)).
+Proof.
+  intro H. unfold span_answer in H. apply andb_prop in H. destruct H as [Ha H].
+  assert (Ne : cells <> []) by (intros ->; discriminate).
+  pose proof Ha as Hchain. unfold answer in Hchain. apply andb_prop in Hchain. destruct Hchain as [Hchain Hall].
+  split; [exact (chained_ends _ _ Ne _ Hchain)|].
+  unfold span_zeros, stretch. destruct (null_span cells) eqn:N.
+  - destruct cells as [|[| | |l h] [|]]; try discriminate. simpl in Hchain, Hall |- *.
+    apply andb_prop in Hchain. destruct Hchain as [Hc Ht]. apply andb_prop in Hc. destruct Hc as [Hf Hl].
+    apply Qeq_bool_eq, Qeq_eqR in Hf. apply Qeq_bool_eq, Qeq_eqR in Ht.
+    apply andb_prop in Hall. destruct Hall as [Hz _]. apply andb_prop in Hz. destruct Hz as [Hz _].
+    assert (Lt : Q2R l < Q2R h).
+    { apply Qlt_Rlt, Qnot_le_lt. intro L. apply Qle_bool_iff in L. rewrite L in Hl. discriminate. }
+    split; [intros i [<-|[]]; simpl; lra|].
+    exists (if closed then [Q2R h] else []). split; [|split].
+    + destruct closed; repeat constructor; unfold within; simpl; lra.
+    + intros z I. destruct closed; [destruct I as [<-|[]]; unfold inside; lra | destruct I].
+    + intros t [T1 T2]. rewrite (pzero_sound a t Hz). split; [intros _|reflexivity].
+      destruct closed; simpl in T2.
+      * destruct (Req_dec t (Q2R h)) as [->|D]; [left; now left|]. right. apply Exists_cons_hd. simpl. lra.
+      * right. apply Exists_cons_hd. simpl. lra.
+  - simpl in H. apply andb_prop in H. destruct H as [_ Hnull]. split; [intros i []|].
+    destruct (answer_sound closed a cells from to Ne Hnull Ha) as [zs [W [I P]]].
+    exists zs. split; [exact W|]. split; [exact I|].
+    intros t T. rewrite (P t T). split; [now left|]. intros [J|J]; [exact J | inversion J].
+Qed.
+
+Definition right_end (from : Q) (f : pieces) : Q := fst (last f (from, [])).
+
+(** What is checked by computation holds. *)
+Lemma answers_hold f : forall from cells, answers f from cells = true ->
+  Q2R from < Q2R (right_end from f) /\
+  (forall i, In i (all_stretches cells) -> Q2R from <= Q2R (fst i)) /\
+  exists zs, Forall2 within zs (all_zeros f cells) /\ (forall z, In z zs -> Q2R from <= z) /\
+  forall t, Q2R from <= t <= Q2R (right_end from f) ->
+  (form_value f t = 0 <-> In t zs \/ Exists (fun i => Q2R (fst i) <= t < Q2R (snd i)) (all_stretches cells)).
+Proof.
+  induction f as [|[b a] f IH]; intros from cells H; [discriminate|].
+  destruct f as [|q f].
+  - destruct cells as [|c [|]]; [discriminate | | simpl in H; rewrite andb_false_r in H; discriminate]. simpl in H.
+    destruct (span_sound true a from b c H) as [E [S [zs [W [I P]]]]].
+    unfold right_end, all_stretches. simpl. rewrite app_nil_r.
+    split; [exact E|]. split; [intros i J; exact (proj1 (S i J))|].
+    exists zs. split; [exact W|]. split; [intros z J; exact (proj1 (I z J))|]. intros t T. apply P. exact T.
+  - destruct cells as [|c cells]; [discriminate|].
+    change (span_answer a from b c && answers (q :: f) b cells = true) in H.
+    apply andb_prop in H. destruct H as [H1 H2].
+    destruct (span_sound false a from b c H1) as [E [S [zs [W [I P]]]]].
+    destruct (IH b cells H2) as [E' [S' [ys [V [J Q]]]]].
+    assert (L : right_end from ((b, a) :: q :: f) = right_end b (q :: f)).
+    { unfold right_end. clear. change (last ((b, a) :: q :: f) (from, [])) with (last (q :: f) (from, [] : polynomial)).
+      revert q. induction f as [|r f IHf]; intro q; [reflexivity|]. exact (IHf r). }
+    rewrite L. split; [lra|]. unfold all_stretches in *. simpl flat_map.
+    split.
+    { intros i K. apply in_app_iff in K. destruct K as [K|K]; [apply (S i K)|]. specialize (S' i K). lra. }
+    exists (zs ++ ys). split; [now apply Forall2_app|]. split.
+    { intros z K. apply in_app_iff in K. destruct K as [K|K]; [apply (I z K)|]. specialize (J z K). lra. }
+    intros t T.
+    change (form_value ((b, a) :: q :: f) t) with (if Rlt_dec t (Q2R b) then at_real a t else form_value (q :: f) t).
+    rewrite in_app_iff, Exists_app. destruct (Rlt_dec t (Q2R b)) as [B|B].
+    + assert (T' : inside false from b t) by (split; simpl; lra). rewrite (P t T'). split; [tauto|].
+      intros [[K|K]|[K|K]]; [now left | specialize (J t K); lra | now right |].
+      apply Exists_exists in K. destruct K as [i [Ki Kt]]. specialize (S' i Ki). lra.
+    + assert (T' : Q2R b <= t <= Q2R (right_end b (q :: f))) by lra. rewrite (Q t T'). split; [tauto|].
+      intros [[K|K]|[K|K]]; [destruct (I t K); simpl in *; lra | now left | | now right].
+      apply Exists_exists in K. destruct K as [i [Ki Kt]]. destruct (S i Ki). lra.
+Qed.
+
+Theorem answers_sound f from cells : answers f from cells = true ->
+  vanishes_exactly (form_value f) from (right_end from f) (all_zeros f cells) (all_stretches cells).
+Proof.
+  intro H. destruct (answers_hold f from cells H) as [_ [_ [zs [W [_ P]]]]]. exists zs. now split.
+Qed.
+
+(** The same pieces, whether or not fractions are reduced. *)
+Fixpoint same_pieces (f g : pieces) : bool :=
+  match f, g with
+  | [], [] => true
+  | (b, x) :: f, (c, y) :: g => Qeq_bool b c && peq x y && same_pieces f g
+  | _, _ => false
+  end.
+
+Lemma same_value f : forall g t, same_pieces f g = true -> form_value f t = form_value g t.
+Proof.
+  induction f as [|[b x] f IH]; intros [|[c y] g] t H; try discriminate; [reflexivity|].
+  simpl in H. apply andb_prop in H. destruct H as [H1 H3]. apply andb_prop in H1. destruct H1 as [H1 H2].
+  apply Qeq_bool_eq, Qeq_eqR in H1. pose proof (peq_sound x t y H2) as E. specialize (IH g t H3).
+  destruct f as [|[qb qx] f]; destruct g as [|[rb rx] g]; try discriminate; [exact E|].
+  change (form_value ((b, x) :: (qb, qx) :: f) t)
+    with (if Rlt_dec t (Q2R b) then at_real x t else form_value ((qb, qx) :: f) t).
+  change (form_value ((c, y) :: (rb, rx) :: g) t)
+    with (if Rlt_dec t (Q2R c) then at_real y t else form_value ((rb, rx) :: g) t).
+  rewrite H1, E. destruct (Rlt_dec t (Q2R c)); [reflexivity | exact IH].
+Qed.
+
+Lemma says_same (f g : R -> R) c : (forall t, f t = g t) -> says f c -> says g c.
+Proof.
+  intros E. destruct c as [l h u|l h u|l h u0 a u n r v|l h]; simpl.
+  - intros H t Ht. rewrite <- E. now apply H.
+  - intros [z [Hz [Z [A B]]]]. exists z. rewrite <- E.
+    split; [exact Hz|]. split; [exact Z|]. split; intros t Ht; rewrite <- E; auto.
+  - intros [z [Hz [Z A]]]. exists z. rewrite <- E. split; [exact Hz|]. split; [exact Z|].
+    intros t Ht N. rewrite <- E. auto.
+  - intros H t Ht. rewrite <- E. auto.
+Qed.
+
+(** What is said of the form of a curve, and of its sign cell by cell; [f] is the form, fractions reduced. *)
+Theorem curve_answers (form : curve polynomial -> polynomial) (c : nurbs) (from to : Q) (cells : list (list cell))
+    (points stretches : list (Q * Q)) (f : pieces) :
+  same_pieces f (form_pieces form c) = true ->
+  (answers f from cells, right_end from f, all_zeros f cells, all_stretches cells) = (true, to, points, stretches) ->
+  vanishes_exactly (form_value (form_pieces form c)) from to points stretches /\
+  Forall2 (fun b own => Forall (says (at_real (snd b))) own) (form_pieces form c) cells.
+Proof.
+  intros S H. injection H as H <- <- <-. split.
+  - destruct (answers_sound f from cells H) as [zs [W P]]. exists zs. split; [exact W|].
+    intros t T. rewrite <- (same_value f _ t S). now apply P.
+  - revert S. generalize (form_pieces form c). revert from cells H.
+    induction f as [|[b a] f IH]; intros from cells H g S; [discriminate|].
+    destruct g as [|[b' a'] g]; [discriminate|].
+    simpl in S. apply andb_prop in S. destruct S as [S1 S2]. apply andb_prop in S1. destruct S1 as [_ S1].
+    assert (own : forall from b cells, span_answer a from b cells = true -> Forall (says (at_real a')) cells).
+    { clear -S1. intros from b cells H. apply andb_prop in H. destruct H as [H _]. apply andb_prop in H.
+      destruct H as [_ H]. induction cells as [|c cells IH]; constructor.
+      - simpl in H. apply andb_prop in H. apply (says_same (at_real a)); [|now apply cell_sound].
+        intro t. exact (peq_sound a t a' S1).
+      - apply IH. simpl in H. now apply andb_prop in H. }
+    destruct f as [|q f].
+    + destruct g; [|discriminate].
+      destruct cells as [|e [|]]; [discriminate | | simpl in H; rewrite andb_false_r in H; discriminate].
+      constructor; [exact (own _ _ _ H) | constructor].
+    + destruct cells as [|e cells]; [discriminate|].
+      change (span_answer a from b e && answers (q :: f) b cells = true) in H.
+      apply andb_prop in H. destruct H as [H1 H2].
+      constructor; [exact (own _ _ _ H1) | exact (IH b cells H2 g S2)].
 Qed.

@@ -1,0 +1,153 @@
+"""Where a polynomial vanishes on an interval, cell by cell, each with what three lemmas need: Bernstein coefficients of
+one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein coefficients of one sign (at most
+one zero).
+
+The certificate (`certificate_of`) is what the proofs of ``verification/coq/theory/Answers.v`` are made of; a multiple
+zero has a witness, the factor that has it once and the cofactor that has none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import comb
+
+from flint import fmpq, fmpq_poly
+
+from exactspline.errors import DomainError
+from exactspline.exact import mpq, text, to_fmpq
+
+FORMAT = "exactspline cells 1"
+#: How often an interval is halved before the search is given up.
+DEPTH = 400
+
+
+@dataclass(frozen=True)
+class Cell:
+    """An interval on which a polynomial has no zero inside (`sign`), is 0 (`sign` None), or has one zero (`one`) with
+    `sign` to the left of it.
+
+    Of a multiple zero `factor` has it once, `rest` has none and the sign `rest_sign`, and the polynomial is
+    ``factor^power · rest``; `sign` is that of the factor to the left.
+    """
+
+    low: mpq
+    high: mpq
+    sign: bool | None
+    one: bool = False
+    factor: fmpq_poly | None = None
+    power: int = 1
+    rest: fmpq_poly | None = None
+    rest_sign: bool = True
+
+    def data(self) -> dict[str, object]:
+        """The cell as JSON data with exact strings."""
+        found: dict[str, object] = {"low": text(self.low), "high": text(self.high)}
+        found["says"] = "zero" if self.sign is None else "one zero" if self.one else "no zero"
+        if self.sign is not None:
+            found["positive"] = self.sign
+        if self.factor is not None and self.rest is not None:
+            found |= {"factor": _texts(self.factor), "power": self.power}
+            found |= {"rest": _texts(self.rest), "rest positive": self.rest_sign}
+        return found
+
+
+def certificate_of(polynomial: fmpq_poly, cells: list[Cell]) -> dict[str, object]:
+    """The certificate as JSON data: the coefficients, the constant one first, and the cells."""
+    return {"format": FORMAT, "coefficients": _texts(polynomial), "cells": [cell.data() for cell in cells]}
+
+
+def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
+    """The cells of a polynomial between two points.
+
+    >>> [(str(c.low), str(c.high), c.sign, c.one) for c in cells_of(fmpq_poly([-1, 0, 2]), mpq(0), mpq(1))]
+    [('0', '1', False, True)]
+    >>> [c.one for c in cells_of(fmpq_poly([1, 0, -4, 0, 4]), mpq(0), mpq(1))]
+    [True]
+
+    Raises `DomainError` where halving finds no end.
+    """
+    if not polynomial:
+        return [Cell(low, high, None)]
+    multiple = [(f, int(e)) for f, e in _square_free(polynomial) if e > 1]
+    found: list[Cell] = []
+    todo = [(low, high, 0)]
+    while todo:
+        a, b, depth = todo.pop()
+        cell = _cell(polynomial, multiple, a, b)
+        if cell is not None:
+            found.append(cell)
+            continue
+        if depth == DEPTH:
+            raise DomainError("halving finds no end", where=f"[{text(a)}, {text(b)}]", remedy="report this")
+        middle = (a + b) / 2
+        todo += [(middle, b, depth + 1), (a, middle, depth + 1)]
+    return found
+
+
+def bernstein_signs(polynomial: fmpq_poly, low: mpq, high: mpq) -> tuple[bool, bool]:
+    """Whether no Bernstein coefficient on an interval is negative, and whether none is positive."""
+    n = polynomial.degree()
+    if n < 0:
+        return True, True
+    a, b = to_fmpq(low), to_fmpq(high)
+    power = polynomial(fmpq_poly([a, b - a]))
+    coefficients = [power[k] / comb(n, k) for k in range(n + 1)]
+    negative = positive = False
+    for i in range(n + 1):
+        value = sum((comb(i, k) * coefficients[k] for k in range(i + 1)), fmpq(0))
+        negative, positive = negative or value < 0, positive or value > 0
+    return not negative, not positive
+
+
+def _cell(f: fmpq_poly, multiple: list[tuple[fmpq_poly, int]], a: mpq, b: mpq) -> Cell | None:
+    if (sign := _one_sign(f, a, b)) is not None:
+        return Cell(a, b, sign)
+    if (sign := _one_zero(f, a, b)) is not None:
+        return Cell(a, b, sign, one=True)
+    for g, power in multiple:
+        if (sign := _one_zero(g, a, b)) is not None:
+            rest = f // g**power
+            rest_sign = _one_sign(rest, a, b)
+            if rest_sign is not None and _at(rest, a) and _at(rest, b):
+                return Cell(a, b, sign, one=True, factor=g, power=power, rest=rest, rest_sign=rest_sign)
+    return None
+
+
+def _one_sign(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
+    """The sign inside, where the Bernstein coefficients show it."""
+    not_negative, not_positive = bernstein_signs(f, a, b)
+    return None if not_negative == not_positive else not_negative
+
+
+def _one_zero(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
+    """The sign to the left of the one zero inside, where the ends and the derivative show it."""
+    left, right = _at(f, a), _at(f, b)
+    if left == 0 or right == 0 or (left > 0) == (right > 0):
+        return None
+    rising = _one_sign(f.derivative(), a, b)
+    return None if rising is None or rising == bool(left > 0) else bool(left > 0)
+
+
+def _at(f: fmpq_poly, t: mpq) -> fmpq:
+    return f(to_fmpq(t))
+
+
+def _square_free(f: fmpq_poly) -> list[tuple[fmpq_poly, int]]:
+    """Factors without multiple zeros, each with its multiplicity (Yun)."""
+    found = []
+    common = f.gcd(f.derivative())
+    b, c = f // common, f.derivative() // common
+    d = c - b.derivative()
+    i = 1
+    while b.degree() > 0:
+        a = b.gcd(d)
+        if a.degree() > 0:
+            found.append((a, i))
+        b, c = b // a, d // a
+        d = c - b.derivative()
+        i += 1
+    return found
+
+
+def _texts(polynomial: fmpq_poly) -> list[str]:
+    return [str(c) for c in polynomial.coeffs()]

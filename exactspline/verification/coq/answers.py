@@ -1,0 +1,218 @@
+"""Answers about one curve as theorems: where its curvature, the derivative of its curvature, its torsion vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from flint import fmpq_poly
+
+from exactspline.errors import ClaimError
+from exactspline.exact import mpq, to_fmpq
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE, Symbol
+from exactspline.papers import find, papers
+from exactspline.roots.cells import Cell, cells_of
+from exactspline.splines.control_points import lifted
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.coq.explicit import RationalFunction
+from exactspline.verification.coq.formulas import Formulas, comment
+
+#: The forms by the dimension of the curve: the name of the theorem, the formula, and what vanishes with it.
+FORMS = {
+    2: (
+        ("curvature", "f2", "the curvature"),
+        ("curvature_derivative", "vertices_lifted", "the derivative of the curvature"),
+    ),
+    3: (("torsion", "torsion_zeros_lifted", "the torsion"),),
+}
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A form of a curve: its polynomials span by span, and their cells."""
+
+    name: str
+    formula: Formula
+    what: str
+    polynomials: tuple[fmpq_poly, ...]
+    cells: tuple[tuple[Cell, ...], ...]
+
+    @property
+    def points(self) -> list[tuple[mpq, mpq]]:
+        """The intervals, or the points, in which the zeros lie one by one."""
+        found: list[tuple[mpq, mpq]] = []
+        for i, (f, cells) in enumerate(zip(self.polynomials, self.cells, strict=True)):
+            last = i == len(self.cells) - 1
+            if cells[0].sign is None:
+                found += [(cells[-1].high, cells[-1].high)] if last else []
+                continue
+            for cell in cells:
+                found += [(cell.low, cell.low)] if f(to_fmpq(cell.low)) == 0 else []
+                found += [(cell.low, cell.high)] if cell.one else []
+            found += [(cells[-1].high, cells[-1].high)] if last and f(to_fmpq(cells[-1].high)) == 0 else []
+        return found
+
+    @property
+    def stretches(self) -> list[tuple[mpq, mpq]]:
+        """The spans on which the form is 0."""
+        return [(cells[0].low, cells[0].high) for cells in self.cells if cells[0].sign is None]
+
+
+def answers(curve: Nurbs) -> list[Answer]:
+    """The forms of a curve with their cells.
+
+    Raises `ClaimError` for a curve that is neither in the plane nor in space.
+    """
+    if curve.dimension not in FORMS:
+        raise ClaimError(f"a curve in R{curve.dimension}", remedy="answers are proved in the plane and in space")
+    spans = _spans(curve)
+    arguments = [_argument(curve, j) for j in spans]
+    ends = [(mpq(curve.knots[j]), mpq(curve.knots[j + 1])) for j in spans]
+    found = []
+    for name, formula, what in FORMS[curve.dimension]:
+        polynomials = tuple(_polynomial(find(formula)(argument)) for argument in arguments)
+        cells = tuple(tuple(cells_of(f, a, b)) for f, (a, b) in zip(polynomials, ends, strict=True))
+        found.append(Answer(name, find(formula), what, polynomials, cells))
+    return found
+
+
+def theorem_of(curve: Nurbs) -> str:
+    """A file whose theorems speak of this curve, from its control points."""
+    found = answers(curve)
+    formulas = Formulas(papers())
+    rows = homogeneous(curve)
+    coordinates = "; ".join(_list(column) for column in rows[:-1])
+    own = {formulas.owner[answer.formula].name for answer in found}
+    parts = [
+        f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
+        "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. *)\n",
+        "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
+        *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
+        "Import ListNotations.\nLocal Open Scope Q_scope.\n",
+        f"(** Knots, degree, coordinates of the control points times their weights, and the weights. *)\n"
+        f"Definition this_curve : nurbs := {{|\n  knots := {_list(curve.knots)};\n  degree := {curve.degree};\n"
+        f"  coordinates := [{coordinates}];\n  weights := {_list(rows[-1])}\n|}}.\n",
+        "Lemma this_curve_sound : sound this_curve = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n",
+        "(** Numerators and denominator between two knots are the B-splines by the recursion of Cox and de Boor. *)\n"
+        "Theorem this_curve_is_in_pieces (j : nat) (t : R) :\n"
+        "  (S j < length (knots this_curve))%nat ->\n"
+        "  (knot (knots this_curve) j <= t < knot (knots this_curve) (S j))%R ->\n"
+        "  Forall2 (fun x a => spline (knots this_curve) (degree this_curve) x t = at_real a t)\n"
+        "          (coordinates this_curve) (p (curve_piece this_curve j)) /\\\n"
+        "  spline (knots this_curve) (degree this_curve) (weights this_curve) t\n"
+        "  = at_real (w (curve_piece this_curve j)) t.\n"
+        "Proof. exact (pieces_are_splines this_curve j t this_curve_sound). Qed.\n",
+    ]
+    for answer in found:
+        parts.append(_theorem(curve, answer, formulas))
+    return "\n".join(parts)
+
+
+def homogeneous(curve: Nurbs) -> list[list[mpq]]:
+    """The coordinates times the weights, coordinate by coordinate, and the weights."""
+    rows = [(*lifted(point, weight), weight) for point, weight in zip(curve.control_points, curve.weights, strict=True)]
+    return [list(column) for column in zip(*rows, strict=True)]
+
+
+def _spans(curve: Nurbs) -> list[int]:
+    u = curve.knots
+    return [j for j in range(curve.degree, len(u) - curve.degree - 1) if u[j] < u[j + 1]]
+
+
+def _argument(curve: Nurbs, j: int) -> object:
+    pieces = [piece(list(curve.knots), curve.degree, column, j) for column in homogeneous(curve)]
+    named = dict(zip("xyz"[: curve.dimension], pieces[:-1], strict=True)) | {"w": pieces[-1]}
+
+    def operand(symbol: Symbol) -> RationalFunction:
+        return RationalFunction(named[symbol.name])
+
+    return CURVE.argument(curve.dimension, operand, RationalFunction(fmpq_poly([1])))
+
+
+def piece(knots: Sequence[mpq], degree: int, coefficients: Sequence[mpq], j: int) -> fmpq_poly:
+    """The polynomial of a spline between the knots j and j + 1, by the recursion of Cox and de Boor."""
+    u = [to_fmpq(mpq(t)) for t in knots]
+    t = fmpq_poly([0, 1])
+    basis = {j: fmpq_poly([1])}
+    for d in range(1, degree + 1):
+        risen: dict[int, fmpq_poly] = {}
+        for i in range(j - d, j + 1):
+            value = fmpq_poly([0])
+            if i in basis and u[i + d] != u[i]:
+                value += (t - u[i]) * basis[i] / (u[i + d] - u[i])
+            if i + 1 in basis and u[i + d + 1] != u[i + 1]:
+                value += (u[i + d + 1] - t) * basis[i + 1] / (u[i + d + 1] - u[i + 1])
+            risen[i] = value
+        basis = risen
+    return sum((f * to_fmpq(mpq(coefficients[i])) for i, f in basis.items()), fmpq_poly([0]))
+
+
+def _polynomial(value: RationalFunction) -> fmpq_poly:
+    if value.bottom.degree() > 0:
+        raise ClaimError("a form that is a quotient", remedy="name a polynomial")
+    return value.top / value.bottom[0]
+
+
+def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
+    form = formulas.named(answer.formula)
+    low, high = number(answer.cells[0][0].low), number(answer.cells[-1][-1].high)
+    cells = ";\n  ".join("[" + "; ".join(map(_cell, own)) + "]" for own in answer.cells)
+    pieces = ";\n  ".join(
+        f"({number(own[-1].high)}, {_polynomial_text(f)})"
+        for f, own in zip(answer.polynomials, answer.cells, strict=True)
+    )
+    points, stretches = _pairs(answer.points), _pairs(answer.stretches)
+    n = len(answer.points)
+    told = f"{n} point{'' if n == 1 else 's'}"
+    told += f" and {len(answer.stretches)} stretches" if answer.stretches else ""
+    return (
+        f"Definition {answer.name}_in_pieces : pieces := [\n  {pieces}\n].\n\n"
+        f"Definition cells_of_{answer.name} : list (list cell) := [\n  {cells}\n].\n\n"
+        f"(** The form with which {answer.what} vanishes is zero at exactly {told}; and its signs. *)\n"
+        f"Theorem {answer.name}_vanishes :\n"
+        f"  vanishes_exactly (form_value (form_pieces {form} this_curve)) ({low}) ({high})\n"
+        f"    {points}\n    {stretches} /\\\n"
+        f"  Forall2 (fun b own => Forall (says (at_real (snd b))) own)\n"
+        f"    (form_pieces {form} this_curve) cells_of_{answer.name}.\n"
+        "Proof.\n"
+        f"  apply (curve_answers {form} this_curve _ _ cells_of_{answer.name} _ _\n"
+        f"    {answer.name}_in_pieces); [vm_cast_no_check (eq_refl true)|].\n"
+        f"  vm_cast_no_check (eq_refl (true, ({high})%Q,\n"
+        f"    ({points} : list (Q * Q))%Q, ({stretches} : list (Q * Q))%Q)).\n"
+        "Qed.\n"
+    )
+
+
+def number(value: object) -> str:
+    """An exact number in the scope of Q."""
+    exact = mpq(value)
+    return f"{exact.numerator}" if exact.denominator == 1 else f"{exact.numerator} # {exact.denominator}"
+
+
+def _list(values: Iterable[object]) -> str:
+    return "[" + "; ".join(map(number, values)) + "]"
+
+
+def _pairs(pairs: Iterable[tuple[mpq, mpq]]) -> str:
+    return "[" + "; ".join(f"({number(a)}, {number(b)})" for a, b in pairs) + "]"
+
+
+def _polynomial_text(f: fmpq_poly) -> str:
+    return _list(mpq(int(c.p), int(c.q)) for c in f.coeffs())
+
+
+def _bool(value: bool) -> str:
+    return "true" if value else "false"
+
+
+def _cell(cell: Cell) -> str:
+    ends = f"({number(cell.low)}) ({number(cell.high)})"
+    if cell.sign is None:
+        return f"Null {ends}"
+    if cell.factor is not None and cell.rest is not None:
+        return (
+            f"Multiple {ends} true {_polynomial_text(cell.factor)} {_bool(cell.sign)} {cell.power} "
+            f"{_polynomial_text(cell.rest)} {_bool(cell.rest_sign)}"
+        )
+    return f"{'One' if cell.one else 'Sign'} {ends} {_bool(cell.sign)}"
