@@ -5,8 +5,11 @@ each against raw python-flint.
 """
 
 import pytest
-from ground import U_PLUS_V, curve, d, fresh
+from ground import curve, fresh
 
+from exactspline.batch.bench.inline import U_PLUS_V, cross, differences, dot
+from exactspline.batch.bench.inline import form_derivative as d
+from exactspline.batch.bench.inline import torsion as inline_torsion_reduced
 from exactspline.language.parts import split
 from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
     rectifying_developable,
@@ -17,14 +20,6 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
 from exactspline.splines.lowest_terms import control_point_count
 
 DEGREES = (3, 4, 5)
-
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def quotient_rule(p, w, n):
@@ -46,21 +41,6 @@ def inline_torsion(p, w, n):
     return dot(binormal, c) * (wab * wab), wab * wc * dot(binormal, binormal)
 
 
-def inline_differences(p, w, n):
-    dw = [w]
-    dp = [p]
-    for k in range(3):
-        dw.append(d(dw[-1], n - k))
-        dp.append([d(x, n - k) for x in dp[-1]])
-    return [[x * w - y * dw[k] for x, y in zip(dp[k], p, strict=True)] for k in (1, 2, 3)]
-
-
-def inline_torsion_reduced(p, w, n):
-    a, b, c = inline_differences(p, w, n)
-    binormal = cross(a, b)
-    return w * w * dot(binormal, c), dot(binormal, binormal)
-
-
 def inline_rectifying(p, w, n):
     a, wa, _, _, binormal, wab = inline_frame(p, w, n)
     top, bottom = inline_torsion(p, w, n)
@@ -73,7 +53,7 @@ def inline_rectifying(p, w, n):
 
 
 def inline_rectifying_reduced(p, w, n):
-    a, b, c = inline_differences(p, w, n)
+    a, b, c = differences(p, w, n)
     binormal = cross(a, b)
     turning, bend, speed = dot(binormal, c), dot(binormal, binormal), dot(a, a)
     generator = [x * turning * speed + y * bend for x, y in zip(a, binormal, strict=True)]

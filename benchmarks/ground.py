@@ -1,14 +1,11 @@
-"""What several benchmarks have in common: random curves from a fixed seed, a fresh start for every round, the
-derivative inline over python-flint.
+"""What several benchmarks have in common: random curves from a fixed seed, a fresh start for every round.
+
+What is written inline over bare polynomials is in `exactspline.batch.bench.inline`.
 """
 
 import random
 
-from flint import fmpz, fmpz_poly
-
 from exactspline import Nurbs
-
-U_PLUS_V = fmpz_poly([1, 1])
 
 
 def curve(degree, segments=1, dimension=2):
@@ -19,12 +16,5 @@ def curve(degree, segments=1, dimension=2):
 
 
 def fresh(c):
-    """Drop cached derivatives: what is timed is the whole computation."""
-    c.p._derivative = None
-    for spline in (*c.p, c.w):
-        spline._derivative = None
-    return (c,), {}
-
-
-def d(p, degree):
-    return p.derivative() * U_PLUS_V - fmpz(degree) * p
+    """The curve made anew: what is timed is the whole computation, nothing of it remembered."""
+    return (Nurbs(c.degree, c.knots, c.control_points, c.weights),), {}

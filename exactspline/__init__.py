@@ -15,6 +15,7 @@ from exactspline.language.services import register
 
 if TYPE_CHECKING:
     from exactspline.batch.families import Family as Family
+    from exactspline.batch.oracle import oracle as oracle
     from exactspline.batch.sweep import sweep as sweep
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from exactspline.display.plot.curves import plot_evolute as plot_evolute
     from exactspline.display.plot.curves import plot_features as plot_features
     from exactspline.display.plot.curves import plot_quotient as plot_quotient
-    from exactspline.display.plot.functions import greville_abscissae as greville_abscissae
     from exactspline.display.plot.functions import plot_function as plot_function
     from exactspline.display.plot.functions import plot_roots as plot_roots
     from exactspline.display.plot.surfaces import plot_bisector as plot_bisector
@@ -78,19 +78,26 @@ if TYPE_CHECKING:
     from exactspline.interchange.files import read as read
     from exactspline.interchange.files import write as write
     from exactspline.language.choices import Side as Side
+    from exactspline.language.complex_numbers import complex_product as complex_product
+    from exactspline.language.complex_numbers import complex_quotient as complex_quotient
+    from exactspline.language.complex_numbers import conjugate as conjugate
     from exactspline.language.formula import formula as formula
     from exactspline.language.parts import numerator as numerator
     from exactspline.language.rational import Rational as Rational
+    from exactspline.language.ruled import ruled as ruled
     from exactspline.language.vector import Vector as Vector
     from exactspline.language.vector import cross as cross
     from exactspline.language.vector import det as det
     from exactspline.language.vector import dot as dot
     from exactspline.language.vector import generalized_cross as generalized_cross
+    from exactspline.language.vector import join as join
     from exactspline.language.vector import norm2 as norm2
     from exactspline.language.vector import perp as perp
     from exactspline.language.vector import triple as triple
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
+    from exactspline.papers import load_paper as load_paper
+    from exactspline.papers import paper as paper
     from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
     from exactspline.readings.jet import JetReading as JetReading
@@ -109,20 +116,28 @@ if TYPE_CHECKING:
     from exactspline.splines.examples import example_names as example_names
     from exactspline.splines.examples import load as load
     from exactspline.splines.knots import KnotVector as KnotVector
+    from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
     from exactspline.splines.surd import Surd as Surd
     from exactspline.splines.tensor import TensorSpline as TensorSpline
     from exactspline.splines.tensor import surface_pair as surface_pair
+    from exactspline.splines.triangles import de_boor_triangle as de_boor_triangle
+    from exactspline.splines.triangles import elevation_triangles as elevation_triangles
+    from exactspline.splines.triangles import insertion_triangle as insertion_triangle
+    from exactspline.splines.triangles import product_tables as product_tables
     from exactspline.symbolic.factorization import jets_for as jets_for
     from exactspline.verification.claims import all_claims as all_claims
+    from exactspline.verification.claims import claims_of as claims_of
     from exactspline.verification.claims import select as select_claims  # noqa: F401
     from exactspline.verification.curve_check import spline_table as table_1_splines  # noqa: F401
     from exactspline.verification.errata import errata as errata
     from exactspline.verification.generic_proof import degree_table as table_1_degrees  # noqa: F401
     from exactspline.verification.generic_proof import factor_of as factor_of
+    from exactspline.verification.ledger import proved as proved
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
     from exactspline.verification.questions import verify as verify
@@ -181,6 +196,7 @@ _HOMES = {
     "zero_form": "geometry.zero_forms:zero_form",
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",
+    "oracle": "batch.oracle:oracle",
     # what is made of curves
     "bisector": "geometry.bisector.any_pair:bisector",
     "curvature": "geometry.curvature:curvature",
@@ -190,15 +206,27 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
+    # the algorithms step by step
+    "de_boor_triangle": "splines.triangles:de_boor_triangle",
+    "elevation_triangles": "splines.triangles:elevation_triangles",
+    "insertion_triangle": "splines.triangles:insertion_triangle",
+    "product_tables": "splines.triangles:product_tables",
     # the language of formulas
+    "complex_product": "language.complex_numbers:complex_product",
+    "complex_quotient": "language.complex_numbers:complex_quotient",
+    "conjugate": "language.complex_numbers:conjugate",
     "cross": "language.vector:cross",
     "det": "language.vector:det",
     "dot": "language.vector:dot",
     "find": "papers:find",
+    "load_paper": "papers:load_paper",
+    "paper": "papers:paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
+    "join": "language.vector:join",
     "norm2": "language.vector:norm2",
     "perp": "language.vector:perp",
+    "ruled": "language.ruled:ruled",
     "triple": "language.vector:triple",
     "wronskian": "language.vector:wronskian",
     # readings: what a formula can be handed
@@ -215,6 +243,7 @@ _HOMES = {
     "REFUTED": "verification.verdict:REFUTED",
     "VERIFIED": "verification.verdict:VERIFIED",
     "all_claims": "verification.claims:all_claims",
+    "claims_of": "verification.claims:claims_of",
     "control_point_count": "splines.lowest_terms:control_point_count",
     "degree_table": "display.tables:degree_table",
     "errata": "verification.errata:errata",
@@ -223,7 +252,9 @@ _HOMES = {
     "measure": "verification.measure:measure",
     "numerator": "language.parts:numerator",
     "parse_degree": "readings.degree:parse",
+    "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
+    "proved": "verification.ledger:proved",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
@@ -250,7 +281,7 @@ _HOMES = {
     "figure_4": "display.figures.bisectors:figure_4",
     "figure_5": "display.figures.bisectors:figure_5",
     "figure_6": "display.figures.bisectors:figure_6",
-    "greville_abscissae": "display.plot.functions:greville_abscissae",
+    "greville_abscissae": "splines.knots:greville_abscissae",
     "new_figure": "display.plot.canvas:new_figure",
     "plot": "display.plot.anything:plot",
     "plot_approaches": "display.plot.comparisons:plot_approaches",

@@ -25,6 +25,7 @@ from exactspline.errors import NumberError, shown
 __all__ = [
     "MAX_EXPONENT",
     "MAX_TEXT",
+    "PRIME",
     "Number",
     "Rounding",
     "checked_rounding",
@@ -55,6 +56,10 @@ _TYPES = {type(mpq()), type(mpz()), int, Fraction}
 MAX_EXPONENT = 100_000
 #: Longest text read as one number.
 MAX_TEXT = 4_000_000
+
+#: Modulo this prime polynomials are compared before they are compared over the integers; it fits an unsigned long of 32
+#: bits, which is what one has on some platforms (WebAssembly among them).
+PRIME = (1 << 31) - 1
 
 _FRACTION = re.compile(r"\s*([+-]?\d+)\s*/\s*([+-]?\d+)\s*", re.ASCII)
 _DECIMAL = re.compile(r"\s*([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d{1,9}))?\s*", re.ASCII)

@@ -18,8 +18,9 @@ from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.examples import example
+from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import factor_parts
-from exactspline.verification.claims import Claim, all_claims
+from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.identity import Identity
 from exactspline.verification.ledger import proved, tasks
 from exactspline.verification.verdict import Row
@@ -156,7 +157,7 @@ def _meanings(names: list[str], place: Place) -> Iterator[tuple[str, Any]]:
     for name in names:
         formula = all_formulas()[name]
         for dimension in DIMENSIONS[formula.curve]:
-            for polynomial in (False, True):
+            for polynomial in () if formula.kind.adjoins_roots else (False, True):
                 for parameter in ("s", "s̄") if formula.curve == "pair" else ("s",):
                     reading = DegreeReading(parameter=parameter)
                     c = reading.argument(formula.kind, dimension, polynomial=polynomial)
@@ -172,7 +173,10 @@ def _text(degree: Any) -> str:
 
 def _jets(value: Any) -> list[tuple[str, str]]:
     parts, denominator = split(value)
-    return [(str(x.top), str(x.bottom)) for x in ([*parts] if denominator is None else [*parts, denominator])]
+    return [
+        (str(x.top), str(x.bottom)) if hasattr(x, "top") else (repr(x), "")
+        for x in ([*parts] if denominator is None else [*parts, denominator])
+    ]
 
 
 def _same(before: list[tuple[str, Any]], after: list[tuple[str, Any]]) -> bool:

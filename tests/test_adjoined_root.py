@@ -3,12 +3,15 @@
 The formulas are written in γ alone: what holds for indeterminate coordinates x, y, z holds for those of γ = p/w, too.
 """
 
+from dataclasses import fields
+
 import pytest
 from gmpy2 import mpq
 
-from exactspline.errors import FormulaError
+from exactspline import prove, reduction
+from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
-from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT
+from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
@@ -16,6 +19,10 @@ from exactspline.readings.numeric import numeric_curve
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.splines.examples import example
+from exactspline.verification.claims import all_claims
+from exactspline.verification.kinds.degree import DegreeClaim
+from exactspline.verification.ledger import proved
+from exactspline.verification.sympy_judge import judged
 
 
 @pytest.fixture(scope="module")
@@ -182,3 +189,37 @@ def test_a_frame_needs_a_curve_that_can_be_divided_by():
     still = CURVE.argument(2, lambda _: one, one, polynomial=True)
     with pytest.raises(FormulaError, match="root of what vanishes"):
         framed(still)
+
+
+FRAMES = [claim for claim in all_claims() if kind_of(claim.curve).adjoins_roots]
+
+
+@pytest.mark.parametrize("claim", FRAMES, ids=lambda claim: claim.key)
+def test_the_claims_over_roots_are_as_recorded_also_by_sympy(claim):
+    """By two algebras; on single curves nothing is said: splines have no roots."""
+    assert proved(claim).verdict == claim.expected
+    assert judged(claim).verdict == claim.expected
+    assert not any(claim.speaks_of(n, polynomial) for n in (2, 3) for polynomial in (False, True))
+
+
+def test_frames_in_the_plane_and_in_space_are_in_the_ledger():
+    ids = {claim.id for claim in FRAMES}
+    assert {"E12", "E13", "E14", "E15", "E16", "C4.2a", "C5.4a", "C5.5a", "N11"} <= ids
+
+
+def test_what_rational_curves_need_is_not_taken_from_polynomial_ones():
+    """D1 = w² γ′ speaks of w: ‖D1‖ is not ‖γ′‖."""
+    assert not prove("unit_tangent", "D1", "speed^-1", dimension=3)
+    assert prove("unit_tangent", "D1", "speed^-1 w^-2", dimension=3)
+    assert prove("unit_tangent", "velocity", "speed^-1", dimension=2)
+
+
+def test_a_degree_of_what_has_roots_is_refused():
+    told = {f.name: getattr(FRAMES[0], f.name) for f in fields(FRAMES[0]) if f.init}
+    told |= {"formula": "binormal", "measure": "true", "claimed": "3d", "status": "ours"}
+    told |= {"id": "E13", "key": "E13-binormal", "expected": "PROVED"}
+    known = {f.name for f in fields(DegreeClaim)}
+    with pytest.raises(ClaimError, match="not decided where roots are adjoined"):
+        DegreeClaim(**{name: value for name, value in told.items() if name in known})
+    with pytest.raises(FormulaError, match="has roots in it"):
+        reduction("unit_normal")

@@ -100,7 +100,7 @@ def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
     from exactspline.verification import claims
 
     wrong = tuple(replace(c, factor="w^2") if c.id == "C4.1a" else c for c in claims.all_claims())
-    monkeypatch.setattr(claims, "all_claims", lambda: wrong)
+    monkeypatch.setattr(claims, "claims_in", lambda sources: wrong)
     result = CliRunner().invoke(app, ["prove", "--claim", "C4.1a"])
     assert result.exit_code == 1
     assert "DIFFER" in result.output
@@ -239,9 +239,11 @@ def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
         "strange_formulas:pedal",
         str(tmp_path / "strange_formulas.py") + ":pedal",
     ):
-        done = run("reduce", target)
+        done = run("reduce", target, "--trust")
         assert done.returncode == 0
         assert "4d − 4" in done.stdout
+    (tmp_path / "checked.py").write_text(OWN.partition("def broken")[0])
+    assert "4d − 4" in run("reduce", "checked.py:pedal").stdout
 
 
 @pytest.mark.parametrize(
@@ -264,7 +266,7 @@ def test_reduce_reports_errors_of_the_user_in_one_line(target, message, tmp_path
     (tmp_path / "wrong.py").write_text("def f(c:\n")
     (tmp_path / "leaves.py").write_text("raise SystemExit(0)\n")
     monkeypatch.chdir(tmp_path)
-    done = run("reduce", target)
+    done = run("reduce", target, "--trust")
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr
     assert done.stderr.count("error:") == 1

@@ -87,6 +87,7 @@ COMMANDS = (
     "inspect six_segment_cubic planar_in_space",
     "bisector ellipse --point=-1,1/3",
     "conditioning",
+    "triangle rational_cubic --at 1/3 --insert 1/2 --elevate 2 --product x,w",
     "curves",
     "glossary",
 )

@@ -32,6 +32,8 @@ DOCUMENTS = {
     "errata": ["errata", "--json"],
     "degrees": ["degrees", "--curve", "straight_between_arcs", "--json"],
     "generic": ["degrees", "--generic", "--json"],
+    "formula degrees": ["degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
+    "identity": ["prove", "--identity", "f1 = w f2", "--json"],
     "certificates": ["degrees", "--certify", "--curve", "circle"],
     "reduce": ["reduce", "rectifying_developable", "--json"],
     "derivable": ["derive", "--json"],
@@ -40,6 +42,22 @@ DOCUMENTS = {
     "conditioning": ["conditioning", "ellipse_skew", "--json"],
     "curves": ["curves", "--json"],
     "glossary": ["glossary", "--json"],
+    "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
+    "questions": ["oracle", "--list", "--json"],
+    "triangle": [
+        "triangle",
+        "rational_cubic",
+        "--at",
+        "1/3",
+        "--insert",
+        "1/2",
+        "--elevate",
+        "2",
+        "--product",
+        "x,w",
+        "--json",
+    ],
+    "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
 }
 
 
@@ -56,7 +74,9 @@ def test_json_follows_its_schema_and_every_row_has_a_key_of_its_own(name):
 
 def test_every_schema_is_published():
     listed = json.loads(run("schema").stdout)["schemas"]
-    assert set(DOCUMENTS) | {"figures"} == set(listed) == set(schemas())
+    assert set(DOCUMENTS) | {"figures", "bench"} == set(schemas())
+    assert set(schemas()) | {"sweep_line"} == set(listed)
+    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 1"
     assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 1"
 
 
@@ -97,9 +117,10 @@ def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
 
 def test_help_shows_examples_and_exit_statuses():
     for command in COMMANDS:
-        told = run(command.__name__, "--help").stdout
+        name = command.__name__.replace("_", "-")
+        told = run(name, "--help").stdout
         assert "Exit status: 0 success" in told
-        assert f"  exactspline {command.__name__}" in told
+        assert f"  exactspline {name}" in told
     assert "..." not in run("--help").stdout.split("Commands:")[1]
     assert "[default: 20" in run("inspect", "--help").stdout
 

@@ -21,7 +21,7 @@ from exactspline.geometry.features import (
     singular_points,
     straight_pieces,
 )
-from exactspline.geometry.inspection import APPROACHES, compare_approaches, inspect_curve
+from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.zero_forms import zero_form
 from exactspline.roots import checker
 from exactspline.splines.examples import example, example_names
@@ -114,7 +114,7 @@ def check_agreement(curve):
     extra = {f.root for f in (*inflections(curve), *singular_points(curve))}
     true = list(zero_form(curve, "critical_curvature")[1])
     assert {root for root in zero_form(curve, "critical_curvature", "squaring")[1] if root not in true} <= extra
-    kinds = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in APPROACHES]
+    kinds = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in Approach]
     assert all(found == kinds[0] for found in kinds)
 
 

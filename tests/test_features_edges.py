@@ -13,7 +13,7 @@ from exactspline.geometry.features import (
     singular_points,
     straight_pieces,
 )
-from exactspline.geometry.inspection import APPROACHES, inspect_curve
+from exactspline.geometry.inspection import Approach, inspect_curve
 from exactspline.splines.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
@@ -27,7 +27,7 @@ def bezier(points, weights=None):
 def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
     points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
     plus, minus = bezier(points, weights), bezier(points, [-w for w in weights])
-    for approach in APPROACHES:
+    for approach in Approach:
         found = [[(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical] for c in (plus, minus)]
         assert found[0] == found[1]
         assert found[0]
@@ -49,7 +49,7 @@ def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
     """y = x⁴: κ = κ′ = 0 at 0, a minimum; y = x³: κ = 0 there but κ′ is not."""
     quartic = bezier([(-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1)])
     cubic = bezier([(-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1)])
-    for approach in APPROACHES:
+    for approach in Approach:
         assert ("minimum", mpq(1, 2)) in [(f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical]
         assert not [f for f in inspect_curve(cubic, approach).critical if f.root == mpq(1, 2)]
 

@@ -21,6 +21,7 @@ from exactspline.errors import DomainError, ExactSplineError, ShapeError
 from exactspline.geometry.constructions import construction
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
+from exactspline.splines.knots import greville_abscissae
 
 ZIGZAG = BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1])
 #: Jumps through zero at 1, vanishes on [2, 3], jumps off zero at 3.
@@ -165,7 +166,7 @@ def test_evolutes_of_a_circle_and_of_a_curve_with_a_straight_piece():
     ],
 )
 def test_greville_abscissae_reproduce_the_identity(f):
-    abscissae = plot.greville_abscissae(f)
+    abscissae = greville_abscissae(f)
     assert len(abscissae) == len(f.control_points)
     if f.degree > 0:
         a, b = f.domain

@@ -14,7 +14,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.curvature import curvature
 from exactspline.geometry.enclosures import curvature_sign, curvature_value, torsion_value
 from exactspline.geometry.features import curvature_extrema, inflections, singular_points, torsion_zeros
-from exactspline.geometry.inspection import APPROACHES, compare_approaches, inspect_curve
+from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
 from tests.space_curves import power_curve
 
@@ -67,7 +67,7 @@ def test_squaring_loses_no_extremum_where_the_curvature_vanishes_at_a_knot():
     curve = absolute_cube()
     for t in (mpq(-1, 2), mpq(1, 3)):
         assert curve(t) == (t, abs(t) ** 3)
-    for approach in APPROACHES:
+    for approach in Approach:
         found = inspect_curve(curve, approach).critical
         assert [(f.kind, f.of_absolute, f.by_jump) for f in found] == [
             ("maximum", "maximum", False), ("minimum", "minimum", True), ("maximum", "maximum", False)
@@ -75,7 +75,7 @@ def test_squaring_loses_no_extremum_where_the_curvature_vanishes_at_a_knot():
         assert found[1].root == 0
         assert found[2].root.minimal_polynomial() == [-1, 0, 0, 0, 45]
     assert {row.name: (row.extraneous, row.missing) for row in compare_approaches(curve)} == dict.fromkeys(
-        APPROACHES, (0, 0)
+        Approach, (0, 0)
     )
 
 
@@ -171,7 +171,7 @@ def test_standing_still_across_the_seam():
     assert [(f.kind, f.root.exact) for f in found.singular_points] == [("rest", 1), ("rest", 4)]
     point = analyse(Nurbs(1, [0, 0, 1, 2, 2], [(3, 4)] * 3))
     assert [str(piece) for piece in point.standing_pieces] == ["[0, 2]"]
-    assert point.singular_points == point.straight_pieces == point.corners == []
+    assert [*point.singular_points, *point.straight_pieces, *point.corners] == []
 
 
 def test_the_sign_of_the_curvature_at_roots_of_other_forms():

@@ -2,11 +2,13 @@
 
 import copy
 import pickle
+from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from fractions import Fraction
 from multiprocessing import get_context
 
 import pytest
+from flint import fmpz_poly
 from gmpy2 import mpq, mpz
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -82,9 +84,12 @@ def test_a_value_cannot_be_changed(name):
 
 def test_what_a_spline_shows_is_no_list():
     f = xs.BSpline(1, [0, 0, 1, 2, 2], [1, 2, 0])
-    shown = (f.forms, f.segments, f.segments[0], f.polynomials, f.denominators, f.control_points, f.breakpoints)
+    shown = (f.segments, f.segments[0], f.denominators, f.control_points, f.breakpoints)
     assert all(type(x) is tuple for x in (*shown, f.mesh.widths, f.knots.knots))
     assert all(type(x) is tuple for x in (ZEROS.roots, ZEROS.jumps, ZEROS.intervals, ZEROS.isolations))
+    for copies in (f.forms, f.polynomials):
+        with pytest.raises(TypeError):
+            copies[0] = copies[1]
 
 
 def test_representations_survive_too():
@@ -324,3 +329,39 @@ def test_a_curve_that_is_wrong_is_not_unpickled():
     make, (degree, knots, points, weights, *rest) = CURVE.__reduce__()
     with pytest.raises(ExactSplineError):
         make(degree, knots, points, [-w if i else w for i, w in enumerate(weights)], *rest)
+
+
+def polynomials_within(value, depth=7):
+    """FLINT's polynomials that can be reached from a value through what is public."""
+    if isinstance(value, fmpz_poly):
+        yield value
+    elif isinstance(value, (str, int)) or depth == 0:
+        return
+    elif isinstance(value, Iterable):
+        for part in list(value)[:3]:
+            yield from polynomials_within(part, depth - 1)
+    if type(value).__module__.startswith("exactspline.") and not isinstance(value, type):
+        for name in sorted(n for n in dir(value) if not n.startswith("_")):
+            try:
+                part = getattr(value, name)
+            except ExactSplineError:
+                continue
+            if not callable(part):
+                yield from polynomials_within(part, depth - 1)
+
+
+@pytest.mark.parametrize("name", VALUES)
+def test_nothing_that_is_changed_in_place_changes_a_value(name):
+    value = VALUES[name]
+    kept = pickle.loads(pickle.dumps(value))
+    found = list(polynomials_within(value))
+    for p in found:
+        p[0] = p[0] + 1
+    again = pickle.loads(pickle.dumps(value))
+    for other in (value, again):
+        assert (other, hash(other), repr(other)) == (kept, hash(kept), repr(kept))
+    if isinstance(value, xs.Root):
+        assert value.mpf(80) == kept.mpf(80)
+    if isinstance(value, xs.ZeroSet):
+        assert xs.check_certificate(value.certificate()) == xs.check_certificate(kept.certificate())
+    assert bool(found) or not isinstance(value, xs.BSpline | xs.TensorSpline)

@@ -5,6 +5,8 @@ joblib does all but the first; what it is given is bounded, and its results come
 
 from __future__ import annotations
 
+import signal
+import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
@@ -49,7 +51,7 @@ def mapped(
     """What `call` gives for chunks of the given, one after the other in their order.
 
     At most `CHUNK` · `WINDOW` a process are held at a time, however many there are and however slowly the results are
-    taken. Closing the generator ends the work.
+    taken. Closing the generator ends the work when the chunks that are begun are finished.
 
     >>> list(mapped(lambda chunk: [2 * x for x in chunk], [3, 1, 2]))
     [6, 2, 4]
@@ -63,19 +65,52 @@ def mapped(
         return
     from joblib import Parallel, delayed
 
-    chunks = _chunks(given)
+    closed = threading.Event()
+    chunks = _chunks(given, closed)
     with ExitStack() as stack:
-        stack.enter_context(_configured(backend, jobs, scheduler))
-        parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=f"3*{jobs}"))
+        with _interrupts_ignored():
+            stack.enter_context(_configured(backend, jobs, scheduler))
+            parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=f"3*{jobs}"))
+            started = parallel(delayed(int)() for _ in range(jobs))
+        for _ in started:
+            pass
         for first in chunks:
             window = chain([first], islice(chunks, WINDOW * jobs - 1))
-            for results in parallel(delayed(call)(chunk) for chunk in window):
-                yield from results
+            yield from _taken(parallel(delayed(call)(chunk) for chunk in window), closed)
 
 
-def _chunks(given: Iterable[T]) -> Iterator[list[T]]:
+@contextmanager
+def _interrupts_ignored() -> Iterator[None]:
+    """Start processes that Ctrl-C does not reach, though the terminal sends it to all: it is this process that ends the
+    sweep, in order. A signal that is ignored stays so in the processes that are started meanwhile.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
+    """What is in the chunks of results. Where nobody takes them any more, those begun are waited for: processes
+    that are killed at their work complain.
+    """
+    try:
+        for chunk in results:
+            yield from chunk
+    except GeneratorExit:
+        closed.set()
+        for _ in results:
+            pass
+        raise
+
+
+def _chunks(given: Iterable[T], closed: threading.Event) -> Iterator[list[T]]:
     source = iter(given)
-    while chunk := list(islice(source, CHUNK)):
+    while not closed.is_set() and (chunk := list(islice(source, CHUNK))):
         yield chunk
 
 
@@ -99,7 +134,7 @@ def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
     with ExitStack() as stack:
         try:
             at = scheduler or stack.enter_context(
-                LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=None)
+                LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=":0")
             )
             client = stack.enter_context(Client(at, set_as_default=False))
         except (OSError, ValueError) as error:

@@ -13,6 +13,7 @@ from exactspline.interchange.files import read
 from exactspline.interchange.formats import FORMATS
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.verdict import ContradictionError
 
 #: What a corpus is made of: curves, families, and the names of files, folders and example curves.
 Source = Nurbs | Family | str
@@ -22,15 +23,17 @@ BYTES_A_CURVE = 1000
 
 @dataclass(frozen=True)
 class Problem:
-    """Why there is no result: the kind of the error and its message."""
+    """Why there is no result: the kind of the error, its message, and whether the input is to blame."""
 
     kind: str
     message: str
+    bad_input: bool = True
 
     @classmethod
     def of(cls, error: Exception) -> Problem:
-        """What an exception says."""
-        return cls(type(error).__name__, str(error))
+        """What an exception says. Readings that contradict each other are never the fault of the input."""
+        to_blame = isinstance(error, ExactSplineError) and not isinstance(error, ContradictionError)
+        return cls(type(error).__name__, str(error), to_blame)
 
 
 @dataclass(frozen=True)
@@ -110,8 +113,9 @@ def _parts(source: Source) -> Iterator[Part]:
     if isinstance(source, Nurbs):
         yield "", source.name, source, (1, 1)
     elif isinstance(source, Family):
+        said = str(source)
         for number in range(source.count):
-            yield str(source), str(number), Member(source, number), (number + 1, source.count)
+            yield said, str(number), Member(source, number), (number + 1, source.count)
     else:
         for place in _places(source):
             yield from _of_file(str(place))

@@ -104,7 +104,9 @@ def line_schema() -> dict[str, object]:
                 ),
             },
             "claims": _list({"claim": text, "verdict": text, "as_recorded": {"type": "boolean"}, "witness": text}),
-            "error": {"anyOf": [{"type": "null"}, _object({"kind": text, "message": text})]},
+            "error": {
+                "anyOf": [{"type": "null"}, _object({"kind": text, "message": text, "bad_input": {"type": "boolean"}})]
+            },
             "seconds": {"type": "number", "minimum": 0},
         }
     ) | {

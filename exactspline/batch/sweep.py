@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from exactspline.batch.backends import check_backend, mapped
-from exactspline.batch.corpus import Item, Source, items
+from exactspline.batch.corpus import Source, items
 from exactspline.batch.lines import Line
 from exactspline.batch.work import DIGITS, Work
 from exactspline.errors import ShapeError
@@ -41,8 +41,3 @@ def sweep(
     check_backend(backend)
     given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves
     return mapped(work.lines, items(given), backend, jobs, scheduler)
-
-
-def swept(work: Work, given: Iterable[Item], backend: str, jobs: int, scheduler: str) -> Iterator[Line]:
-    """The lines of items of a corpus."""
-    return mapped(work.lines, given, backend, jobs, scheduler)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
-import signal
-import threading
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -73,7 +70,6 @@ class Work:
 
     def lines(self, chunk: Sequence[Item]) -> list[Line]:
         """The lines of several curves."""
-        _leave_interrupts_to_the_parent()
         return [self.line(item) for item in chunk]
 
     def _judged(self, curve: Nurbs) -> tuple[Judged, ...]:
@@ -112,10 +108,3 @@ def _proofs() -> Proofs:
     from exactspline.verification.ledger import Proofs
 
     return Proofs()
-
-
-@cache
-def _leave_interrupts_to_the_parent() -> None:
-    """Ctrl-C reaches all processes of a terminal; it is the parent that ends the sweep, in order."""
-    if multiprocessing.parent_process() is not None and threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from exactspline.cli import (
+    bench,
     bisector,
     conditioning,
     convert,
@@ -18,11 +19,16 @@ from exactspline.cli import (
     errata,
     figures,
     glossary,
+    grade,
     inspect,
+    new_paper,
+    oracle,
     prove,
     reduce,
     schema,
     show,
+    sweep,
+    triangle,
 )
 from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
@@ -39,25 +45,56 @@ app = typer.Typer(
 #: Every command: what it does in a few words, and examples of its use.
 COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     prove.prove: (
-        "Decide every claim of the paper.",
+        "Decide every claim of a paper.",
         "prove",
+        "prove --paper my-paper --report report.html",
         "prove --curve my.json",
         "prove --section 4.2 --verdict refuted",
     ),
     show.show: ("Spell out one claim.", "show", 'show "eq. (12)"', "show C4.2 --latex"),
     errata.errata: ("List the errors of the paper.", "errata", "errata C4.2b"),
     degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees evolute --curve my.json"),
+    new_paper.new_paper: ("Begin a paper of yours.", "new-paper my-paper"),
     reduce.reduce: ("Factor a formula, yours too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
     derive.derive: ("Evolutes, focal curves, … exactly.", "derive", "derive evolute my.json -o evolute.json"),
-    inspect.inspect: ("Features of curves, certified.", "inspect ellipse", "inspect my.json --digits 50 --plot my.svg"),
+    inspect.inspect: (
+        "Features of curves, certified.",
+        "inspect ellipse",
+        "inspect my.json --digits 50",
+        "inspect font.ttf:ampersand --plot glyph.svg",
+    ),
+    oracle.oracle: (
+        "Exact answers for kernels in doubles.",
+        "oracle circle --ask value@1/3 --ask length",
+        "oracle drawing.svg --ask inflections --ask bounding_box --json",
+        "oracle --list",
+    ),
+    grade.grade: (
+        "Libraries held against exact answers.",
+        "grade scipy geomdl --cases 20",
+        "grade --cache truths.jsonl.gz --page scoreboard.md",
+    ),
     bisector.bisector: (
         "Bisectors of curves and points.",
         "bisector ellipse --point 1,1/2",
         "bisector twisted_cubic helix_like -o surface.json",
     ),
+    triangle.triangle: (
+        "De Boor, step by step, in fractions.",
+        "triangle cubic_s --at 1/3",
+        "triangle my.json --insert 1/2 --times 2 --html > insertion.html",
+        "triangle parabola --elevate 1 --product x,y --latex",
+    ),
     conditioning.conditioning: ("Condition numbers of zeros.", "conditioning", "conditioning my.json"),
     figures.figures: ("Draw the figures of the paper.", "figures --out pictures", "figures --out pictures --figure 2"),
     curves.curves: ("List the example curves.", "curves", "curves --json"),
+    sweep.sweep: (
+        "Many curves, a line each.",
+        "sweep fonts/ drawings/*.dxf -o lines.jsonl --jobs 2",
+        "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
+        "sweep curves/ --claim C4.1 -o verdicts.parquet",
+    ),
+    bench.bench: ("Times, beside other libraries.", "bench", "bench forms roots --plot bench.svg", "bench --json"),
     convert.convert: (
         "Convert files of curves.",
         "convert drawing.dxf curves.json",
@@ -110,6 +147,6 @@ def main() -> None:
         sys.exit(2)
     except OSError as error:
         # what could not be written must not be tried again when Python closes its files
-        sys.stdout = None  # type: ignore[assignment]  # Python itself sets it so where there is none
+        sys.stdout = None  # Python itself sets it so where there is none
         sys.stderr.write(f"error: the output cannot be written ({error.strerror})\n")
         sys.exit(2)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
@@ -12,23 +15,50 @@ from exactspline.cli.output import is_quiet
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.splines.nurbs import Nurbs
 
+if TYPE_CHECKING:
+    from exactspline.interchange.records import Reading
+    from exactspline.verification.claim import Claim
+
 __all__ = [
     "CURVE_HELP",
     "CurveFiles",
     "Digits",
     "Exact",
+    "Papers",
+    "Trust",
     "also_in_their_planes",
     "check_output",
+    "claims_of_papers",
+    "curves_in",
     "described",
     "load_curve",
     "loaded",
+    "quiet_fonts",
+    "tell_skipped",
     "tracked",
 ]
 V = TypeVar("V")
 
-CURVE_HELP = "A curve file (JSON), the name of an example curve, or - for standard input."
+CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
+#: Bytes from which the kind of a JSON file is told.
+MAX_HEAD = 65_536
+_BLANK = b"\xef\xbb\xbf \t\r\n"
+#: What several curves in one JSON file begin with, ours or geomdl's.
+_SEVERAL = re.compile(rb'^\s*\{\s*"(curves|shape)"')
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
+]
+Papers = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--paper",
+        metavar="PAPER",
+        help="A folder with formulas.py and claims.toml, the name of a paper that comes with exactspline, or all. "
+        "May be repeated.",
+    ),
+]
+Trust = Annotated[
+    bool, typer.Option("--trust", help="Run the formulas of a folder or a file as they stand: any Python, unchecked.")
 ]
 Digits = Annotated[
     int,
@@ -39,23 +69,25 @@ Digits = Annotated[
 Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
 
-def load_curve(name: str) -> Nurbs:
-    """An example curve by its name, a curve file by its path, or the curve on standard input (``-``)."""
-    from exactspline.splines.curve_files import MAX_BYTES
-    from exactspline.splines.examples import curve_from_text, load
+def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
+    """The claims of papers named by their names or folders; of those that are meant where none is named."""
+    from exactspline.papers import named_papers
+    from exactspline.verification.claims import claims_in
 
-    if name != "-":
-        return load(name)
-    try:
-        text = sys.stdin.read(MAX_BYTES + 1)
-    except UnicodeDecodeError:
-        raise CurveFileError("is not UTF-8 text", where="standard input", remedy="a curve file is JSON") from None
-    if len(text) > MAX_BYTES:
-        raise CurveFileError("is too large", where="standard input", remedy=f"at most {MAX_BYTES} characters are read")
-    try:
-        return curve_from_text(text, "stdin")
-    except ExactSplineError as error:
-        raise error.at("standard input") from None
+    return claims_in(named_papers(names or [], trust=trust))
+
+
+def load_curve(name: str) -> Nurbs:
+    """The one curve that a name, a file or standard input (``-``) means."""
+    found = curves_in(name)
+    if len(found) > 1:
+        names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
+        raise CurveFileError(
+            f"{len(found)} curves, where one is wanted",
+            where=name,
+            remedy=f"take one: exactspline convert {name} one.json --only NAME, of {names}",
+        )
+    return found[0]
 
 
 def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
@@ -65,11 +97,78 @@ def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
     curves, good = [], True
     for name in names:
         try:
-            curves.append(load_curve(name))
+            curves += curves_in(name)
         except ExactSplineError as error:
             show_error(error)
             good = False
     return curves, good
+
+
+def curves_in(name: str) -> list[Nurbs]:
+    """An example curve by its name, or the curves of a file in whatever format (``font.ttf:ampersand``; ``-`` for
+    standard input); what is not read is named on standard error.
+    """
+    from exactspline.interchange.files import read
+    from exactspline.splines.examples import curve_from_text, load
+
+    given = _standard_input() if name == "-" else None
+    part = name.rpartition(":")[0]
+    if given is None and not Path(name).exists() and not (part and Path(part).exists()):
+        return [load(name)]
+    text = _head(name) if given is None else given
+    if text is not None and _is_one_curve(text, name):
+        # what `derive` wrote is read here, and more is told of what is wrong
+        return [load(name)] if given is None else [_at_standard_input(lambda: curve_from_text(_text(given), "stdin"))]
+    reading = read(name) if given is None else _at_standard_input(lambda: read(given))
+    tell_skipped(reading)
+    if not reading.curves:
+        what = "nothing that is a curve" if reading.skipped else "no curves"
+        raise CurveFileError(f"holds {what}", where=name, remedy="name a file of curves")
+    return [named.curve for named in reading.curves]
+
+
+def _standard_input() -> bytes:
+    from exactspline.splines.curve_files import MAX_BYTES
+
+    data = sys.stdin.buffer.read(8 * MAX_BYTES + 1)
+    if len(data) > 8 * MAX_BYTES:
+        raise CurveFileError("is too large", where="standard input", remedy=f"at most {8 * MAX_BYTES} bytes are read")
+    return data
+
+
+def _text(data: bytes) -> str:
+    try:
+        return data.decode()
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", remedy="a curve file is JSON") from None
+
+
+def _at_standard_input(reader: Callable[[], V]) -> V:
+    try:
+        return reader()
+    except ExactSplineError as error:
+        raise error.at("standard input") from None
+
+
+def _head(name: str) -> bytes | None:
+    """The beginning of a file; None for a part of one; a brace where `load` is to tell what is wrong."""
+    try:
+        with open(name, "rb") as stream:
+            return stream.read(MAX_HEAD)
+    except OSError:
+        return b"{" if Path(name).exists() else None
+
+
+def _is_one_curve(head: bytes, name: str) -> bool:
+    """Whether a file is meant as one curve in exactspline's own JSON."""
+    meant = head.lstrip(_BLANK)[:1] in (b"{", b"") or name.lower().endswith(".json")
+    return meant and not _SEVERAL.search(head)
+
+
+def tell_skipped(reading: Reading) -> None:
+    """What a reader skipped and what it noted, on standard error."""
+    for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
+        sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
 
 
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
@@ -89,6 +188,13 @@ def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
     return [call() for call in track(calls, description=label, console=Console(stderr=True), transient=True)]
 
 
+def quiet_fonts() -> None:
+    """Let fontTools keep to itself what it thinks of the dates in a font: nothing of it concerns outlines."""
+    import logging
+
+    logging.getLogger("fontTools").setLevel(logging.ERROR)
+
+
 def described(c: Nurbs) -> str:
     """A curve in one line; equal weights are told to be polynomial."""
     kind = "polynomial" if c.polynomial else "rational"
@@ -99,8 +205,6 @@ def described(c: Nurbs) -> str:
 
 def check_output(output: str, *inputs: str) -> None:
     """Raise `CurveFileError` when an output is one of the files that are read."""
-    from pathlib import Path
-
     for name in inputs:
         if output and name and Path(output).exists() and Path(name).exists() and Path(output).samefile(name):
             raise CurveFileError("is the curve that is read", where=output, remedy="write to another file")

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections import Counter
 from typing import Annotated
 
 import typer
 
-from exactspline.cli.common import check_output
+from exactspline.cli.common import check_output, tell_skipped
 
 
 def convert(
@@ -39,9 +38,7 @@ def convert(
 
     check_output(target, source.rpartition(":")[0] or source, source)
     reading = read(source, from_format or None, degree=degree, knots=knots.replace(",", " ").split() or None)
-    kinds = Counter((skipped.what, skipped.why) for skipped in reading.skipped)
-    for (what, why), times in kinds.items():
-        sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
+    tell_skipped(reading)
     for named in reading.curves:
         sys.stderr.writelines(f"note: {named.name}: {note}\n" for note in named.notes)
     curves = [named for named in reading.curves if not only or named.name in only]

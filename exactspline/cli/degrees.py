@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from exactspline.cli.common import CurveFiles, also_in_their_planes, described, loaded, tracked
+from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, described, loaded, tracked
 from exactspline.cli.output import Output, document, print_json, printing
 from exactspline.errors import FormulaError, ShapeError, nearest
 
@@ -29,6 +29,8 @@ def degrees(
     certify: Annotated[
         bool, typer.Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
     ] = False,
+    paper: Papers = None,
+    trust: Trust = False,
 ) -> None:
     """Nominal (in d), represented and true degree and the number of control points: naive, paper, minimal (or formula
     by formula).
@@ -36,6 +38,9 @@ def degrees(
     from exactspline.display.degrees import degree_sheet
     from exactspline.verification.degree_tables import construction_table, formula_table
 
+    if paper:
+        _of_papers(out, paper, trust, name or [], curve, generic)
+        return
     if certify:
         _certify(curve)
         return
@@ -56,6 +61,45 @@ def degrees(
             for row in rows
         ],
         lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in results],
+        by="curve",
+    )
+    if not good:
+        raise typer.Exit(2)
+
+
+def _of_papers(
+    out: Output, paper: list[str], trust: bool, names: list[str], curve: list[str] | None, generic: bool
+) -> None:
+    """The formulas of papers, for all curves or on curves: those named, those in the folder, or examples."""
+    from exactspline.display.degrees import degree_sheet, formula_degree_sheet
+    from exactspline.papers import named_papers
+    from exactspline.verification.degree_tables import formula_degrees, formula_table
+    from exactspline.verification.paper_curves import own_curves
+
+    sources = named_papers(paper, trust=trust)
+    formulas = [f for source in sources for f in source.formulas.values()]
+    _check_names(names, [f.name for f in formulas])
+    formulas = [f for f in formulas if _is_one_of(f.name, names)]
+    if generic:
+        rows = tracked(formula_degrees(formulas), "degrees")
+        out.give(
+            "formula degrees",
+            lambda: [{"key": f"{row.formula} ({row.curves})"} | vars(row) for row in rows],
+            lambda: [formula_degree_sheet(rows)],
+        )
+        return
+    given, good = loaded(curve or [])
+    own = [c for source in sources for c in own_curves(source).values()]
+    chosen = given if curve else own or loaded(["rational_cubic", "rational_space_cubic"])[0]
+    tables = [(c, tracked(formula_table(c, formulas), c.name)) for c in also_in_their_planes(chosen)]
+    out.give(
+        "degrees",
+        lambda: [
+            {"key": f"{c.name} ({c.dimension}D): {row.formula}, {row.variant}", "curve": c.name} | row.data()
+            for c, rows in tables
+            for row in rows
+        ],
+        lambda: [degree_sheet(c, rows, f"{c.name}: {described(c)}") for c, rows in tables if rows],
         by="curve",
     )
     if not good:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exactspline.cli.common import check_output, load_curve
+from exactspline.cli.common import Trust, check_output, load_curve
 from exactspline.cli.output import Output, print_json, printing
 from exactspline.errors import CurveFileError
 
@@ -20,8 +20,8 @@ def derive(
     name: Annotated[
         str,
         typer.Argument(
-            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …). "
-            "Without it they are listed."
+            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …), yours too: "
+            "FOLDER:NAME or file.py:NAME. Without it they are listed."
         ),
     ] = "",
     curve: Annotated[
@@ -36,10 +36,12 @@ def derive(
             "--variant", metavar="VARIANT", help="naive, paper, minimal or another variant that the construction has."
         ),
     ] = "minimal",
+    trust: Trust = False,
 ) -> None:
     """Write a derived curve or function as exact control points (JSON)."""
     from exactspline.display.serialize import derived_data
     from exactspline.geometry.derived import derive as derived
+    from exactspline.papers import resolve
     from exactspline.splines.curve_files import write_json
 
     if not name:
@@ -50,7 +52,8 @@ def derive(
             "no curve is named", where=f"derive {name}", remedy="name a curve file or an example curve"
         )
     check_output(output, curve)
-    data = derived_data(derived(name, load_curve(curve), variant), curve)
+    wanted = resolve(name, trust=trust) if ":" in name else name
+    data = derived_data(derived(wanted, load_curve(curve), variant), curve)
     if output:
         write_json(output, data)
     else:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exactspline.cli.common import Digits, Exact
+from exactspline.cli.common import Digits, Exact, Papers, Trust
 from exactspline.cli.output import Output, printing
 from exactspline.errors import ClaimError, nearest
 
@@ -24,6 +24,8 @@ def errata(
         list[str] | None,
         typer.Argument(help="Names of errors or ids of claims (span, C4.2b); without any, all errors."),
     ] = None,
+    paper: Papers = None,
+    trust: Trust = False,
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
@@ -32,11 +34,13 @@ def errata(
     """
     from exactspline.display.numbers import decimals
     from exactspline.display.sheet import Sheet
+    from exactspline.papers import named_papers
     from exactspline.verification.errata import errata as errors
     from exactspline.verification.errata import remarks
 
-    found = list(errors())
-    entries = _chosen([*found, *remarks()], error or [])
+    sources = named_papers(paper or [], trust=trust)
+    found = list(errors(sources))
+    entries = _chosen([*found, *remarks(sources)], error or [])
 
     def sheets() -> list[Sheet]:
         columns = ("error", "place", "printed", "which says", "found", "witness", "true", "why")

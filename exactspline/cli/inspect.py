@@ -34,6 +34,9 @@ def inspect(
             "--plot", metavar="FILE", help="Draw the curve and the function that was solved into an SVG or PNG file."
         ),
     ] = "",
+    coordinates: Annotated[
+        bool, typer.Option("--coordinates", help="Also where a coordinate is largest or smallest (type design).")
+    ] = False,
     certificate: Annotated[
         str,
         typer.Option(
@@ -57,18 +60,16 @@ def inspect(
     """
     from exactspline.splines.curve_files import write_json
 
-    if plot and len(curve) > 1:
-        raise OptionsError("--plot and several curves", remedy="draw one curve at a time")
     if emit_coq and len(curve) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file a curve")
     given, good = loaded(curve)
     if emit_coq and given:
         _emit(given[0], emit_coq)
-    inspected = [_inspected(c, approach, digits) for c in also_in_their_planes(given)]
+    inspected = [_inspected(c, approach, digits, coordinates) for c in also_in_their_planes(given)]
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
     if plot and inspected:
-        _draw(*inspected[0][:2], plot)
+        _draw(inspected, given, plot, ", ".join(curve))
     out.give(
         "inspect",
         lambda: [{"key": f"{c.name} in R{c.dimension}"} | data for c, _, data in inspected],
@@ -100,14 +101,16 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
         console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
 
-def _inspected(c: Any, approach: str, digits: int) -> tuple[Any, Any, dict[str, Any]]:
+def _inspected(c: Any, approach: str, digits: int, coordinates: bool) -> tuple[Any, Any, dict[str, Any]]:
     """A curve, its inspection, and all of it as data."""
-    from exactspline.display.serialize import groups_of, inspection_data
+    from exactspline.display.serialize import coordinate_extrema_data, groups_of, inspection_data
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
 
     found = inspect_curve(c, "minimal" if approach == "all" else approach)
     with _ticking(sum(len(getattr(found, name)) for name in groups_of(c))) as tick:
         data = inspection_data(c, found, digits, tick)
+    if coordinates:
+        data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == "all":
         data["approaches"] = [asdict(row) for row in compare_approaches(c)]
     return c, found, data
@@ -150,6 +153,11 @@ def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
             values = (f.get("curvature", ""), *((f.get("torsion", ""),) if in_space else ()))
             made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
     empty = ("",) * (len(columns) - 5)
+    for f in data.get("coordinate_extrema", []):
+        kind = f"{f['kind']} of {'xyz'[f['coordinate']]}"
+        made.add_row(
+            kind, f["decimal"], f["parameter"] or "–", f.get("curvature", ""), *empty, "at a knot" * f["at_knot"]
+        )
     for joint in data["joints"]:
         if joint["kind"] in TOLD:
             made.add_row(
@@ -249,9 +257,18 @@ def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
     ]
 
 
-def _draw(c: Any, found: Any, path: str) -> None:
+def _draw(inspected: list[tuple[Any, Any, dict[str, Any]]], given: list[Any], path: str, title: str) -> None:
+    """One curve beside the functions that were solved, several in one picture."""
     from exactspline.display.plot.canvas import save
-    from exactspline.display.plot.comparisons import inspect_figure
+    from exactspline.display.plot.comparisons import features_figure, inspect_figure
     from exactspline.geometry.inspection import solved
 
+    if len({c.dimension for c in given}) > 1:
+        raise OptionsError("--plot and curves of the plane and of space", remedy="draw them one by one")
+    if len(given) > 1:
+        # curves of a file that lie in a coordinate plane are drawn there
+        flat = [c for c, _, _ in inspected if c.dimension == 2]
+        save(features_figure(flat if len(flat) == len(given) else given, title), path)
+        return
+    c, found, _ = inspected[0]
     save(inspect_figure(c, [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]), path)

@@ -7,7 +7,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import CurveFiles, Digits, Exact, also_in_their_planes, described, loaded, tracked
+from exactspline.cli.common import (
+    CurveFiles,
+    Digits,
+    Exact,
+    Papers,
+    Trust,
+    also_in_their_planes,
+    claims_of_papers,
+    described,
+    loaded,
+    tracked,
+)
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.errors import ClaimError, nearest
 
@@ -17,7 +28,11 @@ if TYPE_CHECKING:
     from exactspline.display.ledger import Failure
     from exactspline.display.sheet import Sheet
     from exactspline.verification.claim import Claim
+    from exactspline.verification.questions import Proof
     from exactspline.verification.verdict import Row
+
+#: So many claims are listed one by one, more are summed up.
+FEW = 12
 
 
 @printing
@@ -56,12 +71,28 @@ def prove(
     ] = "",
     rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
     html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
+    paper: Papers = None,
+    trust: Trust = False,
+    report: Annotated[
+        str, typer.Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
+    ] = "",
+    identity: Annotated[
+        str,
+        typer.Option(
+            "--identity",
+            metavar="TEXT",
+            help='Decide one identity instead: "file.py:left = w^3 * file.py:right", for all curves.',
+        ),
+    ] = "",
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """Decide every claim of the paper: for all curves at once, and exactly on the curves given (without --curve: on the
-    example curves).
+    """Decide every claim of a paper: for all curves at once, and exactly on the curves given (without --curve: on those
+    in its folder, or on the example curves).
     """
+    if identity:
+        _identity(out, identity, trust)
+        return
     from exactspline.display.ledger import WORDS, word
     from exactspline.display.ledger_page import write_page
     from exactspline.verification.ledger import tasks
@@ -70,7 +101,7 @@ def prove(
         _emit(emit_coq)
         return
     wanted = [_word(each, WORDS) for each in verdict or []]
-    claims = _of_sections(_named(claim or []), section or [])
+    claims = _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or [])
     given, good = loaded(curve or [])
     curves = also_in_their_planes(given) if curve else None
     if judge and curve:
@@ -80,7 +111,11 @@ def prove(
     chosen = [row for row in found if not wanted or word(row) in wanted]
     if html:
         write_page(html, chosen)
-    listed = rows or bool(claim or section or verdict)
+    if report:
+        from exactspline.display.report import write_report
+
+        write_report(report, claims, found)
+    listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
     pages = _Ledger(chosen, claims, curves, digits, exact, kernel)
     out.give(
         "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
@@ -91,13 +126,36 @@ def prove(
         raise typer.Exit(1)
 
 
-def _named(ids: Sequence[str]) -> Sequence[Claim]:
-    """The claims with these ids or places, in the order of the paper; all of them for none."""
+def _named(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
+    """The claims with these ids or places, in the order of the papers; all of them for none."""
     from exactspline.display.statement import located
-    from exactspline.verification.claims import all_claims
 
-    keep = {claim.key for name in ids for claim in located(name)}
-    return [claim for claim in all_claims() if not ids or claim.key in keep]
+    keep = {claim for name in ids for claim in located(name, claims)}
+    return [claim for claim in claims if not ids or claim in keep]
+
+
+def _identity(out: Output, text: str, trust: bool) -> None:
+    """One identity between formulas of anybody; status 1 where it does not hold."""
+    from exactspline.verification.questions import proof_of
+
+    found = proof_of(text, trust=trust)
+    out.give("identity", lambda: [found.data()], lambda: [_sheet(found)], lambda: _told(str(found)))
+    if not found:
+        raise typer.Exit(1)
+
+
+def _sheet(found: Proof) -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    made = Sheet("left", "factor", "right", "holds", "quotient")
+    made.add_row(found.left, found.factor, found.right, "yes" if found else "no", str(found.quotient or "–"))
+    return made
+
+
+def _told(text: str) -> None:
+    from exactspline.display import console
+
+    console.lines(console.console(), text)
 
 
 def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
@@ -173,6 +231,13 @@ class _Ledger:
     ) -> None:
         self.rows, self.claims, self.curves, self.digits, self.exact = rows, claims, curves, digits, exact
         self.kernel = kernel
+
+    @property
+    def own(self) -> bool:
+        """Whether the claims are checked on curves of their own papers."""
+        from exactspline.verification.paper_curves import own_curves
+
+        return any(own_curves(claim.source_paper) for claim in self.claims)
 
     def data(self) -> list[dict[str, object]]:
         """Every row, with a key of its own."""
@@ -267,7 +332,8 @@ class _Ledger:
         concrete = [row for row in self.rows if row.curve]
         if concrete and not everything:
             made = by_curve(concrete)
-            made.title = "On the example curves, exactly (each in full with --curve NAME, all of them with --rows)"
+            of = "its own" if self.own else "the example"
+            made.title = f"On {of} curves, exactly (each in full with --curve CURVE, all of them with --rows)"
             shown.print()
             shown.print(made)
             self._not_as_recorded(shown)
@@ -275,7 +341,7 @@ class _Ledger:
     def _not_as_recorded(self, shown: Console) -> None:
         from exactspline.display.ledger import ledger
 
-        if differing := [row for row in self.rows if row.curve and not row.as_recorded]:
+        if differing := [row for row in self.rows if not row.as_recorded]:
             shown.print()
             shown.print(ledger(differing, "Not as recorded", self.digits, exact=self.exact))
 

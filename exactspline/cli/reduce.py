@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import sys
 from functools import partial
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import tracked
+from exactspline.cli.common import Trust, tracked
 from exactspline.cli.output import Output, printing
 from exactspline.errors import ExactSplineError, FormulaError
 
@@ -25,7 +24,8 @@ def reduce(
     name: Annotated[
         str,
         typer.Argument(
-            help="A formula of the library, or your own: module:function or file.py:function. Without it: all."
+            help="A formula of the library, or your own: FOLDER:NAME, file.py:function or module:function. Without "
+            "it: all."
         ),
     ] = "",
     dimension: Annotated[
@@ -34,6 +34,7 @@ def reduce(
     ] = None,
     polynomial: Annotated[bool, typer.Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
     everything: Annotated[bool, typer.Option("--all", help="Every formula of the library.")] = False,
+    trust: Trust = False,
 ) -> None:
     """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true
     degree.
@@ -45,7 +46,9 @@ def reduce(
 
     one = bool(name) and not everything
     chosen = (
-        [_guarded(name, lambda: _formula(name))] if one else [f for f in all_formulas().values() if f.kind is not TABLE]
+        [_guarded(name, lambda: _formula(name, trust))]
+        if one
+        else [f for f in all_formulas().values() if f.kind is not TABLE and not f.kind.adjoins_roots]
     )
     calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
     found = tracked(calls, "reducing")
@@ -57,31 +60,20 @@ def reduce(
     )
 
 
-def _formula(name: str) -> Any:
-    """A formula of the library, or a function out of a module or a file of the user."""
-    from exactspline.papers import find
+def _formula(name: str, trust: bool) -> Any:
+    """A formula of the library, of the folder of a paper, of a file, or a function of a module of the user."""
+    from exactspline.papers import papers, resolve
 
     place, colon, function = name.rpartition(":")
-    if not colon:
-        return find(name)
-    module = _module(place)
-    if not callable(found := getattr(module, function, None)):
+    is_module = place.replace(".", "").isidentifier() and not place.endswith(".py") and not Path(place).exists()
+    if not colon or not is_module or any(place == each.name for each in papers()):
+        return resolve(name, trust=trust)
+    sys.path.insert(0, str(Path.cwd()))
+    if not callable(found := getattr(importlib.import_module(place), function, None)):
         raise FormulaError(
             f"{place} has no function {function!r}", where=name, remedy="write module:function or file.py:function"
         )
     return found
-
-
-def _module(place: str) -> Any:
-    if not place.endswith(".py"):
-        sys.path.insert(0, str(Path.cwd()))
-        return importlib.import_module(place)
-    spec = importlib.util.spec_from_file_location(Path(place).stem, place)
-    if spec is None or spec.loader is None or not Path(place).is_file():
-        raise FormulaError("there is no such file", where=place, remedy="write file.py:function")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def _guarded(name: str, call: Any) -> Any:

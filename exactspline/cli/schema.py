@@ -10,6 +10,9 @@ import typer
 from exactspline.cli.output import VERSION, print_json
 from exactspline.errors import ExactSplineError, nearest
 
+#: The schema of a line of `exactspline sweep`, which is no document of rows.
+LINE = "sweep_line"
+
 
 class SchemaError(ExactSplineError):
     """A schema that does not exist."""
@@ -20,9 +23,11 @@ def schema(
 ) -> None:
     """Print the JSON Schema of what a command prints with --json."""
     if not name:
-        print_json({"version": VERSION, "schemas": sorted(schemas())})
+        print_json({"version": VERSION, "schemas": sorted([*schemas(), LINE])})
         return
-    print_json(schema_of(name))
+    from exactspline.batch.lines import line_schema
+
+    print_json(line_schema() if name == LINE else schema_of(name))
 
 
 def schemas() -> dict[str, dict[str, dict[str, object]]]:
@@ -44,13 +49,17 @@ def schema_of(name: str) -> dict[str, object]:
     """
     known = schemas()
     if name not in known:
-        raise SchemaError(f"no schema is called {name!r}", remedy=nearest(name, known, listed_by="exactspline schema"))
+        raise SchemaError(
+            f"no schema is called {name!r}", remedy=nearest(name, [*known, LINE], listed_by="exactspline schema")
+        )
     fields = known[name]
     row = {
         "type": "object",
         "required": [field for field, told in fields.items() if not told.get("optional")],
         "additionalProperties": False,
-        "properties": {field: {"type": told["type"]} for field, told in fields.items()},
+        "properties": {
+            field: {word: what for word, what in told.items() if word != "optional"} for field, told in fields.items()
+        },
     }
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

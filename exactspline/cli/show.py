@@ -6,10 +6,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, printing
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from exactspline.display.sheet import Sheet
+    from exactspline.verification.claim import Claim
     from exactspline.verification.statement import Statement
 
 
@@ -24,6 +28,8 @@ def show(
         ),
     ] = "",
     latex: Annotated[bool, typer.Option("--latex", help="Print formulas as LaTeX.")] = False,
+    paper: Papers = None,
+    trust: Trust = False,
 ) -> None:
     """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
     source.
@@ -31,10 +37,11 @@ def show(
     from exactspline.display.statement import located
     from exactspline.verification.statement import statement
 
+    claims = claims_of_papers(paper, trust)
     if not claim:
-        _list(out)
+        _list(out, claims)
         return
-    found = [statement(each) for each in located(claim)]
+    found = [statement(each) for each in located(claim, claims)]
     out.give(
         "show",
         lambda: [s.data() | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found],
@@ -45,14 +52,13 @@ def show(
         raise typer.Exit(1)
 
 
-def _list(out: Output) -> None:
+def _list(out: Output, claims: Sequence[Claim]) -> None:
     from exactspline.display.ledger import section
     from exactspline.display.sheet import Sheet
-    from exactspline.verification.claims import all_claims
 
     def sheets() -> list[Sheet]:
         made = Sheet("claim", "section", "statement", prose=["statement"])
-        for claim in all_claims():
+        for claim in claims:
             made.add_row(claim.id, section(claim), claim.statement)
         return [made]
 
@@ -65,7 +71,7 @@ def _list(out: Output) -> None:
             "source": c.source,
             "statement": c.statement,
         }
-        for c in all_claims()
+        for c in claims
     ]
     out.give("claims", lambda: rows, sheets)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from exactspline.display.sheet import Sheet
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.degree_tables import DegreeRow, GenericRow
+from exactspline.verification.degree_tables import DegreeRow, FormulaDegrees, GenericRow
 
 NOTHING, ZERO = "–", "zero"
 
@@ -39,6 +39,16 @@ def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sh
             text += "; does not exist on a whole segment, which the minimal form names"
         counts = [row.nominal, row.grading, _degree(row), _true(row), _points(row), row.generic]
         made.add_row(row.formula, row.variant, *counts, text)
+    return made
+
+
+def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
+    """What is proved of formulas on the generic curve of degree d."""
+    numbers = ("nominal", "reduced", "in lowest terms")
+    title = "Formulas on the generic curve of degree d"
+    made = Sheet("formula", "curves", "nominal", "cancelled", *numbers[1:], title=title, numbers=numbers, heads=2)
+    for row in rows:
+        made.add_row(row.formula, row.curves, row.nominal, row.cancelled, row.reduced, row.lowest)
     return made
 
 

@@ -10,7 +10,7 @@ from functools import cache
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
-from exactspline.papers import paper
+from exactspline.papers import Paper, paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
@@ -36,13 +36,13 @@ def word(row: Row) -> str:
 
 
 @cache
-def _claims(name: str) -> dict[str, Claim]:
-    return {claim.key: claim for claim in claims_of(name)}
+def _claims(source: Paper) -> dict[str, Claim]:
+    return {claim.key: claim for claim in claims_of(source)}
 
 
 def claim_of(row: Row) -> Claim:
     """The claim of which a row is a line."""
-    return _claims(row.paper)[row.key]
+    return _claims(paper(row.paper))[row.key]
 
 
 def section(claim: Claim) -> str:
@@ -56,7 +56,7 @@ def section(claim: Claim) -> str:
         return OURS
     if number := re.match(r"C(\d+(?:\.\d+)?)", claim.id):
         return f"§{number[1]}"
-    return {"T": "Table 1", "E": "equations", "F": "figures"}.get(claim.id[0], claim.id)
+    return claim.source_paper.sections.get(claim.id[0], claim.source)
 
 
 def found(row: Row) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import singledispatch
 from html import escape
 from io import BytesIO
-from typing import Any
+from typing import Any, cast
 
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.numbers import decimals
@@ -238,11 +238,11 @@ def short(x: object) -> str:
     return repr(x)
 
 
-def load_ipython_extension(shell: Any) -> None:
+def load_ipython_extension(shell: object) -> None:
     """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, and figures and axes as
     pictures.
     """
-    formatters = shell.display_formatter.formatters
+    formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):
         formatters["image/png"].for_type_by_name(module, name, _png)
     formatter = formatters["text/latex"]

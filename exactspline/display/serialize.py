@@ -11,6 +11,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.enclosures import curvature_value, torsion_value
+from exactspline.geometry.extent import turning_points
 from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature, Interval
@@ -146,6 +147,15 @@ def inspection_data(
         ]
         data["plane"] = str(found.plane) if found.plane else None
     return data
+
+
+def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]]:
+    """Where coordinates turn, as data for programs."""
+    return [
+        feature_data(curve, f, digits) | {"coordinate": axis}
+        for axis in range(curve.dimension)
+        for f in turning_points(curve, axis)
+    ]
 
 
 def intervals_data(piece: CurvePiece) -> list[list[str]]:

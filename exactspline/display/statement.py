@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from exactspline.errors import ClaimError, nearest
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import all_claims, matches
@@ -14,7 +16,7 @@ from exactspline.verification.vocabulary import Status
 SHORTEST = 4
 
 
-def located(wanted: str) -> tuple[Claim, ...]:
+def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
     """The claims with this id, that it begins, that stand at this place of the paper, or that speak of it.
 
     >>> [claim.id for claim in located("eq. (8)")][:2], located("C4.1c")[0].id
@@ -22,15 +24,17 @@ def located(wanted: str) -> tuple[Claim, ...]:
     >>> located("rectifying developable")[0].id
     'C5.4a'
 
-    Raises `ClaimError` with the nearest ids.
+    They are sought among `claims`, without these among those that are meant where no paper is named. Raises
+    `ClaimError` with the nearest ids.
     """
-    chosen = tuple(c for c in all_claims() if c.key == wanted or matches(c.id, wanted))
-    chosen = chosen or tuple(c for c in all_claims() if _stands(c.source, wanted) or _stands(c.place, wanted))
+    known = all_claims() if claims is None else tuple(claims)
+    chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
+    chosen = chosen or tuple(c for c in known if _stands(c.source, wanted) or _stands(c.place, wanted))
     if len(wanted) >= SHORTEST:
-        chosen = chosen or tuple(c for c in all_claims() if wanted.lower() in c.statement.lower())
+        chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
     if not chosen:
-        known = dict.fromkeys(claim.id for claim in all_claims())
-        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, known, listed_by="exactspline show"))
+        ids = dict.fromkeys(claim.id for claim in known)
+        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="exactspline show"))
     return chosen
 
 

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
 from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, polygons
-from exactspline.display.plot.functions import greville_abscissae
 from exactspline.exact import mpq
 from exactspline.language.choices import Side
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import greville_abscissae
 from exactspline.splines.nurbs import Nurbs
 
 #: Size in pixels, margin, samples in all and at least so many a segment.

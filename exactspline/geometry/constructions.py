@@ -7,9 +7,11 @@ whatever the curve at hand allows: the naive variant in lowest terms.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cache
+from typing import cast
 
 from exactspline.errors import FormulaError, nearest
 from exactspline.language.arguments import Curve
@@ -17,11 +19,11 @@ from exactspline.language.choices import choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
-from exactspline.papers import find, papers
+from exactspline.papers import default_papers, find
+from exactspline.programs.wronskian import wronskian_of
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
-from exactspline.splines.values import SplineVector
-from exactspline.splines.wronskian import lowest_wronskian
+from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 
 
@@ -87,40 +89,39 @@ class Construction:
         """That of the curves it speaks of."""
         return kind_of(self.curve).dimensions[0]
 
-    def on(self, curve: Curve[BSpline], variant: Variant | str) -> BSpline | SplineVector:
-        """The object on a curve; of a zero-set problem the numerator alone.
+    def on(
+        self, curve: Curve[BSpline], variant: Variant | str, value_of: Callable[[Formula], SplineValue] | None = None
+    ) -> BSpline | SplineVector:
+        """The object on a curve; of a zero-set problem the numerator alone. `value_of` evaluates formulas on the curve.
 
         The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
         factors it shares with w; where there are none it is as continuous as the lifted form. A quotient is reduced
         segment by segment.
         """
+        value_of = value_of or (lambda formula: formula(curve))
         if variant != Variant.MINIMAL:
-            value = self.formula(variant)(curve)
-            taken: BSpline | SplineVector = numerator(value) if self.zero_set else joined(value)
-            return taken
+            value = value_of(self.formula(variant))
+            return cast("BSpline | SplineVector", numerator(value) if self.zero_set else joined(value))
         if not self.zero_set:
-            reduced: BSpline | SplineVector = joined(in_lowest_terms(self.formula(variant)(curve)))
-            return reduced
-        at_once = self.wronskian_of and not curve.polynomial
-        value = lowest_wronskian(find(self.wronskian_of)(curve)) if at_once else self.formula(variant)(curve)
-        power = self.power_of_w(Variant.LIFTED)
-        return primitive(
-            in_lowest_terms(without_factor(value.scaled(self.sign(curve, Variant.LIFTED)), curve.w, power))
-        )
+            return cast("BSpline | SplineVector", joined(in_lowest_terms(value_of(self.formula(variant)))))
+        formula, power = _lowest(self.wronskian_of if not curve.polynomial else "", self.lifted, *self._first)
+        form = value_of(formula)
+        assert isinstance(form, BSpline)
+        if power % 2 and curve.w.polynomials[0][0] < 0:
+            form = -form
+        return primitive(in_lowest_terms(without_factor(form, curve.w, power)))
+
+    @property
+    def _first(self) -> tuple[str, str, int]:
+        return self.name, next(iter(self.variants.values())), self.dimension
 
     def power_of_w(self, variant: Variant | str) -> int:
         """The e with ``form = constant · wᵉ · first form`` and a positive constant, of a zero-set problem."""
-        factor = _factor(self.formula(variant).name, next(iter(self.variants.values())), self.dimension)
-        if factor is None or not factor.names <= {"w"} or factor.constant < 0:
-            raise FormulaError(
-                f"the form {variant!r} of {self.name} is no power of w away from the first",
-                remedy="its sign is another one",
-            )
-        return next((e for _, _, e in factor.powers), 0)
+        return _power_of_w(self.formula(variant).name, *self._first)
 
     def sign(self, curve: Curve[BSpline], variant: Variant | str) -> int:
         """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
-        return -1 if self.power_of_w(variant) % 2 and curve.w(curve.w.domain[0]) < 0 else 1
+        return -1 if self.power_of_w(variant) % 2 and curve.w.polynomials[0][0] < 0 else 1
 
 
 @cache
@@ -130,10 +131,27 @@ def _factor(left: str, right: str, dimension: int) -> Factor | None:
 
 
 @cache
+def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int:
+    factor = _factor(form, first, dimension)
+    if factor is None or not factor.names <= {"w"} or factor.constant < 0:
+        raise FormulaError(
+            f"the form {form!r} of {construction} is no power of w away from the first",
+            remedy="its sign is another one",
+        )
+    return next((e for _, e in factor.powers), 0)
+
+
+@cache
+def _lowest(lift: str, lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
+    """The formula from which the minimal form is made, and the power of w that it may still have."""
+    return wronskian_of(find(lift)) if lift else find(lifted), _power_of_w(lifted, construction, first, dimension)
+
+
+@cache
 def all_constructions() -> dict[str, Construction]:
     """Every construction that a paper declares, with the variants that later papers add to it."""
     made: dict[str, Construction] = {}
-    for source in papers():
+    for source in default_papers():
         for name, table in source.construction_tables().items():
             entry = dict(table.entry)
             variants = {

@@ -50,7 +50,7 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     if turning.is_zero:
         return CurvaturePiece(interval, 1, turning.constant(0))
     squared = in_lowest_terms(find("curvature_squared")(c))
-    roots = [_square_root(part) for part in (squared.numerator, squared.denominator)]
+    roots = [polynomial_root(part) for part in (squared.numerator, squared.denominator)]
     if None in roots:
         return CurvaturePiece(
             interval, 0, None, "‖γ′‖² is no constant times a square: the curve is no Pythagorean hodograph here"
@@ -70,8 +70,12 @@ def _inner(interval: Interval, j: int) -> mpq:
     return a + (b - a) / (j + 1)
 
 
-def _square_root(f: BSpline) -> tuple[BSpline, mpq] | None:
-    """A spline r and a constant c with ``f = c r²``, of a spline of one segment."""
+def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
+    """A spline r and a constant c with ``f = c r²``, of a spline of one segment; None where there are none.
+
+    >>> polynomial_root(BSpline.bezier([2, -4, 8]))
+    (BSpline(1, [0, 0, 1, 1], [-1, 2]), mpq(2,1))
+    """
     c, m = primitive(f.forms[0])
     if f.degree % 2 or not is_square_class(c, f.degree):
         return None

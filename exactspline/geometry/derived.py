@@ -14,6 +14,7 @@ from exactspline.exact import rational, text
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.geometry.kinds import Interval
+from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
@@ -88,12 +89,12 @@ def _shown(interval: Interval) -> str:
     return f"[{text(interval[0])}, {text(interval[1])}]"
 
 
-def derive(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
+def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `name` is a construction (``evolute``, ``zero_curvature``, …) or any formula (``f2``, ``g0``, …; then `variant` is
-    ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the evolute of a straight
-    piece) the other pieces are returned and the missing ones named.
+    `what` is a construction (``evolute``, ``zero_curvature``, …) or any formula, itself or by its name (``f2``, ``g0``,
+    …; then `variant` is ``minimal`` or ``naive``, the formula as it stands). Where an object does not exist (the
+    evolute of a straight piece) the other pieces are returned and the missing ones named.
 
     >>> from exactspline.splines.examples import example
     >>> derive("evolute", example("circle"))("1/2")
@@ -102,12 +103,13 @@ def derive(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) ->
     Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where
     nothing is left.
     """
-    if name in all_constructions():
+    name = what if isinstance(what, str) else what.name
+    if isinstance(what, str) and name in all_constructions():
         made = construction(name)
         needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
         formula = made.formula(variant)
     else:
-        formula = find(name)
+        formula = find(what) if isinstance(what, str) else what
         if variant not in (Variant.MINIMAL, Variant.NAIVE):
             raise FormulaError(
                 f"{name} has no variant {str(variant)!r}",

@@ -33,13 +33,18 @@ from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKi
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
 from exactspline.papers import find
+from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
+from exactspline.splines.bernstein import variations
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import common_factor
+from exactspline.splines.lowest_terms import certainly_coprime, common_factor
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.values import SplineValue
 
 T = TypeVar("T")
 
@@ -78,10 +83,14 @@ class ZeroForm:
         alone, nothing is evaluated.
         """
         breaks = self.form.mesh.breaks
-        if root.exact is not None:
-            value = self.form(root.exact, side)
+        if root.low == root.high:
+            value = self.form(root.low, side)
             return int(value > 0) - int(value < 0)
-        segment = bisect_right(breaks, root) - 1
+        segment = bisect_right(breaks, root.low) - 1
+        while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
+            segment += 1
+        if breaks[segment] == root:
+            return self.sign_at(knot_root(breaks[segment]), side)
         isolation = self.zeros.isolations[segment]
         if isolation is None:
             return 0
@@ -103,6 +112,8 @@ class ZeroForm:
 def located(found: ZeroSet) -> list[tuple[Root, bool]]:
     """The roots of a zero set and its changes of sign by a jump, in order, each with whether it is a jump."""
     jumps = [(jump_root(jump), True) for jump in found.jumps if jump.sign_change]
+    if not jumps:
+        return [(root, False) for root in found]
     return sorted([*((root, False) for root in found), *jumps], key=lambda pair: pair[0])
 
 
@@ -123,12 +134,10 @@ class Facts:
         self.curve = curve
         self._known: dict[Any, Any] = {}
         self._lock = RLock()
-        negative = curve.w(curve.domain[0]) < 0
+        negative = curve.w.polynomials[0][0] < 0
         #: The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
         #: change their sign with it.
-        self.operands = Curve(
-            -curve.p if negative else curve.p, -curve.w if negative else curve.w, polynomial=curve.polynomial
-        )
+        self.operands: Curve[BSpline] = Curve(-curve.p, -curve.w, polynomial=curve.polynomial) if negative else curve
         self.closed: bool = curve.closed
         self.breaks: tuple[mpq, ...] = curve.breakpoints
 
@@ -151,11 +160,23 @@ class Facts:
         {"plane": plane, "space": space}[made.curve](self.curve)
 
         def form() -> BSpline:
-            found = made.on(self.operands, variant)
+            found = made.on(self.operands, variant, self.value_of)
             assert isinstance(found, BSpline)
             return found
 
         return self.once((name, variant), lambda: self.solved(form))
+
+    @Fact
+    def _given(self) -> Given | None:
+        kind = PLANE if self.curve.dimension == 2 else SPACE
+        return operands_of(kind, self.operands)
+
+    def value_of(self, formula: Formula) -> SplineValue:
+        """The value of a formula on the curve (with a positive weight function)."""
+        if self._given is None:
+            value: SplineValue = formula(self.operands)
+            return value
+        return self._given.value(formula)
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -170,7 +191,7 @@ class Facts:
     @Fact
     def velocity(self) -> Vector[BSpline]:
         """D1, a positive multiple of γ′."""
-        return Vector(*find("D1")(self.operands))
+        return Vector(*self._vector("D1"))
 
     @Fact
     def speed(self) -> ZeroForm:
@@ -180,7 +201,13 @@ class Facts:
     @Fact
     def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
-        return Vector(*find("binormal_form")(space(self.operands)))
+        space(self.operands)
+        return Vector(*self._vector("binormal_form"))
+
+    def _vector(self, formula: str) -> Vector[BSpline]:
+        found = self.value_of(find(formula))
+        assert isinstance(found, Vector)
+        return found
 
     # ---- knots
 
@@ -190,9 +217,9 @@ class Facts:
         return (b, a) if self.closed and t in (a, b) else (t, t)
 
     @Fact
-    def standing(self) -> list[bool]:
+    def standing(self) -> tuple[bool, ...]:
         """Segment by segment whether the curve stands still."""
-        return [not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)]
+        return tuple([not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)])
 
     @Fact
     def ends(self) -> Ends:
@@ -203,20 +230,24 @@ class Facts:
     def joints(self) -> tuple[Joint, ...]:
         """All joints in the order of the parameter, the seam of a closed curve first."""
         count = len(self.breaks) - 1
-        return tuple(self._joint(i - 1, i % count) for i in range(0 if self.closed else 1, count))
-
-    @Fact
-    def _joints_by_parameter(self) -> dict[mpq, Joint]:
-        found = {joint.parameter: joint for joint in self.joints}
-        if self.closed:
-            found[self.breaks[-1]] = self.joints[0]
-        return found
+        return tuple(self._joint(i) for i in range(0 if self.closed else 1, count))
 
     def joint(self, t: mpq) -> Joint | None:
         """The joint at a parameter, None where there is none."""
-        return self._joints_by_parameter.get(t)
+        i = bisect_left(self.breaks, t)
+        if self.breaks[i] != t:
+            return None
+        count = len(self.breaks) - 1
+        if i in (0, count):
+            return self._joint(0) if self.closed else None
+        return self._joint(i)
 
-    def _joint(self, before: int, behind: int) -> Joint:
+    def _joint(self, i: int) -> Joint:
+        """The joint at the i-th breakpoint, 0 the seam."""
+        return self.once(("joint", i), lambda: self._met(i - 1, i))
+
+    def _met(self, before: int, behind: int) -> Joint:
+        """The joint of two segments."""
         t, seam = self.breaks[behind], before < 0
         left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
@@ -254,23 +285,41 @@ class Facts:
     # ---- singular points
 
     @Fact
-    def singular_points(self) -> list[Feature]:
+    def singular_points(self) -> tuple[Feature, ...]:
         """The parameters where γ′ = 0; of an interval on which the curve stands still its ends."""
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
-            for root in self.speed.zeros
+            for root in (() if self._moves_between_knots else self.speed.zeros)
             if not root.at_knot
         ]
-        knots = [
-            Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1")
-            for joint in self.joints
-            if joint.kind is JointKind.SINGULAR
-        ]
+        resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
+        knots = [Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1") for joint in resting]
         if not self.closed:
             ends = zip((self.breaks[0], self.breaks[-1]), (Side.RIGHT, Side.LEFT), strict=True)
             stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
-        return sorted(inner + knots, key=lambda f: f.root)
+        return tuple(sorted(inner + knots, key=lambda f: f.root))
+
+    @property
+    def _moves_between_knots(self) -> bool:
+        """Whether it is quickly seen that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
+        there, or two without a common factor; False says nothing.
+        """
+        return all(
+            any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
+            for parts in zip(*[x.polynomials for x in self.velocity], strict=True)
+        )
+
+    @property
+    def _knots_at_rest(self) -> list[int]:
+        """The breakpoints at which γ′ = 0 on one side at least, that of a closed curve's seam among them."""
+        ends = [(x.polynomials, x.degree) for x in self.velocity]
+        count = len(self.breaks) - 1
+        return [
+            i
+            for i in range(0 if self.closed else 1, count)
+            if all(c[i][0] == 0 for c, _ in ends) or all(c[i - 1][n] == 0 for c, n in ends)
+        ]
 
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:
@@ -306,10 +355,10 @@ class Facts:
         return pieces(self.breaks, runs(holds, joined if self.closed else [False, *joined]))
 
     @Fact
-    def standing_pieces(self) -> list[CurvePiece]:
+    def standing_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve stands still."""
         joined = [joint.kind is JointKind.STILL for joint in self.joints]
-        return pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined]))
+        return tuple(pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined])))
 
     def check_dimension(self) -> None:
         """`ShapeError` for a curve that is neither in the plane nor in space."""

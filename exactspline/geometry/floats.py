@@ -47,7 +47,7 @@ def floats(
     if isinstance(values, Feature):
         return Real.of(values.root).double(rounding)
     if isinstance(values, Iterable) and not isinstance(values, str):
-        return [floats(value, rounding) for value in values]  # type: ignore[misc, return-value]  # all numbers, or all rows
+        return [floats(value, rounding) for value in values]  # type: ignore[return-value]  # all numbers, or all rows
     return real(values).double(rounding)
 
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import comb
 
 from exactspline.exact import mpq, ratio
 from exactspline.geometry.angles import Angle, angle_between
@@ -19,7 +20,6 @@ from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.vector import Vector, cross, dot, norm2
-from exactspline.readings.taylor import Series
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surd import Surd, square_root
 
@@ -72,25 +72,32 @@ class Ends:
 
     def jet(self, segment: int, side: Side | str) -> Jet:
         """The jet at the right end of a segment (``left``: what a knot has on its left) or at its left end."""
-        series = [_series(x, segment, side) for x in self._p]
+        rows = [[_end(f, segment, side) for f in x] for x in self._p]
         if self._w:
-            reciprocal = _series(self._w, segment, side).reciprocal()
-            series = [x * reciprocal for x in series]
-        derivatives = [[x.d(k).value for x in series] for k in range(ORDER + 1)]
-        first, second, third, fourth = map(tuple, derivatives)
+            below = [_end(f, segment, side) for f in self._w]
+            rows = [_quotient(row, below) for row in rows]
+        first, second, third, fourth = zip(*rows, strict=True)
         return first, second, third, fourth
 
 
-def _series(derivatives: Sequence[BSpline], segment: int, side: Side | str) -> Series:
-    factorial, coefficients = 1, []
-    for k, f in enumerate(derivatives):
-        factorial *= max(k, 1)
-        if f.degree < 0:
-            coefficients.append(mpq(0))
-            continue
-        end = f.degree if side == Side.LEFT else 0
-        coefficients.append(ratio(f.polynomials[segment][end], f.denominators[segment] * factorial))
-    return Series(coefficients)
+def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
+    """The value of a spline at an end of a segment."""
+    if f.degree < 0:
+        return mpq(0)
+    return ratio(f.polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
+
+
+def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
+    """The derivatives of p/w from those of p and w: p = w · (p/w), differentiated by Leibniz's rule.
+
+    >>> _quotient([mpq(1), mpq(0), mpq(0)], [mpq(1), mpq(1), mpq(0)])
+    [mpq(1,1), mpq(-1,1), mpq(2,1)]
+    """
+    found: list[mpq] = []
+    for k, value in enumerate(above):
+        rest = value - sum((comb(k, j) * below[k - j] * earlier for j, earlier in enumerate(found)), mpq(0))
+        found.append(rest / below[0])
+    return found
 
 
 def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:

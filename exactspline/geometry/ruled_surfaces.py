@@ -16,7 +16,7 @@ from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import space
 from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
-from exactspline.language.parts import numerator
+from exactspline.language.parts import numerator, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development
 from exactspline.language.vector import Vector, cross, dot, norm2
@@ -99,7 +99,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     low, high = rational(a), rational(b)
     if not low < high:
         raise DomainError(f"[{text(low)}, {text(high)}] is no interval of ruling parameters", remedy="give a < b")
-    meshes = numerator(surface.directrix)[0].mesh, Mesh([low, high])
+    meshes = split(surface.directrix)[0][0].mesh, Mesh([low, high])
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
     found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling
     components = [*numerator(found), *([found.denominator] if isinstance(found, Rational) else [])]
@@ -124,13 +124,14 @@ def is_developable(surface: SplineSurface) -> bool:
     Raises `ShapeError` where the generator vanishes on a whole segment: there is no surface.
     """
     _check_generator(surface)
-    return bool(development(in_lowest_terms(surface)).is_zero)
+    lowest = cast("RuledSurface[Vector[BSpline]]", in_lowest_terms(surface))
+    return development(lowest).is_zero
 
 
 def _check_generator(surface: SplineSurface) -> None:
-    for i, parts in enumerate(zip(*[c.polynomials for c in numerator(surface.generator)], strict=True)):
+    for i, parts in enumerate(zip(*[c.polynomials for c in split(surface.generator)[0]], strict=True)):
         if not any(parts):
-            a, b = numerator(surface.generator)[0].breakpoints[i : i + 2]
+            a, b = split(surface.generator)[0][0].breakpoints[i : i + 2]
             raise ShapeError(
                 f"the generator vanishes on all of [{text(a)}, {text(b)}]: there is no ruled surface",
                 remedy="leave this segment out",

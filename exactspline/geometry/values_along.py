@@ -18,7 +18,8 @@ from exactspline.papers import find
 from exactspline.roots.enclosure import Enclosure, exact_place, sign_at
 from exactspline.roots.real import Real
 from exactspline.roots.root import Root
-from exactspline.splines.bspline import BSpline, checked_side
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.given import checked_side
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.surd import Surd, square_root
 

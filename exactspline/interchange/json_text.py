@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import NoReturn
 
 from exactspline.errors import CurveFileError, NumberError
 from exactspline.splines.curve_files import once_each
 
+#: What a JSON text holds, numbers as text.
+Json = dict[str, "Json"] | list["Json"] | str | bool | None
 
-def parsed(text: str) -> Any:
+
+def parsed(text: str) -> Json:
     """The data, numbers as text.
 
     >>> parsed('{"a": [1, 0.1, "x"]}')
@@ -18,7 +21,10 @@ def parsed(text: str) -> Any:
     Raises `CurveFileError` for what is not JSON or has a field twice, `NumberError` for NaN and the infinities.
     """
     try:
-        return json.loads(text, parse_int=str, parse_float=str, parse_constant=_refuse, object_pairs_hook=once_each)
+        data: Json = json.loads(
+            text, parse_int=str, parse_float=str, parse_constant=_refuse, object_pairs_hook=once_each
+        )
+        return data
     except RecursionError:
         raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
     except json.JSONDecodeError as error:
@@ -27,5 +33,5 @@ def parsed(text: str) -> Any:
         ) from None
 
 
-def _refuse(word: str) -> Any:
+def _refuse(word: str) -> NoReturn:
     raise NumberError(f"{word} is not a number", remedy="write finite numbers")

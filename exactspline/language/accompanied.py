@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, Generic
+from typing import Any, Generic, TypeVar
 
 from exactspline.language.arguments import Curve, T, U
 from exactspline.language.vector import Vector
 
+V = TypeVar("V")
+
 #: What formulas may name besides the operands, made of the operands by name.
-Made = Callable[[Mapping[str, Any]], dict[str, Any]]
+Made = Callable[[Mapping[str, Any]], dict[str, object]]
 
 
-def nothing_made(operands: Mapping[str, Any]) -> dict[str, Any]:
+def nothing_made(operands: Mapping[str, object]) -> dict[str, object]:
     """Nothing but the operands."""
     return {}
 
@@ -45,6 +47,6 @@ class Accompanied(Curve[T], Generic[T]):
         return Accompanied(super().mapped(change), {n: change(x) for n, x in self.beside.items()}, self.made)
 
 
-def vector_of(operands: Mapping[str, Any], *names: str) -> Vector[Any]:
+def vector_of(operands: Mapping[str, V], *names: str) -> Vector[V]:
     """The vector of operands with these names."""
     return Vector(*[operands[name] for name in names])

@@ -55,13 +55,13 @@ class Adjoined(FieldOperand):
             )
         return found
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Adjoined(self.plain + right.plain, self.rooted + right.rooted, self.square)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented

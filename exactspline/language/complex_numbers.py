@@ -5,12 +5,11 @@ The real part is ``a[0]``, the imaginary one ``a[1]``; ``perp(a)`` is ``i a`` an
 
 from __future__ import annotations
 
-from typing import Any
+from exactspline.language.parts import C
+from exactspline.language.vector import S, Vector, join, norm2
 
-from exactspline.language.vector import join, norm2
 
-
-def complex_product(a: Any, b: Any) -> Any:
+def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
     """``a b``, a plane vector.
 
     >>> from exactspline.language.vector import Vector
@@ -20,7 +19,7 @@ def complex_product(a: Any, b: Any) -> Any:
     return join(a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0])
 
 
-def conjugate(a: Any) -> Any:
+def conjugate(a: Vector[S]) -> Vector[S]:
     """``ā``: the plane vector mirrored at the first axis.
 
     >>> from exactspline.language.vector import Vector
@@ -30,7 +29,7 @@ def conjugate(a: Any) -> Any:
     return join(a[0], -a[1])
 
 
-def complex_quotient(a: Any, b: Any) -> Any:
+def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C]:
     """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
 
     >>> from exactspline.language.kinds import PLANE
@@ -39,4 +38,5 @@ def complex_quotient(a: Any, b: Any) -> Any:
     >>> complex_quotient(complex_product(c.p, c.p.d(1)), c.p) == c.p.d(1)
     True
     """
-    return complex_product(a, conjugate(b)) / norm2(b)
+    quotient: Vector[C] = complex_product(a, conjugate(b)) / norm2(b)
+    return quotient

@@ -19,8 +19,10 @@ class Formula(Displayed):
     node).
     """
 
-    def __init__(self, function: Callable[..., Any], source: str, kind: Kind, symbol: str) -> None:
-        self.function, self.source, self.kind, self.symbol = function, source, kind, symbol
+    def __init__(self, function: Callable[..., object], source: str, kind: Kind, symbol: str) -> None:
+        #: What it is as written.
+        self.function: Callable[..., Any] = function
+        self.source, self.kind, self.symbol = source, kind, symbol
         self.name = self.__name__ = function.__name__
         self.__doc__, self.__module__ = function.__doc__, function.__module__
 
@@ -37,7 +39,7 @@ class Formula(Displayed):
         return f"<formula {self.name}, {self.source}>"
 
 
-def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callable[[Callable[..., Any]], Formula]:
+def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callable[[Callable[..., object]], Formula]:
     """Mark a function as a formula of a paper (or of a user), on arguments of a kind or of the kind with that name.
 
     >>> @formula("Table 1, T16")

@@ -16,7 +16,7 @@ from exactspline.language.accompanied import Accompanied, vector_of
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import PARAMETERS, Curve, T
 from exactspline.language.kind import Kind, Rule, Symbol
-from exactspline.language.vector import Vector, cross
+from exactspline.language.vector import S, Vector, cross
 
 #: Partial derivatives are known up to this order.
 ORDER = 3
@@ -41,6 +41,8 @@ class ImplicitKind(Kind):
     >>> (dot(c.gamma.d(1), bent) + dot(c.gradient_f, c.gamma.d(2))).is_zero
     True
     """
+
+    made_of_a_curve = False
 
     def __init__(self, name: str, dimension: int, functions: str) -> None:
         self.name, self.dimensions, self.functions = name, (dimension,), functions
@@ -88,7 +90,7 @@ class ImplicitKind(Kind):
 
         return rule
 
-    def velocity(self, named: Mapping[str, Any]) -> Vector[Any]:
+    def velocity(self, named: Mapping[str, S]) -> Vector[S]:
         """The derivative of the curve."""
         gradients = [vector_of(named, *[f + x for x in self.axes]) for f in self.functions]
         if len(self.free) > 1:

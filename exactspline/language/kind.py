@@ -27,19 +27,21 @@ class Symbol:
 
 
 #: The derivative of an operand from all the operands by name: the chain rule, where operands depend on each other.
-Rule = Callable[[Mapping[str, Any]], Any]
+Rule = Callable[[Mapping[str, Any]], object]
 
 
 class Kind(ABC):
     """What formulas of one kind are handed.
 
     `dimensions` are those of the curves for which there are formulas of the kind; one that `adjoins_roots` exists in
-    readings that can divide, not on splines and not in degrees.
+    readings that can divide, not on splines and not in degrees; `made_of_a_curve` says whether one curve alone gives
+    an example.
     """
 
     adjoins_roots: bool = False
     name: str
     dimensions: tuple[int, ...]
+    made_of_a_curve = True
 
     @abstractmethod
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:

@@ -31,6 +31,7 @@ __all__ = [
     "KINDS",
     "PAIR",
     "PLANE",
+    "PLANE_PAIR",
     "PLANE_POINT",
     "POINT_IN_SPACE",
     "SPACE",
@@ -114,10 +115,10 @@ class CurveKind(Kind):
 
 
 class PairKind(Kind):
-    """Two curves in space, the first a function of s, the second of s̄."""
+    """Two curves, the first a function of s, the second of s̄: in space, or in the plane."""
 
-    name = "pair"
-    dimensions = (3,)
+    def __init__(self, name: str, own: CurveKind) -> None:
+        self.name, self.own, self.dimensions = name, own, own.dimensions
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """The operands of the first curve, then those of the second."""
@@ -131,7 +132,7 @@ class PairKind(Kind):
     @property
     def parts(self) -> dict[str, Kind]:
         """The two curves."""
-        return {"first": SPACE, "second": SPACE}
+        return {"first": self.own, "second": self.own}
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -201,14 +202,15 @@ def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[An
 
 CURVE, PLANE, SPACE = CurveKind("curve", (2, 3)), CurveKind("plane", (2,)), CurveKind("space", (3,))
 PLANE_POINT, POINT_IN_SPACE = CurveKind("plane point", (2,), with_point=True), CurveKind("point", (3,), with_point=True)
-PAIR, TABLE = PairKind(), TableKind()
-FRAMED = FramedKind("framed", (2, 3))
+PAIR, PLANE_PAIR = PairKind("pair", SPACE), PairKind("plane pair", PLANE)
+TABLE, FRAMED = TableKind(), FramedKind("framed", (2, 3))
 FRAMED_PLANE, FRAMED_SPACE = FramedKind("framed plane", (2,)), FramedKind("framed space", (3,))
 #: The kinds by their names.
 KINDS: dict[str, Kind] = {
     kind.name: kind
     for kind in (
-        *(CURVE, PLANE, SPACE, TABLE, PAIR, POINT_IN_SPACE, PLANE_POINT, FRAMED, FRAMED_PLANE, FRAMED_SPACE),
+        *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT),
+        *(FRAMED, FRAMED_PLANE, FRAMED_SPACE),
         *(HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION),
     )
 }

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import cast
 
 from exactspline.language.operand import OwnVectors
 from exactspline.language.rational import Rational
-from exactspline.language.vector import cross, perp
+from exactspline.language.vector import S, Vector, cross, perp
 
 
-def cramer(*rows: tuple[Any, Any]) -> Any:
+def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
     """The numerators of Cramer's rule, eq. (23), as one vector: over the determinant of the normals they are the point
     with ``normal · B = height``.
 
@@ -21,19 +21,22 @@ def cramer(*rows: tuple[Any, Any]) -> Any:
     """
     if len(rows) == 2:
         (a, h), (b, k) = rows
-        return perp(a) * k - perp(b) * h
+        line: Vector[S] = perp(a) * k - perp(b) * h
+        return line
     (a, h), (b, k), (c, m) = rows
-    return cross(b, c) * h + cross(c, a) * k + cross(a, b) * m
+    point: Vector[S] = cross(b, c) * h + cross(c, a) * k + cross(a, b) * m
+    return point
 
 
-def level(normal: Any, height: Any) -> tuple[Any, Any]:
+def level(normal: Vector[S], height: S) -> tuple[Vector[S], S]:
     """A row of a linear system brought to one denominator: the step that §6 takes before it applies Cramer's rule.
 
     Only quotients have one; anything else stays as it is.
     """
-    if isinstance(normal, (Rational, OwnVectors)):
-        return normal.levelled(height)
-    if isinstance(height, Rational):
-        second, first = height.levelled(normal)
-        return first, second
-    return normal, height
+    given: tuple[object, object] = (normal, height)
+    if isinstance(given[0], (Rational, OwnVectors)):
+        given = given[0].levelled(height)
+    elif isinstance(given[1], Rational):
+        second, first = given[1].levelled(normal)
+        given = first, second
+    return cast("tuple[Vector[S], S]", given)

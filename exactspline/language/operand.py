@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq, mpz
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 #: The constants that may stand in a formula.
 Constant = int | mpz | mpq | Fraction
 CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
+
+
+D_co = TypeVar("D_co", covariant=True)
 
 
 class Scalar(Protocol):
@@ -74,7 +77,16 @@ class Counted(Ring, Protocol):
         """A hash of the quotients by this that all equal ones share."""
 
 
+class HasDegree(Protocol[D_co]):
+    """What has a degree: a number, two of them, or an expression."""
+
+    @property
+    def degree(self) -> D_co:
+        """The degree."""
+
+
 R = TypeVar("R", bound=Ring)
+D = TypeVar("D")
 
 
 class Operand(Displayed, ABC):
@@ -110,10 +122,10 @@ class Operand(Displayed, ABC):
         return len(numerators)
 
     @abstractmethod
-    def __add__(self, other: Any, /) -> Self: ...
+    def __add__(self, other: object, /) -> Self: ...
 
     @abstractmethod
-    def __mul__(self, other: Any, /) -> Self: ...
+    def __mul__(self, other: object, /) -> Self: ...
 
     @abstractmethod
     def scaled(self, constant: Constant, /) -> Self:
@@ -130,29 +142,29 @@ class Operand(Displayed, ABC):
     def __neg__(self) -> Self:
         return self.scaled(-1)
 
-    def __sub__(self, other: Any) -> Self:
-        difference: Self = self + (-other)
+    def __sub__(self, other: object) -> Self:
+        difference: Self = self + (-cast(Any, other))
         return difference
 
-    def __rsub__(self, other: Any) -> Self:
+    def __rsub__(self, other: object) -> Self:
         return (-self).__add__(other)
 
-    def __radd__(self, other: Any) -> Self:
+    def __radd__(self, other: object) -> Self:
         return self.__add__(other)
 
-    def __rmul__(self, other: Any) -> Self:
+    def __rmul__(self, other: object) -> Self:
         return self.__mul__(other)
 
     @overload
     def __truediv__(self, other: Constant) -> Self: ...
     @overload
     def __truediv__(self, other: Operand) -> Any: ...
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
         return other.dividing(self) if isinstance(other, Operand) else NotImplemented
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         return self.constant(other) / self if isinstance(other, CONSTANTS) else NotImplemented
 
     def __pow__(self, exponent: int) -> Self:
@@ -177,7 +189,7 @@ class Operand(Displayed, ABC):
         quotient: Rational[Any] = service("quotient")(numerator, self)
         return quotient
 
-    def times_vector(self, vector: Vector[Any]) -> Any:
+    def times_vector(self, vector: Vector[Operand]) -> Operand | Vector[Operand]:
         """A vector times this: component by component."""
         return vector.mapped(lambda component: component * self)
 
@@ -201,11 +213,11 @@ class FieldOperand(Operand):
     def reciprocal(self) -> Self:
         """``1 / a``."""
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         right = self.beside(other)
         return NotImplemented if right is None else self * right.reciprocal()
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         left = self.beside(other)
         return NotImplemented if left is None else left * self.reciprocal()
 
@@ -220,7 +232,7 @@ class OwnProducts(ABC):
     __slots__ = ()
 
     @abstractmethod
-    def multilinear(self, function: Callable[..., Any], vectors: tuple[Any, ...]) -> Any:
+    def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> object:
         """A product of vectors, `function` of `vectors`, this one among them."""
 
 
@@ -230,7 +242,7 @@ class OwnJoining(ABC):
     __slots__ = ()
 
     @abstractmethod
-    def joining(self, parts: tuple[Any, ...]) -> Any:
+    def joining(self, parts: tuple[object, ...]) -> object:
         """One vector of the components of all parts."""
 
 
@@ -240,11 +252,11 @@ class OwnVectors(OwnProducts, OwnJoining):
     __slots__ = ()
 
     @abstractmethod
-    def ruled(self, generator: Any) -> Any:
+    def ruled(self, generator: Self) -> Self:
         """The ruled surface with this directrix."""
 
     @abstractmethod
-    def levelled(self, height: Any) -> tuple[Any, Any]:
+    def levelled(self, height: object) -> tuple[object, object]:
         """This normal and its height brought to one denominator."""
 
 
@@ -254,17 +266,19 @@ class PartlyOrdered(ABC):
     __slots__ = ()
 
     @abstractmethod
-    def max(self, other: Any, /) -> Any:
+    def max(self, other: Self, /) -> Self:
         """The least degree that is not below either."""
 
 
-def larger(a: Any, b: Any) -> Any:
+def larger(a: D, b: D) -> D:
     """The larger of two degrees, or the least that is not below either.
 
     >>> larger(2, 3)
     3
     """
-    return a.max(b) if isinstance(a, PartlyOrdered) else max(a, b)
+    if isinstance(a, PartlyOrdered):
+        return cast(D, a.max(cast(Any, b)))
+    return a if bool(cast(Any, a) >= b) else b
 
 
 def no_truth_value(value: object) -> FormulaError:

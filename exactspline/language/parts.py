@@ -2,32 +2,41 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar, overload
 
-from exactspline.language.operand import Operand
+from exactspline.language.operand import Counted, Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+
+C = TypeVar("C", bound=Counted)
+V = TypeVar("V")
 
 #: What formulas return, in any reading: a scalar (a quotient is one), a vector, a ruled surface.
 Value = Operand | Vector[Operand] | RuledSurface[Operand | Vector[Operand]]
 
 
-def numerator(value: Any) -> Any:
+@overload
+def numerator(value: Rational[C]) -> C | Vector[C]: ...
+@overload
+def numerator(value: V) -> V: ...
+def numerator(value: object) -> object:
     """The numerator of a quotient, anything else as it is."""
     return value.numerator if isinstance(value, Rational) else value
 
 
-def joined(value: Any) -> Any:
+@overload
+def joined(value: RuledSurface[V]) -> V: ...
+@overload
+def joined(value: V) -> V: ...
+def joined(value: object) -> object:
     """Of a ruled surface directrix and generator side by side, anything else as it is."""
     return value.joined if isinstance(value, RuledSurface) else value
 
 
-def split(value: Any) -> tuple[list[Any], Any]:
+def split(value: Vector[C] | Rational[C] | RuledSurface[Vector[C] | Rational[C]] | C) -> tuple[list[C], C | None]:
     """The components of the numerator, and the denominator or None."""
-    denominator = None
-    if isinstance(value, RuledSurface):
-        value = value.joined
-    if isinstance(value, Rational):
-        value, denominator = value.numerator, value.denominator
-    return list(value) if isinstance(value, Vector) else [value], denominator
+    whole: Any = value.joined if isinstance(value, RuledSurface) else value
+    top = whole.numerator if isinstance(whole, Rational) else whole
+    components = list(top) if isinstance(top, Vector) else [top]
+    return components, whole.denominator if isinstance(whole, Rational) else None

@@ -18,7 +18,7 @@ Provenance = int | tuple[object, ...]
 #: A constant, and the factors by their numbers, sorted.
 Canonical = tuple[mpq, tuple[int, ...]]
 
-PRODUCT, SUM, DIFFERENCE, DERIVATIVE, MULTIPLE = range(5)
+PRODUCT, SUM, DIFFERENCE, DERIVATIVE, MULTIPLE, WITHIN = range(6)
 #: The provenance of the constant 1.
 UNIT = 0
 _leaves = count(UNIT + 1)
@@ -27,6 +27,48 @@ _leaves = count(UNIT + 1)
 def leaf() -> Provenance:
     """The provenance of an operand that comes from outside."""
     return next(_leaves)
+
+
+def within(provenance: Provenance, leaves: tuple[tuple[Provenance, Provenance], ...]) -> Provenance:
+    """A provenance with others in the place of its leaves; put in only when somebody asks.
+
+    >>> a, b, c = leaf(), leaf(), leaf()
+    >>> same(within((PRODUCT, a, b), ((a, c), (b, c))), (PRODUCT, c, c))
+    True
+    """
+    return WITHIN, provenance, leaves
+
+
+def is_alone(provenance: Provenance) -> Provenance | None:
+    """The leaf of which this is a multiple, None where it is none.
+
+    >>> a = leaf()
+    >>> is_alone((MULTIPLE, a, -1)) == a, is_alone((PRODUCT, a, a)), is_alone(UNIT)
+    (True, None, None)
+    """
+    while isinstance(provenance, tuple) and provenance[0] == MULTIPLE:
+        provenance = provenance[1]  # type: ignore[assignment]  # what a multiple is of is a provenance
+    return None if isinstance(provenance, tuple) or provenance == UNIT else provenance
+
+
+def _put_in(provenance: Provenance, known: dict[Provenance, Provenance]) -> Provenance:
+    """The provenance with its leaves replaced."""
+    done: dict[int, Provenance] = {}
+    todo = [provenance]
+    while todo:
+        node = todo[-1]
+        if not isinstance(node, tuple):
+            done[id(node)] = known.get(node, node)
+        elif missing := [part for part in _parts(node) if id(part) not in done]:
+            todo += missing
+            continue
+        elif node[0] == MULTIPLE:
+            done[id(node)] = (MULTIPLE, done[id(node[1])], node[2])
+        else:
+            parts = [done[id(part)] if isinstance(part, (tuple, int)) else part for part in node[1:]]
+            done[id(node)] = (node[0], *parts)
+        todo.pop()
+    return done[id(provenance)]
 
 
 def same(first: Provenance, second: Provenance) -> bool:
@@ -42,16 +84,29 @@ def same(first: Provenance, second: Provenance) -> bool:
         return True
     known: dict[int, Canonical] = {}
     numbers: dict[Any, int] = {}
-    return _canonical(first, known, numbers) == _canonical(second, known, numbers)
+    opened: dict[int, Provenance] = {}
+    return _canonical(first, known, numbers, opened) == _canonical(second, known, numbers, opened)
 
 
-def _canonical(provenance: Provenance, known: dict[int, Canonical], numbers: dict[Any, int]) -> Canonical:
-    """The canonical form; `numbers` numbers the factors that both sides of a comparison have."""
+def _canonical(
+    provenance: Provenance, known: dict[int, Canonical], numbers: dict[Any, int], opened: dict[int, Provenance]
+) -> Canonical:
+    """The canonical form; `numbers` numbers the factors that both sides of a comparison have, `opened` keeps what
+    `known` tells apart by its id.
+    """
     todo = [provenance]
     while todo:
-        node = todo[-1]
+        node: Any = todo[-1]
         if id(node) in known:
             todo.pop()
+        elif isinstance(node, tuple) and node[0] == WITHIN:
+            if id(node) not in opened:
+                opened[id(node)] = _put_in(node[1], dict(node[2]))
+            inside = opened[id(node)]
+            if id(inside) in known:
+                known[id(node)] = known[id(inside)]
+            else:
+                todo.append(inside)
         elif isinstance(node, tuple):
             missing = [part for part in _parts(node) if id(part) not in known]
             if missing:

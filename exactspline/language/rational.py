@@ -180,11 +180,11 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         scalars = tuple(self.numerator) if isinstance(self.numerator, Vector) else (self.numerator,)
         return hash((self.is_vector, self.denominator.hash_of_quotients(scalars)))
 
-    def __add__(self, other: Any) -> Rational[T]:
+    def __add__(self, other: object) -> Rational[T]:
         """Rows T4 and T5."""
         p: Any = self.numerator
         if not isinstance(other, Rational):
-            return Rational(p + self.denominator * other, self.product) if _fits(other) else NotImplemented
+            return Rational(p + self.denominator * cast(Any, other), self.product) if _fits(other) else NotImplemented
         if self.product.same(other.product):
             return Rational(p + other.numerator, self.product)
         return Rational(p * other.denominator + other.numerator * self.denominator, self.product * other.product)
@@ -198,7 +198,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         one = self.denominator.constant(1)
         return Rational(one.scaled(value), one)
 
-    def __mul__(self, other: Any) -> Rational[T]:
+    def __mul__(self, other: object) -> Rational[T]:
         """Rows T6 and T7."""
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
@@ -206,7 +206,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             return Rational(_times(self.numerator, other.numerator), self.product * other.product)
         return Rational(_times(self.numerator, other), self.product) if _fits(other) else NotImplemented
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         """Rows T8 and T9."""
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
@@ -221,14 +221,14 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         """`numerator`, an operand or a vector that is no quotient, divided by this."""
         return Rational(numerator * self.denominator, self.scalar)
 
-    def times_vector(self, vector: Vector[Any]) -> Rational[T]:
+    def times_vector(self, vector: Vector[Operand]) -> Rational[T]:
         """A vector times this: one quotient."""
         return Rational(vector * self.scalar, self.product)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.denominator.constant(other)
-        return self.dividing(other) if _fits(other) else NotImplemented
+        return self.dividing(cast(Operand, other)) if _fits(other) else NotImplemented
 
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
         """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
@@ -240,19 +240,19 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             result = Rational((p.d(1, by=by) * w - p * w.d(1, by=by)).elevated_to(product.value), product)
         return result
 
-    def levelled(self, other: Any) -> tuple[Rational[T], Rational[T]]:
+    def levelled(self, other: object) -> tuple[Rational[T], Rational[T]]:
         """This quotient and another (or what is none) over one denominator, their numerators multiplied by the factors
         they lack.
         """
         if not isinstance(other, Rational):
-            return self, Rational(other * self.denominator, self.product)
+            return self, Rational(cast(Any, other) * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)
         shared = (
             Product(*self.product.unexpanded(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
         )
         return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
-    def multilinear(self, function: Callable[..., Any], vectors: tuple[Any, ...]) -> Rational[T]:
+    def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Rational[T]:
         """A product of vectors that is linear in each: of the numerators, over the product of the denominators."""
         numerators = [v.numerator if isinstance(v, Rational) else v for v in vectors]
         first, *rest = [v.product for v in vectors if isinstance(v, Rational)]
@@ -260,7 +260,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             first = first * product
         return Rational(function(*numerators), first)
 
-    def joining(self, parts: tuple[Any, ...]) -> Rational[T]:
+    def joining(self, parts: tuple[object, ...]) -> Rational[T]:
         """One quotient of the components of all parts, over one denominator."""
         one = self.denominator.constant(1)
         first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar, cast
 
-from exactspline.language.operand import Constant, OwnVectors
+from exactspline.language.operand import Constant, D, HasDegree, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector, det
 
 T_co = TypeVar("T_co", covariant=True)
+V = TypeVar("V")
 
 
 class RuledSurface(Displayed, Generic[T_co]):
@@ -36,12 +37,12 @@ class RuledSurface(Displayed, Generic[T_co]):
         return curve
 
     @property
-    def degree(self) -> Any:
+    def degree(self: RuledSurface[HasDegree[D]]) -> D:
         """Degree in s: that of directrix + ζ generator with ζ a number, under Table 1."""
         return self.joined.degree
 
     @property
-    def joined(self) -> Any:
+    def joined(self) -> T_co:
         """Directrix and generator side by side, as one vector of twice as many components (over one denominator where
         they are quotients).
         """
@@ -49,19 +50,22 @@ class RuledSurface(Displayed, Generic[T_co]):
         generator: Any = self.generator
         operand = directrix.denominator if isinstance(directrix, Rational) else directrix[0]
         nothing = [operand.constant(0)] * len(directrix)
-        return _extended(directrix, [], nothing) + _extended(generator, nothing, [])
+        joined: T_co = _extended(directrix, [], nothing) + _extended(generator, nothing, [])
+        return joined
 
 
-def ruled(directrix: Any, generator: Any) -> Any:
+def ruled(directrix: V, generator: V) -> RuledSurface[V]:
     """The ruled surface ``directrix + ζ generator`` (in the tree reading a node).
 
     >>> ruled(Vector(1, 0, 0), Vector(0, 0, 1)).at(2)
     Vector(1, 0, 2)
     """
-    return directrix.ruled(generator) if isinstance(directrix, OwnVectors) else RuledSurface(directrix, generator)
+    if isinstance(directrix, OwnVectors):
+        return cast("RuledSurface[V]", directrix.ruled(cast(Any, generator)))
+    return RuledSurface(directrix, generator)
 
 
-def development(surface: Any) -> Any:
+def development(surface: RuledSurface[Vector[R]]) -> R:
     """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is one along every ruling."""
     return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
 

@@ -13,6 +13,8 @@ from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
     Constant,
+    D,
+    HasDegree,
     Operand,
     OwnJoining,
     OwnProducts,
@@ -107,7 +109,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
 
     def __mul__(self, scalar: Any) -> Any:
         if isinstance(scalar, Operand):
-            return scalar.times_vector(self)
+            return scalar.times_vector(cast("Vector[Operand]", self))
         if isinstance(scalar, Vector):
             raise ShapeError("a product of two vectors with *", remedy="write dot, cross or det")
         return self.scaled(scalar) if isinstance(scalar, CONSTANTS) else NotImplemented
@@ -145,11 +147,10 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return Vector(*[a.elevated_to(other) for a in components])
 
     @property
-    def degree(self) -> Any:
+    def degree(self: Vector[HasDegree[D]]) -> D:
         """The largest degree of the components: a number, two of them, or an expression."""
-        components: tuple[Any, ...] = self.components
-        degree = components[0].degree
-        for a in components[1:]:
+        degree = self.components[0].degree
+        for a in self.components[1:]:
             degree = larger(degree, a.degree)
         return degree
 
@@ -171,8 +172,7 @@ def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
     def product(*vectors: P.args, **no: P.kwargs) -> T:  # its documentation is the function's own
         for vector in vectors:
             if isinstance(vector, OwnProducts):
-                made: T = vector.multilinear(product, vectors)
-                return made
+                return cast(T, vector.multilinear(product, vectors))
         return function(*vectors, **no)
 
     product.__name__ = product.__qualname__ = function.__name__
@@ -295,27 +295,27 @@ def _expand(minors: dict[tuple[int, ...], S], row: Vector[S], columns: tuple[int
     return total
 
 
-def join(*parts: Any) -> Any:
+def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
     """One vector of the components of all parts: vectors, scalars and constants of one reading.
 
     >>> join(Vector(1, 2), 3)
     Vector(1, 2, 3)
     """
-    own = next((part for part in parts if isinstance(part, OwnJoining)), None)
-    if own is not None:
-        return own.joining(parts)
-    operand = next((part for part in parts if not isinstance(part, CONSTANTS)), None)
+    own: object = next((part for part in parts if isinstance(part, OwnJoining)), None)
+    if isinstance(own, OwnJoining):
+        return cast("Vector[S]", own.joining(parts))
+    operand: Any = next((part for part in parts if not isinstance(part, CONSTANTS)), None)
     if operand is None:
-        return Vector(*parts)
+        return Vector(*cast("tuple[S, ...]", parts))
     scalar = operand[0] if isinstance(operand, Vector) else operand
     components: list[Any] = []
     for part in parts:
-        made = scalar.constant(part) if isinstance(part, CONSTANTS) and not isinstance(scalar, CONSTANTS) else part
+        made: Any = scalar.constant(part) if isinstance(part, CONSTANTS) and not isinstance(scalar, CONSTANTS) else part
         components += made.components if isinstance(made, Vector) else [made]
     return Vector(*components)
 
 
-def wronskian(a: Any, order: int | None = None) -> Any:
+def wronskian(a: Vector[R], order: int | None = None) -> R:
     """Determinant of a vector of n components and its first n−1 derivatives.
 
     It vanishes identically where the components are linearly dependent functions. `order` is the number of components

@@ -1,150 +1,153 @@
 """Papers as data: one folder a source, with its formulas, its claims, its constructions and its own words.
 
-A folder holds ``paper.toml`` (what it is and which files belong to it), modules of formulas and tables of claims and
-constructions. No folder has a privilege, and nothing outside this package names one. Every formula stands in one place
-and everything else (tables, proofs, LaTeX, programs) is derived from it.
+No folder has a privilege: those that come with the library lie in this package, those of others wherever they are, and
+one code reads both (`exactspline.papers.folder`). Nothing outside this package names one. Every formula stands in one
+place and everything else (tables, proofs, LaTeX, programs) is derived from it.
 """
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib import import_module, resources
+from importlib import resources
 from importlib.resources.abc import Traversable
-from typing import Any
+from pathlib import Path
 
 from exactspline.errors import FormulaError, nearest
 from exactspline.language.formula import Formula
+from exactspline.language.kinds import CURVE
+from exactspline.papers.folder import Paper, Table, folder_at, paper_in, told_of
+from exactspline.papers.loading import checked_formulas, guarded, run_file
 
+__all__ = [
+    "Paper",
+    "Table",
+    "all_formulas",
+    "default_papers",
+    "find",
+    "formulas_by_module",
+    "load_paper",
+    "named_papers",
+    "paper",
+    "papers",
+    "resolve",
+]
 
-@dataclass(frozen=True)
-class Table:
-    """A table as it stands in a file of a paper, with the place where it stands: ``file, entry number``."""
-
-    place: str
-    entry: dict[str, Any]
-
-
-@dataclass(frozen=True, eq=False)
-class Paper:
-    """A source: its folder, its title, the modules of its formulas and the files of its claims.
-
-    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors by
-    the name under which claims are joined that fail for one reason, with what is wrong.
-    """
-
-    name: str
-    title: str
-    reference: str
-    folder: Traversable
-    modules: tuple[str, ...]
-    claim_files: tuple[str, ...]
-    uses: tuple[Paper, ...]
-    errors: dict[str, str]
-
-    @property
-    def formulas(self) -> dict[str, Formula]:
-        """Its own formulas by name, in the order of the source."""
-        return _formulas(self)
-
-    def find(self, name: str) -> Formula:
-        """The formula with this name: its own, or one of a paper that it uses.
-
-        >>> paper("chen_riesenfeld_cohen_2007").find("f2")
-        <formula f2, eq. (8)>
-
-        Raises `FormulaError` with the nearest names.
-        """
-        for source in (self, *self.uses):
-            if name in source.formulas:
-                return source.formulas[name]
-        known = [known for source in (self, *self.uses) for known in source.formulas]
-        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
-
-    def claim_tables(self) -> Iterator[Table]:
-        """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims."""
-        for file in self.claim_files:
-            data = self._read(file)
-            common = data.get("common", {})
-            for i, entry in enumerate(data["claim"]):
-                yield Table(f"{self.name}/{file}, claim {i + 1}", common | entry)
-
-    def construction_tables(self) -> dict[str, Table]:
-        """Its constructions by name, as they stand in ``constructions.toml``."""
-        file = "constructions.toml"
-        return {name: Table(f"{self.name}/{file}, {name}", entry) for name, entry in self._read(file).items()}
-
-    def _read(self, file: str) -> dict[str, Any]:
-        place = self.folder.joinpath(*file.split("/"))
-        return tomllib.loads(place.read_text(encoding="utf-8")) if place.is_file() else {}
-
-
-@cache
-def _formulas(source: Paper) -> dict[str, Formula]:
-    found = {}
-    for module in source.modules:
-        home = f"{__package__}.{source.name}.{module}"
-        for value in vars(import_module(home)).values():
-            if isinstance(value, Formula) and value.__module__ == home:
-                found[value.name] = value
-    return found
+#: Papers loaded from folders, by their names.
+_loaded: dict[str, Paper] = {}
 
 
 @cache
 def papers() -> tuple[Paper, ...]:
     """The papers that come with the library, each after those that it uses.
 
-    >>> [p.name for p in papers()]
+    >>> [p.name for p in papers() if p.default]
     ['chen_riesenfeld_cohen_2007', 'lifted']
     """
     folders = {f.name: f for f in resources.files(__package__).iterdir() if f.joinpath("paper.toml").is_file()}
-    told = {name: tomllib.loads(f.joinpath("paper.toml").read_text(encoding="utf-8")) for name, f in folders.items()}
     made: dict[str, Paper] = {}
 
     def make(name: str) -> Paper:
         if name not in made:
-            data = told[name]
-            made[name] = Paper(
-                name,
-                data["title"],
-                data["reference"],
-                folders[name],
-                tuple(data["formulas"]),
-                tuple(data["claims"]),
-                tuple(make(other) for other in data.get("uses", ())),
-                data.get("errors", {}),
-            )
+            made[name] = paper_in(folders[name], name, make, package=f"{__package__}.{name}")
         return made[name]
 
-    for name in sorted(told, key=lambda name: (told[name].get("order", 0), name)):
+    for name in sorted(folders, key=lambda name: (told_of(folders[name], name)["order"], name)):
         make(name)
     return tuple(made.values())
 
 
+@cache
+def default_papers() -> tuple[Paper, ...]:
+    """Those that are meant where none is named."""
+    return tuple(each for each in papers() if each.default)
+
+
 def paper(name: str) -> Paper:
-    """The paper with this name.
+    """The paper with this name: one that comes with the library, or one that was loaded.
 
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
 
     Raises `FormulaError` with the nearest names.
     """
-    for known in papers():
-        if known.name == name:
-            return known
-    raise FormulaError(f"no paper is called {name!r}", remedy=f"there are {', '.join(p.name for p in papers())}")
+    known = {each.name: each for each in papers()} | _loaded
+    if name not in known:
+        raise FormulaError(f"no paper is called {name!r}", remedy=f"{nearest(name, known)}; or name a folder")
+    return known[name]
+
+
+def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
+    """The paper in a folder of anybody. Its formulas are checked before they run; with `trust` they run as they stand.
+
+    Raises `ClaimError` for what is no folder of a paper, `FormulaError` for formulas that are none, with file and line.
+    """
+    place = folder_at(folder)
+    for own in papers():
+        if _is_folder(own.folder, place):
+            return own
+    name = place.resolve().name
+    taken = {each.name: each.folder for each in papers()}
+    taken |= {each.name: each.folder for each in _loaded.values()}
+    while name in taken and not _is_folder(taken[name], place):
+        name += "′"
+    loaded = paper_in(place, name, paper, trusted=trust, importable=formulas_by_module)
+    loaded.formulas  # noqa: B018  # read now: whatever is wrong in them is told before anything is decided
+    _loaded[name] = loaded
+    return loaded
+
+
+def _is_folder(folder: Traversable, place: Path) -> bool:
+    return isinstance(folder, Path) and folder.resolve() == place.resolve()
+
+
+def named_papers(names: Iterable[str], *, trust: bool = False) -> tuple[Paper, ...]:
+    """Papers by their names or folders, ``all`` for all that come with the library; without a name the default ones.
+
+    Raises `FormulaError` for a name that is neither, with the nearest names.
+    """
+    names = list(names)
+    if not names:
+        return default_papers()
+    found: list[Paper] = []
+    for name in names:
+        if name == "all":
+            found += papers()
+        elif any(name == each.name for each in papers()):
+            found.append(paper(name))
+        elif Path(name).is_dir() or "/" in name:
+            found.append(load_paper(name, trust=trust))
+        else:
+            found.append(paper(name))
+    return tuple(dict.fromkeys(found))
 
 
 @cache
 def all_formulas() -> dict[str, Formula]:
-    """Every formula of the papers that come with the library; where two papers share a name, ``paper:name``."""
+    """Every formula of the papers that are meant where none is named; where two share a name, ``paper:name``."""
     found: dict[str, Formula] = {}
-    for source in papers():
+    for source in default_papers():
         for name, formula in source.formulas.items():
             found[name if name not in found else f"{source.name}:{name}"] = formula
     return found
+
+
+def formulas_by_module() -> Mapping[str, Formula]:
+    """The formulas that come with the library, by ``paper.module:name``: what formulas of others may import."""
+    return {
+        f"{formula.__module__.removeprefix(f'{__package__}.')}:{name}": formula
+        for source in papers()
+        for name, formula in source.formulas.items()
+    }
+
+
+def known_as(formula: Formula) -> str:
+    """The name by which `find` finds a formula: its own, with its paper where two papers share it.
+
+    >>> known_as(find("f2"))
+    'f2'
+    """
+    return next((name for name, known in all_formulas().items() if known is formula), formula.name)
 
 
 def find(name: str) -> Formula:
@@ -163,3 +166,32 @@ def find(name: str) -> Formula:
         remedy = nearest(name, known, listed_by="exactspline derive")
         raise FormulaError(f"no formula is called {name!r}", remedy=remedy)
     return known[name]
+
+
+def resolve(name: str, *, trust: bool = False) -> Formula:
+    """The formula that a user names: ``name``, ``paper:name``, ``FOLDER:name`` or ``file.py:name``.
+
+    Raises `FormulaError` with the nearest names, and for a file or a folder with errors in it.
+    """
+    place, _, own = name.rpartition(":")
+    if place.endswith(".py"):
+        return _of_file(Path(place), own, trust)
+    if place and (Path(place).is_dir() or "/" in place):
+        return load_paper(place, trust=trust).find(own)
+    return find(name)
+
+
+def _of_file(file: Path, name: str, trust: bool) -> Formula:
+    if not file.is_file():
+        raise FormulaError("there is no such file", where=str(file), remedy="write file.py:function")
+    if not trust:
+        found = checked_formulas(file, formulas_by_module, plain=True)
+        if name not in found:
+            raise FormulaError(f"no formula is called {name!r}", where=str(file), remedy=nearest(name, found))
+        return found[name]
+    function = getattr(run_file(file), name, None)
+    if isinstance(function, Formula):
+        return guarded(function, str(file))
+    if not callable(function):
+        raise FormulaError(f"{file} has no function {name!r}", where=name, remedy="write file.py:function")
+    return guarded(Formula(function, str(file), CURVE, ""), str(file))

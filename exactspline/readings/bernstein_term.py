@@ -35,7 +35,7 @@ class Monomials(Operand):
         zero = self.exponents[0] * 0
         return Monomials((zero, zero), {(0, 0): zero + to_fmpq(rational(value))})
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Monomials):
@@ -49,7 +49,7 @@ class Monomials(Operand):
         zero = self.exponents[0] * 0
         return Monomials(self.exponents, {s: self.terms.get(s, zero) + other.terms.get(s, zero) for s in shifts})
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Monomials):

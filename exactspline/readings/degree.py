@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from functools import cache
-from typing import Any
 
 from exactspline.errors import FormulaError, InapplicableError
 from exactspline.exact import mpq
@@ -90,14 +89,14 @@ class Degree(Operand, PartlyOrdered):
         """The degree after elevation: the larger of the two."""
         return self._made(self.terms | other.terms, self.provenance, self.still)
 
-    def __add__(self, other: Any) -> Degree:
+    def __add__(self, other: object) -> Degree:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         provenance = (SUM, self.provenance, right.provenance)
         return self._made(self.terms | right.terms, provenance, self.still and right.still)
 
-    def __mul__(self, other: Any) -> Degree:
+    def __mul__(self, other: object) -> Degree:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Degree):

@@ -29,7 +29,7 @@ class Order(Operand):
     def __init__(self, order: int) -> None:
         self.order = order
 
-    def __add__(self, other: Any) -> Order:
+    def __add__(self, other: object) -> Order:
         if isinstance(other, CONSTANTS):
             return self
         if not isinstance(other, Order):

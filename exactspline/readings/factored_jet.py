@@ -6,13 +6,14 @@ what both sides share.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
+from exactspline.language import factorization
 from exactspline.language.argument import Evaluated
+from exactspline.language.factorization import Factorization
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -22,7 +23,8 @@ from exactspline.readings.jet import Jet, JetReading, JetRing
 #: Sums of more terms than this are tried for the factors that were met before; those have fewer.
 LONG = 100
 #: Monic polynomials with exponents.
-Powers = tuple[tuple[fmpq_mpoly, int], ...]
+Powers = Factorization[fmpq_mpoly]
+ONE = Powers()
 
 
 class FactoredJet(Operand):
@@ -33,8 +35,8 @@ class FactoredJet(Operand):
     >>> from exactspline.readings.factored_jet import FactoredJetReading
 
     >>> c = FactoredJetReading(1).argument(CURVE, 2)
-    >>> (c.p[0] * c.w * c.w + c.p[1] * c.w).powers
-    ((w0, 1), (x0*w0 + y0, 1))
+    >>> print((c.p[0] * c.w * c.w + c.p[1] * c.w).powers)
+    w0 x0*w0 + y0
     """
 
     __slots__ = ("powers", "provenance", "ring", "unit")
@@ -47,11 +49,11 @@ class FactoredJet(Operand):
     @classmethod
     def of(cls, jet: Jet) -> FactoredJet:
         """A differential polynomial as one base."""
-        return _product(jet.ring, jet.polynomial, (), jet.provenance)
+        return _product(jet.ring, jet.polynomial, ONE, jet.provenance)
 
     def constant(self, value: Constant) -> FactoredJet:
         """An exact constant."""
-        return FactoredJet(self.ring, to_fmpq(rational(value)), (), (MULTIPLE, UNIT, rational(value)))
+        return FactoredJet(self.ring, to_fmpq(rational(value)), ONE, (MULTIPLE, UNIT, rational(value)))
 
     @property
     def is_zero(self) -> bool:
@@ -62,24 +64,24 @@ class FactoredJet(Operand):
         """Multiplied out."""
         return multiplied(self.ring, self.powers) * self.unit
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         provenance = (PRODUCT, self.provenance, right.provenance)
         if self.is_zero or right.is_zero:
-            return FactoredJet(self.ring, fmpq(0), (), provenance)
-        powers = merged(self.powers, right.powers)
+            return FactoredJet(self.ring, fmpq(0), ONE, provenance)
+        powers = self.powers * right.powers
         _remember(self.ring, powers)
         return FactoredJet(self.ring, self.unit * right.unit, powers, provenance)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, 1, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, -1, DIFFERENCE)
 
-    def _sum(self, other: Any, sign: int, name: int) -> Any:
+    def _sum(self, other: object, sign: int, name: int) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -87,16 +89,16 @@ class FactoredJet(Operand):
         if self.is_zero or right.is_zero:
             left = self if right.is_zero else right
             return FactoredJet(self.ring, left.unit * (sign if left is right else 1), left.powers, provenance)
-        common = shared(self.powers, right.powers)
-        a = multiplied(self.ring, without(self.powers, common)) * self.unit
-        b = multiplied(self.ring, without(right.powers, common)) * right.unit
+        common = self.powers.shared(right.powers)
+        a = multiplied(self.ring, self.powers.without(common)) * self.unit
+        b = multiplied(self.ring, right.powers.without(common)) * right.unit
         return _product(self.ring, a + sign * b, common, provenance)
 
     def scaled(self, constant: Constant) -> FactoredJet:
         """The polynomial times an exact constant."""
         unit = self.unit * to_fmpq(rational(constant))
         return FactoredJet(
-            self.ring, unit, self.powers if unit else (), (MULTIPLE, self.provenance, rational(constant))
+            self.ring, unit, self.powers if unit else ONE, (MULTIPLE, self.provenance, rational(constant))
         )
 
     def elevated_to(self, other: object) -> FactoredJet:
@@ -110,17 +112,17 @@ class FactoredJet(Operand):
             ring, provenance = result.ring, (DERIVATIVE, result.provenance)
             total = ring.context.constant(0)
             for i, (p, e) in enumerate(result.powers):
-                others = [q for j, (q, _) in enumerate(result.powers) if j != i]
-                total += e * Jet(ring, p).d(by=by).polynomial * multiplied(ring, [(q, 1) for q in others])
-            lowered = tuple((p, e - 1) for p, e in result.powers if e > 1)
+                others = Powers((q, 1) for j, (q, _) in enumerate(result.powers) if j != i)
+                total += e * Jet(ring, p).d(by=by).polynomial * multiplied(ring, others)
+            lowered = Powers((p, e - 1) for p, e in result.powers)
             result = _product(ring, total * result.unit, lowered, provenance)
         return result
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, FactoredJet):
             return NotImplemented
-        common = shared(self.powers, other.powers)
-        left, right = without(self.powers, common), without(other.powers, common)
+        common = self.powers.shared(other.powers)
+        left, right = self.powers.without(common), other.powers.without(common)
         same: bool = multiplied(self.ring, left) * self.unit == multiplied(self.ring, right) * other.unit
         return same
 
@@ -133,18 +135,18 @@ class FactoredJet(Operand):
 def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenance) -> FactoredJet:
     """A polynomial times powers: made monic, the variables that divide it taken out."""
     if not p:
-        return FactoredJet(ring, fmpq(0), (), provenance)
+        return FactoredJet(ring, fmpq(0), ONE, provenance)
     unit = p.leading_coefficient()
     p = p / unit
     content = p.term_content()
     content = content / content.leading_coefficient()
-    variables = tuple((x, int(e)) for x, e in zip(ring.gens, content.degrees(), strict=True) if e)
-    rest, found = p / content, merged(powers, variables)
+    variables = Powers((x, int(e)) for x, e in zip(ring.gens, content.degrees(), strict=True))
+    rest, found = p / content, powers * variables
     if len(rest) > LONG:
         for q in ring.repeated:
             times, rest = divided_out(rest, q)
-            found = merged(found, ((q, times),)) if times else found
-    return FactoredJet(ring, unit, merged(found, ((rest, 1),)) if rest.total_degree() > 0 else found, provenance)
+            found = found * Powers([(q, times)])
+    return FactoredJet(ring, unit, found * Powers([(rest, 1)]) if rest.total_degree() > 0 else found, provenance)
 
 
 def _remember(ring: JetRing, powers: Powers) -> None:
@@ -163,35 +165,10 @@ def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
         times, p = times + 1, quotient
 
 
-def multiplied(ring: JetRing, powers: Iterable[tuple[fmpq_mpoly, int]]) -> fmpq_mpoly:
+def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
     """The product multiplied out, short factors last."""
-    result = ring.context.constant(1)
-    for p, e in sorted(powers, key=lambda item: -len(item[0])):
-        result = result * p**e
-    return result
-
-
-def merged(a: Powers, b: Powers) -> Powers:
-    """The product of two products."""
-    result = list(a)
-    for p, e in b:
-        i = next((i for i, (q, _) in enumerate(result) if p == q), None)
-        if i is None:
-            result.append((p, e))
-        else:
-            result[i] = (p, result[i][1] + e)
-    return tuple(result)
-
-
-def shared(a: Powers, b: Powers) -> Powers:
-    """The bases that two products have in common."""
-    return tuple((p, min(e, f)) for p, e in a for q, f in b if p == q)
-
-
-def without(a: Powers, b: Powers) -> Powers:
-    """A product divided by a part of it."""
-    gone = [(p, next((f for q, f in b if p == q), 0)) for p, _ in a]
-    return tuple((p, e - f) for (p, e), (_, f) in zip(a, gone, strict=True) if e > f)
+    in_order = Powers(sorted(powers, key=lambda power: -len(power[0])))
+    return factorization.multiplied(in_order, ring.context.constant(1))
 
 
 class FactoredJetReading(Reading):

@@ -7,7 +7,7 @@ primes) has nominal B-spline degree ``kd − m``.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -62,7 +62,7 @@ class JetRing:
         if name in self.rules:
             if name not in self._derivatives:
                 known = {each: self[each] for each in self.symbols}
-                self._derivatives[name] = self.rules[name](known).polynomial
+                self._derivatives[name] = cast(Jet, self.rules[name](known)).polynomial
             return self._derivatives[name]
         if order == self.order:
             raise FormulaError(
@@ -80,6 +80,26 @@ class JetRing:
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
+#: More terms than this no polynomial may have, and no more pairs of terms are multiplied at once.
+TERMS, PAIRS = 10**6, 10**9
+
+
+def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    """The product of two polynomials.
+
+    Raises `FormulaError` where it is too large to be worked with.
+    """
+    if len(a) * len(b) > PAIRS:
+        raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
+    product: fmpq_mpoly = a * b
+    if len(product) > TERMS:
+        raise FormulaError(f"a polynomial of {len(product)} terms", remedy=SHORTER)
+    return product
+
+
+SHORTER = f"at most {TERMS} are worked with: factor the formula, or name its parts"
+
+
 class Jet(Operand):
     """A differential polynomial."""
 
@@ -92,23 +112,24 @@ class Jet(Operand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return Jet(self.ring, self.polynomial * right.polynomial, (PRODUCT, self.provenance, right.provenance))
+        product = bounded_product(self.polynomial, right.polynomial)
+        return Jet(self.ring, product, (PRODUCT, self.provenance, right.provenance))
 
     def scaled(self, constant: Constant) -> Jet:
         """The polynomial times an exact constant."""

@@ -7,7 +7,7 @@ in h. It shares no code with the splines, so that what they tell can be held aga
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from exactspline.errors import DomainError
 from exactspline.exact import Number, mpq, rational, text
@@ -15,10 +15,17 @@ from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.vector import Vector
-from exactspline.readings.taylor import Series
+from exactspline.readings.taylor import Coefficient, Series
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
+
+
+class Arithmetic(Protocol):
+    """What is needed of a context of mpmath."""
+
+    def mpf(self, value: int, /) -> Coefficient:
+        """A number of the arithmetic."""
 
 
 class NumericSeries(Series):
@@ -31,7 +38,7 @@ class NumericSeries(Series):
 
     __slots__ = ("context",)
 
-    def __init__(self, context: Any, coefficients: Iterable[Any]) -> None:
+    def __init__(self, context: Arithmetic, coefficients: Iterable[Any]) -> None:
         super().__init__(number(context, a) if isinstance(a, CONSTANTS) else a for a in coefficients)
         self.context = context
 
@@ -42,11 +49,11 @@ class NumericSeries(Series):
         """An exact constant."""
         return NumericSeries(self.context, [value, *[0] * (len(self.coefficients) - 1)])
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         found = super().__add__(other)
         return self._made(found) if isinstance(found, Series) else found
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         found = super().__mul__(other)
         return self._made(found) if isinstance(found, Series) else found
 
@@ -56,14 +63,14 @@ class NumericSeries(Series):
 
     def scaled(self, constant: Constant) -> NumericSeries:
         """The series times an exact constant."""
-        return self._made(Series(self.coefficients).scaled(number(self.context, constant)))
+        return self._made(Series(self.coefficients).scaled(cast(Any, number(self.context, constant))))
 
     def d(self, order: int = 1, *, by: str | None = None) -> NumericSeries:
         """The derivative, known to so many terms less."""
         return self._made(super().d(order, by=by))
 
 
-def arithmetic(digits: int, *, intervals: bool = False) -> Any:
+def arithmetic(digits: int, *, intervals: bool = False) -> Arithmetic:
     """An arithmetic of mpmath of its own with so many decimal digits; with `intervals`, every result encloses the true
     value.
 
@@ -75,10 +82,11 @@ def arithmetic(digits: int, *, intervals: bool = False) -> Any:
 
     context = MPIntervalContext() if intervals else MPContext()
     context.dps = digits
-    return context
+    made: Arithmetic = context
+    return made
 
 
-def number(context: Any, value: Number) -> Any:
+def number(context: Arithmetic, value: Number) -> Coefficient:
     """An exact number in an arithmetic of mpmath."""
     q = rational(value)
     return context.mpf(int(q.numerator)) / int(q.denominator)

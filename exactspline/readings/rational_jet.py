@@ -17,7 +17,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.jet import Jet, JetRing, bounded_product
 
 
 class JetFraction(FieldOperand):
@@ -42,7 +42,7 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -54,14 +54,15 @@ class JetFraction(FieldOperand):
         left = _gcd(top, shared)
         return JetFraction(self.ring, top / left, mine * its * (shared / left))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():
-            return JetFraction(self.ring, self.top * right.top, self.bottom)
+            return JetFraction(self.ring, bounded_product(self.top, right.top), self.bottom)
         a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
-        return JetFraction(self.ring, (self.top / a) * (right.top / b), (self.bottom / b) * (right.bottom / a))
+        top = bounded_product(self.top / a, right.top / b)
+        return JetFraction(self.ring, top, bounded_product(self.bottom / b, right.bottom / a))
 
     def reciprocal(self) -> JetFraction:
         """``1 / a``; `FormulaError` for zero."""

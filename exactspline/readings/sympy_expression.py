@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
 from math import gcd
-from typing import Any
+from typing import Any, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -21,6 +21,7 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import PARAMETERS
+from exactspline.language.factorization import Factorization, multiplied
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
@@ -47,13 +48,13 @@ class SympyExpression(FieldOperand):
         """An exact constant."""
         return SympyExpression(_number(value))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return SympyExpression(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -131,7 +132,7 @@ class SympyReading(Reading):
             parameter = PARAMETER[symbol.parameter]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:
-                function = _linked(symbol.text, lambda: rules[symbol.name](known).expression)
+                function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
             return SympyExpression(function(parameter), frozenset({parameter}))
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
@@ -168,21 +169,18 @@ class _Product:
 
     __slots__ = ("powers", "unit")
 
-    def __init__(self, unit: Any, powers: dict[PolyElement, int]) -> None:
+    def __init__(self, unit: Any, powers: Factorization[PolyElement]) -> None:
         self.unit, self.powers = unit, powers
 
     def times(self, other: _Product) -> _Product:
         """The product."""
-        powers = dict(self.powers)
-        for base, e in other.powers.items():
-            powers[base] = powers.get(base, 0) + e
-        return _Product(self.unit * other.unit, {base: e for base, e in powers.items() if e})
+        return _Product(self.unit * other.unit, self.powers * other.powers)
 
     def to_the(self, exponent: int) -> _Product:
         """A power, also a negative one; `FormulaError` for 1/0."""
         if not self.unit and exponent < 0:
             raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
-        return _Product(self.unit**exponent, {base: e * exponent for base, e in self.powers.items()})
+        return _Product(self.unit**exponent, self.powers**exponent)
 
 
 class _Fractions:
@@ -204,9 +202,9 @@ class _Fractions:
 
     def _value(self, e: sympy.Expr) -> _Product:
         if e in self.generators:
-            return _Product(sympy.QQ(1), {self.generators[e]: 1})
+            return _Product(sympy.QQ(1), Factorization([(self.generators[e], 1)]))
         if e.is_Rational:
-            return _Product(sympy.QQ(int(e.p), int(e.q)), {})
+            return _Product(sympy.QQ(int(e.p), int(e.q)), Factorization())
         if e.is_Mul:
             return reduce(_Product.times, [self.value(a) for a in e.args])
         if e.is_Pow and e.exp.is_Integer:
@@ -218,20 +216,17 @@ class _Fractions:
     def sum(self, terms: list[_Product]) -> _Product:
         """The sum: what all share is taken out, the rest multiplied out."""
         terms = [term for term in terms if term.unit]
-        bases = {base for term in terms for base in term.powers}
-        common = {base: min(term.powers.get(base, 0) for term in terms) for base in bases}
+        common = reduce(Factorization.shared, [term.powers for term in terms]) if terms else Factorization()
         denominator = reduce(_lcm, [int(term.unit.denominator) for term in terms], 1)
         total = self.ring.zero
         for term in terms:
             lifted = self.ring.ground_new(int(term.unit * denominator))
-            factors = [(base, e) for base in bases if (e := term.powers.get(base, 0) - common[base])]
-            for base, e in sorted(factors, key=lambda item: len(item[0])):
-                lifted = lifted * base**e
-            total = total + lifted
+            factors = Factorization(sorted(term.powers.without(common), key=lambda power: len(power[0])))
+            total = total + multiplied(factors, lifted)
         if not total:
-            return _Product(sympy.QQ(0), {})
-        shared = _Product(sympy.QQ(1, denominator), {base: e for base, e in common.items() if e})
-        return shared.times(self.product(total, [base for base, e in common.items() if e < 0]))
+            return _Product(sympy.QQ(0), Factorization())
+        shared = _Product(sympy.QQ(1, denominator), common)
+        return shared.times(self.product(total, [base for base, _ in common.below]))
 
     def product(self, total: PolyElement, denominators: list[PolyElement]) -> _Product:
         """A polynomial as a product: its content, the variables that divide it, the given denominators that do, and
@@ -240,22 +235,22 @@ class _Fractions:
         content, rest = total.primitive()
         if rest.LC < 0:
             content, rest = -content, -rest
-        powers: dict[PolyElement, int] = {}
+        powers = Factorization[PolyElement]()
         lowest = [min(column) for column in zip(*rest.monoms(), strict=True)]
         if any(lowest):
             rest = self.ring.from_dict(
                 {tuple(a - b for a, b in zip(m, lowest, strict=True)): c for m, c in rest.items()}
             )
-            powers = {x: e for x, e in zip(self.ring.gens, lowest, strict=True) if e}
+            powers = Factorization(zip(self.ring.gens, lowest, strict=True))
         for base in denominators:
             while len(base) > 1 and self._may_divide(base, rest):
                 quotient = _quotient(rest, base)
                 if quotient is None:
                     break
-                powers[base] = powers.get(base, 0) + 1
+                powers = powers * Factorization([(base, 1)])
                 rest = quotient
         if rest != self.ring.one:
-            powers[rest] = powers.get(rest, 0) + 1
+            powers = powers * Factorization([(rest, 1)])
         return _Product(sympy.QQ(int(content)), powers)
 
     def _may_divide(self, base: PolyElement, p: PolyElement) -> bool:

@@ -7,7 +7,7 @@ Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mp
 from __future__ import annotations
 
 from math import factorial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq
@@ -15,11 +15,17 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import Constant, FieldOperand
+from exactspline.language.operand import Constant, FieldOperand, Scalar
 from exactspline.language.reading import Reading
 
 if TYPE_CHECKING:
     from exactspline.splines.bspline import BSpline
+
+
+class Coefficient(Scalar, Protocol):
+    """A number of whatever arithmetic a series is in."""
+
+    def __truediv__(self, other: int, /) -> Self: ...
 
 
 class Series(FieldOperand):
@@ -41,13 +47,13 @@ class Series(FieldOperand):
         zero = self.coefficients[0] * 0
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -84,9 +90,10 @@ class Series(FieldOperand):
         return Series(a * (factorial(i) // factorial(i - order)) for i, a in enumerate(self.coefficients) if i >= order)
 
     @property
-    def value(self) -> Any:
+    def value(self) -> Coefficient:
         """The value at the parameter."""
-        return self.coefficients[0]
+        value: Coefficient = self.coefficients[0]
+        return value
 
     @property
     def is_zero(self) -> bool:

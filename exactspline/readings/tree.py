@@ -5,10 +5,10 @@ any other reading.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from enum import StrEnum
 from operator import add, attrgetter, mul, sub, truediv
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Argument
@@ -16,6 +16,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.language.linear_system import level
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
+from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
 from exactspline.language.services import service
@@ -64,40 +65,42 @@ class Node(Operand, OwnVectors):
     __slots__ = ("args", "is_vector", "op", "value")
     is_vector: bool
 
-    def __init__(self, op: Operation, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False) -> None:
-        self.op, self.args, self.value, self.is_vector = op, args, value, vector
+    def __init__(
+        self, op: Operation | str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False
+    ) -> None:
+        self.op, self.args, self.value, self.is_vector = Operation(op), args, value, vector
 
-    def _node(self, other: Any) -> Node | None:
+    def _node(self, other: object) -> Node | None:
         if isinstance(other, Node):
             return other
         return Node(Operation.NUMBER, value=other) if isinstance(other, CONSTANTS) else None
 
-    def _binary(self, op: Operation, other: Any) -> Any:
+    def _binary(self, op: Operation, other: object) -> Any:
         right = self._node(other)
         return NotImplemented if right is None else Node(op, (self, right), vector=self.is_vector or right.is_vector)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._binary(Operation.PLUS, other)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._binary(Operation.MINUS, other)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.MINUS, self)
 
-    def __radd__(self, other: Any) -> Any:
+    def __radd__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.PLUS, self)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         return self._binary(Operation.TIMES, other)
 
-    def __rmul__(self, other: Any) -> Any:
+    def __rmul__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.TIMES, self)
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: object) -> Any:
         return self._binary(Operation.OVER, other)
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: object) -> Any:
         return Node(Operation.NUMBER, value=other)._binary(Operation.OVER, self)
 
     def __neg__(self) -> Node:
@@ -124,35 +127,33 @@ class Node(Operand, OwnVectors):
         """The node of a constant."""
         return Node(Operation.NUMBER, value=value)
 
-    def dividing(self, numerator: Any) -> Node:
+    def dividing(self, numerator: object) -> Node:
         """The node of a quotient with this denominator."""
         left = self._node(numerator)
         return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
-    def times_vector(self, vector: Vector[Any]) -> Any:
+    def times_vector(self, vector: Vector[Operand]) -> Node:
         """A tree has no vectors but its own."""
-        return NotImplemented
+        refused: Node = NotImplemented
+        return refused
 
-    def multilinear(self, function: Any, vectors: tuple[Any, ...]) -> Node:
+    def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Node:
         """The node of a product of vectors."""
         op = Operation(function.__name__)
-        return Node(op, tuple(vectors), vector=op in VECTOR_PRODUCTS)
+        return Node(op, cast("tuple[Node, ...]", vectors), vector=op in VECTOR_PRODUCTS)
 
-    def joining(self, parts: tuple[Any, ...]) -> Node:
+    def joining(self, parts: tuple[object, ...]) -> Node:
         """The node of a vector put together."""
-        return Node(
-            Operation.JOIN,
-            tuple(Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts),
-            vector=True,
-        )
+        own = (Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts)
+        return Node(Operation.JOIN, cast("tuple[Node, ...]", tuple(own)), vector=True)
 
     def ruled(self, generator: Node) -> Node:
         """The node of a ruled surface with this directrix."""
         return Node(Operation.RULED, (self, generator))
 
-    def levelled(self, height: Any) -> tuple[Node, Node]:
+    def levelled(self, height: object) -> tuple[Node, Node]:
         """The nodes of this normal and its height, brought to one denominator."""
-        row = (self, height if isinstance(height, Node) else self.constant(height))
+        row = (self, height if isinstance(height, Node) else self.constant(cast(Constant, height)))
         return Node(Operation.LEVEL, row, 0, vector=self.is_vector), Node(Operation.LEVEL, row, 1)
 
     @property
@@ -195,6 +196,11 @@ class Traced(Argument):
     def __init__(self, kind: Kind, dimension: int, *, expand: bool = False, path: str = "") -> None:
         self._kind, self._dimension, self._expand, self._path = kind, dimension, expand, path
 
+    @property
+    def dimension(self) -> int:
+        """Number of coordinates."""
+        return self._dimension
+
     def __getattr__(self, name: str) -> Node | Traced:
         if name.startswith("_"):
             raise AttributeError(name)
@@ -234,6 +240,25 @@ class TreeReading(Reading):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Traced:
         """Leaves by name."""
         return Traced(kind, dimension, expand=self.expand)
+
+
+def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
+    """Whether a formula is made of γ, whatever its denominator: then what holds for indeterminate coordinates of γ
+    holds for rational curves.
+
+    >>> from exactspline.papers import find
+    >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)
+    (True, False)
+    """
+    found = joined(trace(formula, dimension, expand=True))
+    todo = list(found) if isinstance(found, Vector) else [found]
+    while todo:
+        node = todo.pop()
+        if isinstance(node, Node):
+            if node.op == "leaf" and node.value in ("p", "w"):
+                return False
+            todo += node.args
+    return True
 
 
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:

@@ -59,7 +59,7 @@ def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, 
     leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)
     return {
         "coefficients": coefficients,
-        "factors": [[[str(x) for x in g.coeffs()], k] for g, k in isolation.factors or []],
+        "factors": [[[str(x) for x in g.polynomial.coeffs()], k] for g, k in isolation.factors or []],
         "points": [text(t) for t in sorted(mpq(k, 1 << level) for level, k in isolation.points)],
         "leaves": [[text(a), text(b), changes] for a, b, changes in leaves],
     }

@@ -10,34 +10,35 @@ from math import comb, gcd, lcm
 from typing import Any
 
 
-def check(certificate: dict[str, Any], sturm: bool = True) -> dict[str, int]:
+def check(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
     """Number of roots, jumps and intervals that the certificate proves; any exception means that it proves nothing, and
     a ValueError tells the flaw.
 
     With `sturm` false the second route is left out (it takes time for degrees beyond 100).
     """
-    _require(certificate["format"] == "exactspline zeros 1", "unknown format")
-    n, breaks = certificate["degree"], [Fraction(t) for t in certificate["breakpoints"]]
+    told: Any = certificate
+    _require(told["format"] == "exactspline zeros 1", "unknown format")
+    n, breaks = told["degree"], [Fraction(t) for t in told["breakpoints"]]
     _require(
-        all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(certificate["segments"]) + 1,
+        all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(told["segments"]) + 1,
         "breakpoints do not fit the segments",
     )
     parts = []
-    for segment in certificate["segments"]:
+    for segment in told["segments"]:
         c = [int(x) for x in segment["coefficients"]]
         _require(len(c) == max(n, -1) + 1, "wrong number of coefficients")
         parts.append(_segment(c, segment, sturm) if any(c) else None)
-    roots, jumps, intervals = _whole(breaks, parts, certificate["periodic"])
-    _require(len(certificate["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
-    for claim, (low, high, where, facts) in zip(certificate["roots"], roots, strict=True):
+    roots, jumps, intervals = _whole(breaks, parts, told["periodic"])
+    _require(len(told["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
+    for claim, (low, high, where, facts) in zip(told["roots"], roots, strict=True):
         a, b = Fraction(claim["low"]), Fraction(claim["high"])
         _require(low <= a <= b <= high and (where is None or _inside(where, a, b)), f"no root in [{a}, {b}]")
         _require(
             (tuple(claim["multiplicities"]), tuple(claim["signs"])) == facts,
             f"wrong multiplicity or sign at [{a}, {b}]",
         )
-    _require([(Fraction(j["at"]), tuple(j["signs"])) for j in certificate["jumps"]] == jumps, "wrong jumps")
-    _require([tuple(map(Fraction, s)) for s in certificate["intervals"]] == intervals, "wrong intervals")
+    _require([(Fraction(j["at"]), tuple(j["signs"])) for j in told["jumps"]] == jumps, "wrong jumps")
+    _require([tuple(map(Fraction, s)) for s in told["intervals"]] == intervals, "wrong intervals")
     return {"roots": len(roots), "jumps": len(jumps), "intervals": len(intervals)}
 
 

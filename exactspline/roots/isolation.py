@@ -16,15 +16,12 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_poly, nmod_poly
 
-from exactspline.exact import mpq, ratio
+from exactspline.exact import PRIME, mpq, ratio
+from exactspline.language.factorization import Factorization, multiplied
 from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
-#: A prime for the square-free test: any prime that does not divide the leading coefficient and the degree gives a
-#: proof.
-PRIME = (1 << 61) - 1
-_PRIME = fmpz(PRIME)
 
 
 class Factor:
@@ -99,7 +96,11 @@ class Isolation(NamedTuple):
     points: list[tuple[int, int]]
     #: Square-free factors with their multiplicities, when they were needed; the leaves then belong to the product of
     #: the factors, each taken once.
-    factors: list[tuple[fmpz_poly, int]] | None
+    factors: Factorization[Factor] | None
+
+
+#: The leaves where all coefficients have one sign.
+NO_CHANGE = [Leaf(0, 0, 0)]
 
 
 def isolate(c: fmpz_poly, n: int) -> Isolation:
@@ -109,22 +110,21 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
     [('0', '1/2'), ('1/2', '1')]
     """
-    at_left = next(i for i, x in enumerate(c.coeffs()) if x != 0)
-    at_right = n - c.degree()
+    signs_of_all = [1 if x > 0 else -1 if x < 0 else 0 for x in c.coeffs()]
+    at_left = 0 if signs_of_all[0] else next(i for i, x in enumerate(signs_of_all) if x)
+    at_right = n + 1 - len(signs_of_all)
+    signs = signs_of_all[at_left], signs_of_all[-1]
+    if 1 not in signs_of_all or -1 not in signs_of_all:
+        return Isolation(at_left, at_right, signs, [], NO_CHANGE, [], None)
     inner = c.right_shift(at_left) if at_left else c
-    signs = (_sign(inner[0]), _sign(inner[inner.degree()]))
-    if variations(inner) == 0:
-        return Isolation(at_left, at_right, signs, [], [Leaf(0, 0, 0)], [], None)
     inner, _ = divide_u_plus_v(inner // inner.content(), inner.degree())
     search = _Search(inner, DEPTH)
     if search.finished:
         return Isolation(at_left, at_right, signs, search.zeros(), search.leaves, search.points(), None)
-    factors = [(g, int(k)) for g, k in inner.factor_squarefree()[1]]
-    radical = fmpz_poly([1])
-    for g, _ in factors:
-        radical = radical * g
+    factors = Factorization((Factor(g), int(k)) for g, k in inner.factor_squarefree()[1])
+    radical = multiplied(Factorization((factor.polynomial, 1) for factor, _ in factors), fmpz_poly([1]))
     search = _Search(radical, None)
-    zeros = _attributed(inner, [(Factor(g), k) for g, k in factors], search.zeros())
+    zeros = _attributed(inner, factors, search.zeros())
     return Isolation(at_left, at_right, signs, zeros, search.leaves, search.points(), factors)
 
 
@@ -187,11 +187,11 @@ def certainly_square_free(c: fmpz_poly) -> bool:
     >>> certainly_square_free(fmpz_poly([1, -3, 1])), certainly_square_free(fmpz_poly([1, -2, 1]))
     (True, False)
     """
-    image = nmod_poly([x % _PRIME for x in c.coeffs()], PRIME)
+    image = nmod_poly(c, PRIME)
     return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
 
 
-def _attributed(c: fmpz_poly, factors: list[tuple[Factor, int]], zeros: list[LocalZero]) -> list[LocalZero]:
+def _attributed(c: fmpz_poly, factors: Factorization[Factor], zeros: list[LocalZero]) -> list[LocalZero]:
     """The zeros of the product of the factors, each with the one factor it belongs to, and with the signs of the form
     itself.
     """

@@ -19,14 +19,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from flint import arb, arb_poly, ctx, fmpz_poly
+from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
 from exactspline.exact import mpq, mpz, to_fmpq
 from exactspline.roots.isolation import Factor
-from exactspline.splines.bernstein import ONE, value
 
 #: Working precision to begin with, and guard bits of every later step.
 START, GUARD = 64, 12
+#: Up to this product of degree and bits of the parameter a sign is found in integers at once.
+EXACTLY = 3000
 #: Bits from which on every step is worth keeping: what is below is quickly done again.
 KEEP = 1500
 
@@ -34,18 +35,19 @@ Interval = tuple[mpq, mpq]
 
 
 def sign_at(c: fmpz_poly, t: mpq) -> int:
-    """Sign of a form (of its own degree) at a local parameter in [0, 1]: by balls first, exactly when they hold zero.
+    """Sign of a form (of its own degree) at a local parameter in [0, 1]: by balls first where numbers are long, exactly
+    where they are short or the balls hold zero.
 
     >>> sign_at(fmpz_poly([1, -1]), mpq(1, 3)), sign_at(fmpz_poly([1, -1]), mpq(1, 2))
     (1, 0)
     """
-    if 0 < t < 1:
+    if 0 < t < 1 and c.degree() * t.denominator.bit_length() > EXACTLY:
         with ctx.workprec(START + t.denominator.bit_length()):
             near = arb_poly(c)(arb(to_fmpq(t / (1 - t))))
             if near > 0 or near < 0:
                 return 1 if near > 0 else -1
-    exact = value((c, ONE), c.degree(), t)
-    return int(exact > 0) - int(exact < 0)
+    at = c(fmpq(int(t.numerator), int(t.denominator - t.numerator))) if t != 1 else c[c.degree()]
+    return int(at > 0) - int(at < 0)
 
 
 def enclosures(factor: Factor, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:

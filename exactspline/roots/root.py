@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 #: What a root is compared with, besides roots.
 _EXACT = (int, Fraction, type(mpz()), type(mpq()))
 
+#: How often two roots are held against a number between them before digits are asked for.
+BISECTIONS = 5
+
 
 @total_ordering
 class Root(Immutable, Displayed):
@@ -334,6 +337,8 @@ class Root(Immutable, Displayed):
             return self._against_number(mpq(other))
         if self is other:
             return 0
+        if parted := self._parted(other):
+            return parted
         (a, b), (c, d), digits = self._reached, other._reached, 10
         while True:
             if c == d:
@@ -345,6 +350,28 @@ class Root(Immutable, Displayed):
             if digits == 20 and self._same(other):
                 return 0
             (a, b), (c, d), digits = self.refine(digits), other.refine(digits), 2 * digits
+
+    def _parted(self, other: Root) -> int:
+        """The order of two roots where a few signs at rational numbers between them tell it; 0 where they do not."""
+        for _ in range(BISECTIONS):
+            (a, b), (c, d) = self._reached, other._reached
+            if a == b or c == d:
+                return 0
+            if b <= c or d <= a:
+                return -1 if b <= c else 1
+            middle = (max(a, c) + min(b, d)) / 2
+            first, second = self._beside(middle), other._beside(middle)
+            if first != second:
+                return 1 if first > second else -1
+        return 0
+
+    def _beside(self, t: mpq) -> int:
+        """The sign of the root minus a number, which then bounds it."""
+        sign = self._against_number(t)
+        low, high = self._reached
+        if sign:
+            self._keep(*((max(low, t), high) if sign > 0 else (low, min(high, t))))
+        return sign
 
     def _against_number(self, t: mpq) -> int:
         low, high = self._reached

@@ -6,13 +6,11 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from flint import fmpz_poly
-
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq, ratio, text
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.services import Displayed
-from exactspline.roots.isolation import Factor, Isolation, isolate
+from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 
@@ -106,8 +104,7 @@ class ZeroSet(Immutable, Displayed):
         )
 
     def __reduce__(self) -> tuple[object, ...]:
-        isolations = [i and i._replace(factors=_pickled(i.factors)) for i in self.isolations]
-        return _restored, (self.spline, self.periodic, isolations, self.roots, self.jumps, self.intervals)
+        return _restored, (self.spline, self.periodic, self.isolations, self.roots, self.jumps, self.intervals)
 
     def _facts(self) -> tuple[Any, ...]:
         roots = [(r, r.left_multiplicity, r.right_multiplicity, r.signs) for r in self.roots]
@@ -151,18 +148,16 @@ class ZeroSet(Immutable, Displayed):
         return certificate(self)
 
 
-def _pickled(factors: list[tuple[fmpz_poly, int]] | None) -> Any:
-    return factors and [(Factor(p), k) for p, k in factors]
-
-
-def _restored(
-    spline: BSpline, periodic: bool, isolations: list[Any], roots: Any, jumps: Any, intervals: Any
-) -> ZeroSet:
+def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
     """What was pickled, its roots as far as they were refined."""
     found = object.__new__(ZeroSet)
-    back = [i and i._replace(factors=i.factors and [(f.polynomial, k) for f, k in i.factors]) for i in isolations]
-    fill(found, spline=spline, periodic=periodic, isolations=tuple(back), roots=roots, jumps=jumps, intervals=intervals)
+    fill(found, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals)
     return found
+
+
+#: Multiplicity and sign at an end of a segment: (None, 0) where it vanishes.
+_End = tuple[int | None, int]
+NOTHING: _End = (None, 0)
 
 
 class _Found:
@@ -172,18 +167,15 @@ class _Found:
         self.spline, self.periodic, self.isolations = spline, periodic, isolations
         self.roots: list[Root] = []
         self.jumps: list[Jump] = []
-        breaks = spline.mesh.breaks
+        breaks, last = spline.mesh.breaks, len(isolations) - 1
+        left = _at_right(isolations[last]) if periodic else None
         for i, isolation in enumerate(isolations):
-            self._judge(breaks[i], self._left_of(i), _sides(spline, i, isolation)[0])
-            if isolation is not None:
+            self._judge(i, left, _at_left(isolation))
+            if isolation is not None and isolation.inner:
                 self._inner(isolation, (breaks[i], breaks[i + 1]))
+            left = _at_right(isolation)
         if not periodic:
-            self._judge(breaks[-1], _sides(spline, len(isolations) - 1, isolations[-1])[1], None)
-
-    def _left_of(self, i: int) -> Side | None:
-        if i == 0 and not self.periodic:
-            return None
-        return _sides(self.spline, (i - 1) % len(self.isolations), self.isolations[i - 1])[1]
+            self._judge(last + 1, left, None)
 
     def _inner(self, isolation: Isolation, segment: tuple[mpq, mpq]) -> None:
         a, b = segment
@@ -192,17 +184,34 @@ class _Found:
             low, high = a + width * zero.low, a + width * zero.high
             self.roots.append(Root(low, high, (zero.multiplicity, zero.multiplicity), zero.signs, zero, segment))
 
-    def _judge(self, t: mpq, left: Side | None, right: Side | None) -> None:
+    def _judge(self, i: int, left: _End | None, right: _End | None) -> None:
         """What there is at a knot; at an end of the domain one side is None."""
-        sides = [side for side in (left, right) if side is not None]
+        t = self.spline.mesh.breaks[i]
         if left is not None and right is not None:
-            zero_sides = sum(side.multiplicity != 0 for side in sides)
-            if zero_sides == 1 or (zero_sides == 0 and left.sign != right.sign):
-                self.jumps.append(Jump(t, left, right))
+            zero_sides = (left[0] != 0) + (right[0] != 0)
+            if zero_sides == 1 or (zero_sides == 0 and left[1] != right[1]):
+                behind = i % len(self.isolations)
+                self.jumps.append(
+                    Jump(t, Side(self._limit(behind - 1, "left"), *left), Side(self._limit(behind, "right"), *right))
+                )
                 return
-        if all(side.multiplicity for side in sides):
-            multiplicities = (left and left.multiplicity, right and right.multiplicity)
-            self.roots.append(Root(t, t, multiplicities, (left and left.sign, right and right.sign)))
+        if (left is None or left[0]) and (right is None or right[0]):
+            multiplicities = (left and left[0], right and right[0])
+            self.roots.append(Root(t, t, multiplicities, (left and left[1], right and right[1])))
+
+    def _limit(self, i: int, side: str) -> mpq:
+        """The value at the right end of a segment, its limit from the left, or at its left end."""
+        f = self.spline
+        c = f.polynomials[i]
+        return ratio(c[f.degree if side == "left" else 0], f.denominators[i]) if c else mpq(0)
+
+
+def _at_left(isolation: Isolation | None) -> _End:
+    return NOTHING if isolation is None else (isolation.at_left, isolation.signs[0])
+
+
+def _at_right(isolation: Isolation | None) -> _End:
+    return NOTHING if isolation is None else (isolation.at_right, isolation.signs[1])
 
 
 def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
@@ -222,16 +231,6 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
             f"zeros of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
         )
     return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.polynomials])
-
-
-def _sides(f: BSpline, i: int, isolation: Isolation | None) -> tuple[Side, Side]:
-    """The segment seen from its left and from its right end."""
-    if isolation is None:
-        nothing = Side(mpq(0), None, 0)
-        return nothing, nothing
-    c, m, n = f.polynomials[i], f.denominators[i], f.degree
-    left, right = isolation.signs
-    return Side(ratio(c[0], m), isolation.at_left, left), Side(ratio(c[n], m), isolation.at_right, right)
 
 
 def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:

@@ -15,28 +15,17 @@ from typing import Any
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import DomainError, FormulaError, NumberError, ShapeError, shown
+from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import Number, mpq, rational, text, to_fmpz
-from exactspline.language.choices import Side, choice
+from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.splines import blossom, refinement
-from exactspline.splines.bernstein import (
-    ONE,
-    Form,
-    bezier,
-    common_denominators,
-    derivative,
-    from_bezier,
-    raiser,
-    true_degree,
-    value,
-)
+from exactspline.splines.bernstein import ONE, Form, bezier, common_denominators, derivative, raiser, true_degree, value
+from exactspline.splines.forms import Forms, Polynomials
+from exactspline.splines.given import checked_degree, checked_side, exact_points
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
-
-#: Largest degree accepted from outside; computed splines may go beyond it.
-MAX_DEGREE = 1000
 
 
 class _Parts:
@@ -46,11 +35,11 @@ class _Parts:
         "_derivative",
         "_knots",
         "_points",
+        "_polynomials",
         "continuity",
         "degree",
         "denominators",
         "mesh",
-        "polynomials",
         "provenance",
     )
 
@@ -58,7 +47,7 @@ class _Parts:
     mesh: Mesh
     continuity: tuple[int, ...]
     #: The forms, their polynomials and denominators apart.
-    polynomials: tuple[fmpz_poly, ...]
+    _polynomials: tuple[fmpz_poly, ...]
     denominators: tuple[fmpz, ...]
     provenance: Provenance
     _derivative: BSpline | None
@@ -94,13 +83,13 @@ class BSpline(Immutable, _Parts, Operand):
                 remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
             )
         mesh, continuity, spans = mesh_of(vector, degree)
-        forms = [from_bezier(blossom.of_span(vector.knots, degree, points, j)) for j in spans]
+        forms = list(blossom.forms_of(vector.knots, degree, points, spans))
         fill(
             self,
             degree=degree,
             mesh=mesh,
             continuity=continuity,
-            polynomials=tuple(c for c, _ in forms),
+            _polynomials=tuple(c for c, _ in forms),
             denominators=tuple(m for _, m in forms),
             provenance=leaf(),
             _derivative=None,
@@ -117,9 +106,22 @@ class BSpline(Immutable, _Parts, Operand):
         forms: Iterable[Form],
         provenance: Provenance | None = None,
     ) -> BSpline:
-        """The spline with these forms; the caller vouches for the continuity."""
+        """The spline with these forms, which it takes over; the caller vouches for the continuity."""
         polynomials, denominators = zip(*forms, strict=True)
         return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
+
+    @classmethod
+    def from_parts(
+        cls,
+        degree: int,
+        mesh: Mesh,
+        continuity: tuple[int, ...],
+        polynomials: tuple[fmpz_poly, ...],
+        denominators: tuple[fmpz, ...],
+        provenance: Provenance,
+    ) -> BSpline:
+        """The spline with these forms, polynomials and denominators apart; the caller vouches for the rest."""
+        return _make(degree, mesh, continuity, polynomials, denominators, provenance)
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller vouches that they are the same functions."""
@@ -149,9 +151,14 @@ class BSpline(Immutable, _Parts, Operand):
     # ---- representation
 
     @property
-    def forms(self) -> tuple[Form, ...]:
-        """The form of every segment."""
-        return tuple(zip(self.polynomials, self.denominators, strict=True))
+    def polynomials(self) -> Polynomials:
+        """The polynomials of the forms, segment by segment: copies."""
+        return Polynomials(self._polynomials)
+
+    @property
+    def forms(self) -> Forms:
+        """The form of every segment: a polynomial (a copy) over its denominator."""
+        return Forms(self.polynomials, self.denominators)
 
     @property
     def knots(self) -> KnotVector:
@@ -179,7 +186,9 @@ class BSpline(Immutable, _Parts, Operand):
         >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).segments
         ((mpq(1,1), mpq(2,1)), (mpq(2,1), mpq(0,1)))
         """
-        return tuple(tuple(bezier(form, self.degree)) for form in self.forms)
+        return tuple(
+            tuple(bezier(form, self.degree)) for form in zip(self._polynomials, self.denominators, strict=True)
+        )
 
     @property
     def domain(self) -> tuple[mpq, mpq]:
@@ -197,7 +206,9 @@ class BSpline(Immutable, _Parts, Operand):
         return f"BSpline({self.degree}, [{knots}], [{points}])"
 
     def __reduce__(self) -> tuple[object, ...]:
-        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in self.forms)
+        forms = tuple(
+            (tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self._polynomials, self.denominators, strict=True)
+        )
         return _restored, (self.degree, self.mesh, self.continuity, forms, self._knots, self._points)
 
     def same_representation(self, other: BSpline) -> bool:
@@ -212,19 +223,19 @@ class BSpline(Immutable, _Parts, Operand):
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
         return _make(0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Any, name: int) -> Any:
         if type(other) is not BSpline:
             if not isinstance(other, CONSTANTS):
                 return NotImplemented
             other = self.constant(other)
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
-        n, p, q = a.degree, a.polynomials, b.polynomials
+        n, p, q = a.degree, a._polynomials, b._polynomials
         if n < b.degree:
             n, lift = b.degree, raiser(b.degree - n)
             p = tuple([c * lift for c in p])
@@ -239,7 +250,7 @@ class BSpline(Immutable, _Parts, Operand):
             n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
         )
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
@@ -247,7 +258,7 @@ class BSpline(Immutable, _Parts, Operand):
             a.degree + b.degree,
             a.mesh,
             a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
-            tuple(map(times, a.polynomials, b.polynomials)),
+            tuple(map(times, a._polynomials, b._polynomials)),
             tuple(map(times, a.denominators, b.denominators)),
             (PRODUCT, self.provenance, other.provenance),
         )
@@ -261,7 +272,7 @@ class BSpline(Immutable, _Parts, Operand):
         else:
             top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
             denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
-        polynomials = tuple([c * top for c in self.polynomials])
+        polynomials = tuple([c * top for c in self._polynomials])
         return _make(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
@@ -299,12 +310,12 @@ class BSpline(Immutable, _Parts, Operand):
         """
         t = rational(t)
         i = self.mesh.locate(t, left=checked_side(side))
-        return value((self.polynomials[i], self.denominators[i]), self.degree, self.mesh.local(i, t))
+        return value((self._polynomials[i], self.denominators[i]), self.degree, self.mesh.local(i, t))
 
     @property
     def is_zero(self) -> bool:
         """Whether the function is identically zero."""
-        return not any(self.polynomials)
+        return not any(self._polynomials)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same domain, whatever their knots and degrees."""
@@ -319,7 +330,7 @@ class BSpline(Immutable, _Parts, Operand):
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero on one segment at least."""
-        return not all(self.polynomials)
+        return not all(self._polynomials)
 
     def hash_of_quotients(self, numerators: tuple[BSpline, ...]) -> int:
         """From the limits of the quotients at fixed parameters: common factors leave no trace in them."""
@@ -334,7 +345,7 @@ class BSpline(Immutable, _Parts, Operand):
         >>> BSpline.bezier([0, 1, 2, 3]).true_degree
         1
         """
-        return max(true_degree(form, self.degree) for form in self.forms)
+        return max(true_degree(form, self.degree) for form in zip(self._polynomials, self.denominators, strict=True))
 
     def continuity_at(self, t: Number) -> int:
         """How many derivatives agree at a parameter: −1 at a jump, `degree` where the two sides are one polynomial.
@@ -403,7 +414,7 @@ def _make(
 ) -> BSpline:
     spline: Any = _new(_Parts)
     spline.degree, spline.mesh, spline.continuity, spline.provenance = degree, mesh, continuity, provenance
-    spline.polynomials, spline.denominators = polynomials, denominators
+    spline._polynomials, spline.denominators = polynomials, denominators
     spline._derivative = spline._knots = spline._points = None
     # setting the class at the end costs a tenth of setting nine fields of an object that refuses to be set
     spline.__class__ = BSpline
@@ -431,7 +442,7 @@ def _differentiated(f: BSpline) -> BSpline:
     if n <= 0:
         return _make(n - 1, f.mesh, continuity, (fmpz_poly([]),) * len(f.mesh), (ONE,) * len(f.mesh), provenance)
     order = fmpz(n)
-    polynomials = tuple([derivative(c, order) for c in f.polynomials])
+    polynomials = tuple([derivative(c, order) for c in f._polynomials])
     if f.mesh.unit:
         return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, provenance)
     widths = f.mesh.widths
@@ -460,28 +471,3 @@ def limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
             return None
         numerator, denominator = numerator.d(), denominator.d()
     return None
-
-
-def checked_degree(degree: object) -> int:
-    """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
-    if type(degree) is not int or degree < 0:
-        raise ShapeError(f"{shown(degree)} is no degree", where="degree", remedy="an integer ≥ 0")
-    if degree > MAX_DEGREE:
-        raise ShapeError(f"degree {shown(degree)}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
-    return degree
-
-
-def checked_side(side: Side | str) -> bool:
-    """Whether the side is the left one; `DomainError` unless it is ``left`` or ``right``."""
-    return side is not Side.RIGHT and choice(Side, side, "side", raised=DomainError) is Side.LEFT
-
-
-def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:
-    """Control points as exact numbers, an error naming the one at fault."""
-    exact = []
-    for i, b in enumerate(points):
-        try:
-            exact.append(rational(b))
-        except NumberError as error:
-            raise error.at(f"control_points[{i}]") from None
-    return tuple(exact)

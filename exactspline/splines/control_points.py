@@ -28,7 +28,7 @@ class Direction(tuple[mpq, ...]):
         """The direction with these coordinates."""
         return super().__new__(cls, exact_row(coordinates, "Direction"))
 
-    def __getnewargs__(self) -> tuple[mpq, ...]:  # type: ignore[override]  # a constructor of several arguments
+    def __getnewargs__(self) -> tuple[mpq, ...]:  # a constructor of several arguments
         return tuple(self)
 
     def __eq__(self, other: object) -> bool:

@@ -18,8 +18,9 @@ from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError
 from exactspline.exact import mpq, rational
 from exactspline.exact import text as text_of
-from exactspline.splines.bspline import BSpline, checked_degree
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Direction, exact_points
+from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 

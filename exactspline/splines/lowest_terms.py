@@ -7,11 +7,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import overload
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import text
+from exactspline.exact import PRIME, text
 from exactspline.language.parts import split
+from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -29,14 +30,35 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
     1
     """
     rows = []
-    for parts in zip(*[c.polynomials for c in v], strict=True):
-        common = fmpz_poly([])
-        for c in parts:
-            common = common.gcd(c)
+    for parts in zip(*[c._polynomials for c in v], strict=True):
+        common = _greatest_common_divisor(parts)
         at_end = min((x.degree - c.degree() for x, c in zip(v, parts, strict=True) if c), default=0)
         rows.append((common, max(common.degree(), 0) + at_end))
     n, mesh = max(degree for _, degree in rows), v[0].mesh
     return BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), [(c * raiser(n - degree), ONE) for c, degree in rows])
+
+
+def certainly_coprime(p: fmpz_poly, q: fmpz_poly) -> bool:
+    """Whether two polynomials have no common factor modulo a prime that keeps the degree of the first: then they have
+    none; False proves nothing.
+
+    >>> certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 1])), certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 2]))
+    (True, False)
+    """
+    image = nmod_poly(p, PRIME)
+    return bool(image.degree() == p.degree() and image.gcd(nmod_poly(q, PRIME)).degree() == 0)
+
+
+def _greatest_common_divisor(parts: Sequence[fmpz_poly]) -> fmpz_poly:
+    if len(parts) > 1 and parts[0] and certainly_coprime(parts[0], parts[1]):
+        content = parts[0].content()
+        for c in parts[1:]:
+            content = content.gcd(c.content())
+        return fmpz_poly([content])
+    common = fmpz_poly([])
+    for c in parts:
+        common = common.gcd(c)
+    return common
 
 
 def _scalars(value: SplineValue) -> list[BSpline]:
@@ -140,7 +162,7 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
     if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
         return f
     rows = [
-        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f.polynomials, w.polynomials, strict=True)
+        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f._polynomials, w._polynomials, strict=True)
     ]
     if not any(lost for _, lost in rows):
         return f
@@ -152,6 +174,8 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
 def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
     """p without what it has in common with a power of q, made positive, and the degree of that."""
     lost = 0
+    if q.degree() > 0 and p and certainly_coprime(p, q):
+        return p, lost
     for _ in range(times if p else 0):
         common = p.gcd(q)
         common = common // (common.content() if common(1) > 0 else -common.content())
@@ -169,12 +193,21 @@ def primitive(f: BSpline) -> BSpline:
     """
     if f.is_zero:
         return f
-    scale = _common(list(f.denominators))
-    forms = [c * (scale // m) for c, m in f.forms]
-    content = forms[0].content()
-    for c in forms[1:]:
+    first = f.denominators[0]
+    if all(m == first for m in f.denominators):
+        polynomials = list(f._polynomials)
+    else:
+        scale = _common(f.denominators)
+        polynomials = [c * (scale // m) for c, m in zip(f._polynomials, f.denominators, strict=True)]
+    content = polynomials[0].content()
+    for c in polynomials[1:]:
+        if content == 1:
+            break
         content = content.gcd(c.content())
-    return BSpline.from_forms(f.degree, f.mesh, f.continuity, [(c // content, ONE) for c in forms])
+    if content != 1:
+        polynomials = [c // content for c in polynomials]
+    ones = (ONE,) * len(polynomials)
+    return BSpline.from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), ones, leaf())
 
 
 @overload
@@ -211,7 +244,10 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
         by = min(c.degree - c.true_degree for c in value if not c.is_zero) if not value.is_zero else 0
         return Vector(*[c.reduce_degree(by) if not c.is_zero else c for c in value])
     if isinstance(value, BSpline):
-        return value.constant(0) if value.is_zero else value.reduce_degree(value.degree - value.true_degree)
+        if value.is_zero:
+            return value.constant(0)
+        by = value.degree - value.true_degree
+        return value if by == 0 and all(c < value.degree for c in value.continuity) else value.reduce_degree(by)
     return _over_rows(value, lowest_terms(value))
 
 

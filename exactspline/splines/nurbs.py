@@ -15,9 +15,10 @@ from exactspline.language.immutable import Immutable
 from exactspline.language.vector import Vector
 from exactspline.splines import nurbs_operations as operations
 from exactspline.splines.bernstein import zero_on_segment
-from exactspline.splines.bspline import BSpline, checked_degree
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_denominators, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
+from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs_values import ValuesAlong
 
@@ -195,8 +196,13 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     @property
     def closed(self) -> bool:
         """Whether the ends agree exactly."""
-        a, b = self.domain
-        return self(a) == self(b, Side.LEFT)
+        w, n = self.w._polynomials, self.w.degree
+        # the denominators are those of one segment each, so that only the integers at the ends count
+        start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
+        return all(
+            x._polynomials[0][0] * x.denominators[-1] * end == x._polynomials[-1][x.degree] * x.denominators[0] * start
+            for x in self.p
+        )
 
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"

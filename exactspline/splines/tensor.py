@@ -24,6 +24,7 @@ from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, 
 from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.forms import Polynomials
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_lines import Continuity, Degrees, joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
@@ -77,26 +78,30 @@ class TensorSpline(Immutable, TensorParts, Operand):
     def __reduce__(self) -> tuple[object, ...]:
         if self.profile is not None:
             return lifted, (self.profile[1], self.meshes, self.profile[0], self.stride)
-        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self.polynomials, self.denominators))
+        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self._own, self.denominators))
         return _restored, (tuple(self.degree), self.meshes, self.continuity, self.stride, forms)
 
     # ---- representation
 
-    def packed(self, stride: int) -> tuple[fmpz_poly, ...]:
+    def _at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
         """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
-                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self.polynomials)
+                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self._own)
             else:
                 found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
             self._packed[stride] = found
         return found
 
     @property
-    def polynomials(self) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials at the stride at hand: zero where the spline is."""
-        return self.packed(self.stride)
+    def polynomials(self) -> Polynomials:
+        """The packed polynomials at the stride at hand, copies: zero where the spline is."""
+        return Polynomials(self._own)
+
+    @property
+    def _own(self) -> tuple[fmpz_poly, ...]:
+        return self._at_stride(self.stride)
 
     @property
     def denominators(self) -> tuple[fmpz, ...]:
@@ -139,7 +144,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
-        return tensor_bernstein.bezier_net((self.polynomials[at], self.denominators[at]), self.degree, self.stride)
+        return tensor_bernstein.bezier_net((self._own[at], self.denominators[at]), self.degree, self.stride)
 
     def __repr__(self) -> str:
         (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
@@ -152,13 +157,13 @@ class TensorSpline(Immutable, TensorParts, Operand):
         a, b = self.meshes[0].domain
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Any:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: Any, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Any, name: int) -> Any:
         right = other if type(other) is TensorSpline else self.beside(other)
         if right is None:
             return NotImplemented
@@ -172,7 +177,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             return lifted(operation(shared[1], shared[2]), a.meshes, shared[0], stride)
         degree = a.degree
         if degree == b.degree:
-            p, q = a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride)
+            p, q = a._packed.get(stride) or a._at_stride(stride), b._packed.get(stride) or b._at_stride(stride)
         else:
             degree = degree.max(b.degree)
             p, q = _elevated(a, degree, stride), _elevated(b, degree, stride)
@@ -190,7 +195,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             (name, self.provenance, right.provenance),
         )
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Any:
         if type(other) is not TensorSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)
@@ -209,7 +214,9 @@ class TensorSpline(Immutable, TensorParts, Operand):
             a.meshes,
             a.continuity if a.continuity == b.continuity else _lower(a, b),
             stride,
-            tuple(map(times, a._packed.get(stride) or a.packed(stride), b._packed.get(stride) or b.packed(stride))),
+            tuple(
+                map(times, a._packed.get(stride) or a._at_stride(stride), b._packed.get(stride) or b._at_stride(stride))
+            ),
             tuple(map(times, a.denominators, b.denominators)),
             (PRODUCT, self.provenance, other.provenance),
         )
@@ -221,7 +228,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
         denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
-        polynomials = self.polynomials if top == 1 else tuple([c * top for c in self.polynomials])
+        polynomials = self._own if top == 1 else tuple([c * top for c in self._own])
         provenance = (MULTIPLE, self.provenance, q)
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
@@ -266,7 +273,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
         i, j = self.meshes[0].locate(s), self.meshes[1].locate(t)
         at = i * len(self.meshes[1]) + j
         place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
-        return tensor_bernstein.evaluated(self.polynomials[at], self.denominators[at], self.degree, self.stride, *place)
+        return tensor_bernstein.evaluated(self._own[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Number) -> BSpline:
         """The iso-curve of constant t, a spline in s."""
@@ -286,7 +293,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
     @property
     def is_zero(self) -> bool:
         """Whether the function is identically zero."""
-        return not any(self.polynomials)
+        return not any(self._own)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same rectangle, whatever their knots and degrees."""
@@ -303,7 +310,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero on one patch at least."""
-        return not all(self.polynomials)
+        return not all(self._own)
 
     def hash_of_quotients(self, numerators: tuple[TensorSpline, ...]) -> int:
         """From the rectangle alone, in which equal quotients agree."""
@@ -360,7 +367,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
         degree, stride = Degrees(self.degree.t, self.degree.s), tensor_bernstein.stride_for(self.degree.t)
         order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
-        own, denominators = self.polynomials, self.denominators
+        own, denominators = self._own, self.denominators
         polynomials = tuple(tensor_bernstein.transposed(own[k], self.stride, self.degree.t, stride) for k in order)
         return make(degree, meshes, continuity, stride, polynomials, tuple(denominators[k] for k in order), leaf())
 
@@ -408,10 +415,10 @@ def _restored(
 def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> tuple[fmpz_poly, ...]:
     """The packed polynomials raised to a degree."""
     if f.degree == degree:
-        return f.packed(stride)
+        return f._at_stride(stride)
     lift = raiser(degree.s - f.degree.s) * raiser(degree.t - f.degree.t).inflate(stride)
     if f.profile is None:
-        return tuple([c * lift for c in f.packed(stride)])
+        return tuple([c * lift for c in f._at_stride(stride)])
     return spread(tuple([c * lift for c in packed_segments(f.profile, stride)]), f.profile[0], f.meshes)
 
 

@@ -37,7 +37,7 @@ Parts = tuple[Degrees, tuple[Mesh, Mesh], Continuity, int, tuple[fmpz_poly, ...]
 
 def lines(f: TensorSpline) -> list[list[BSpline]]:
     """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
-    columns, own = len(f.meshes[1]), f.polynomials
+    columns, own = len(f.meshes[1]), f._own
     found = []
     for i in range(len(f.meshes[0])):
         patches = range(i * columns, (i + 1) * columns)
@@ -62,7 +62,7 @@ def joined(found: list[list[BSpline]], old: TensorSpline) -> Parts:
     for own in found:
         for j in range(len(first.mesh)):
             common = lcm(*[int(line.denominators[j]) for line in own])
-            rows = [line.polynomials[j] * (int(common) // int(line.denominators[j])) for line in own]
+            rows = [line._polynomials[j] * (int(common) // int(line.denominators[j])) for line in own]
             polynomials.append(
                 tensor_bernstein.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
             )

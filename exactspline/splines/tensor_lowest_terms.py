@@ -52,7 +52,7 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     stride = max(s.stride for s in scalars)
     lowest = []
     for at, forms in enumerate(
-        zip(*[s.packed(stride) for s in scalars], *[s.denominators for s in scalars], strict=True)
+        zip(*[s._at_stride(stride) for s in scalars], *[s.denominators for s in scalars], strict=True)
     ):
         polynomials, denominators = forms[: len(scalars)], forms[len(scalars) :]
         if not polynomials[-1]:

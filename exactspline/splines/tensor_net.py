@@ -9,7 +9,8 @@ from typing import Any
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, shown
 from exactspline.exact import Number, mpq
 from exactspline.splines import blossom
-from exactspline.splines.bspline import BSpline, checked_degree, exact_points
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.given import checked_degree, exact_points
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.tensor_lines import Degrees
 

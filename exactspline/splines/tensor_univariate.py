@@ -20,7 +20,7 @@ T = TypeVar("T")
 def packed_segments(profile: Profile, stride: int) -> tuple[fmpz_poly, ...]:
     """The packed polynomials, one a segment."""
     direction, spline = profile
-    return tuple([c.inflate(stride) for c in spline.polynomials]) if direction else spline.polynomials
+    return tuple([c.inflate(stride) for c in spline._polynomials]) if direction else spline._polynomials
 
 
 def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> tuple[T, ...]:

@@ -36,7 +36,7 @@ def lowest_wronskian(vector: Vector[BSpline]) -> BSpline:
         zero: BSpline = first.constant(0)
         return zero
     continuity = tuple(max(min(inner) - r, -1) for inner in zip(*[f.continuity for f in splines], strict=True))
-    columns = [[_partials(c * raiser(n - f.degree), n, r) for c in f.polynomials] for f in splines]
+    columns = [[_partials(c * raiser(n - f.degree), n, r) for c in f._polynomials] for f in splines]
     rows = [
         Vector(
             *[

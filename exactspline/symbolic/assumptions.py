@@ -21,7 +21,7 @@ from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
 from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.vector import Vector, norm2
 from exactspline.papers import find
-from exactspline.readings.differential_order import order_of
+from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading
 
 #: The kinds of arguments in the plane, in space, and with a second curve.
@@ -141,6 +141,33 @@ _SOMEWHERE = (
     _somewhere("[γ′ γ̄′ γ−γ̄]", "bisector_determinant_symmetric", PAIR),
 )
 
+
+def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bool) -> Assumption:
+    """An assumption of an author: that a formula that is a polynomial in the curve, or a constant, has no zero, or that
+    it vanishes on no whole segment.
+
+    Raises `ClaimError` for a quotient, for what vanishes on every curve, and for what depends on a second curve.
+    """
+    shown = what if isinstance(what, str) else what.name
+    if kind.parts or (isinstance(what, Formula) and not all(is_polynomial(what, n) for n in kind.dimensions)):
+        raise ClaimError(f"{shown!r} is no polynomial in one curve", where="assumes", remedy="name one")
+
+    def polynomial(c: Any) -> Any:
+        if isinstance(what, str):
+            return c.operands()[what]
+        value = what(c)
+        return norm2(value) if isinstance(value, Vector) else value
+
+    for n in kind.dimensions:
+        order = 0 if isinstance(what, str) else order_of(what, n)
+        if polynomial(JetReading(order).argument(kind, n)).is_zero:
+            raise ClaimError(
+                f"{shown!r} vanishes on every curve", where="assumes", remedy="nothing can be assumed of it"
+            )
+    words = f"{shown} has no zero" if everywhere else f"{shown} vanishes on no whole segment"
+    return Assumption(name, words, "not zero by what is assumed", polynomial, (kind.name,), everywhere)
+
+
 #: Every assumption by its name.
 ASSUMPTIONS = {each.name: each for each in (*_EVERYWHERE, *_SOMEWHERE)}
 
@@ -169,18 +196,21 @@ def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumpti
     >>> zero_free(c.w).name, zero_free(norm2(find("D1")(c))).name, zero_free(find("f2")(c))
     ('w', 'γ′', None)
     """
-    wanted = {each.name for each in assumed if each.everywhere}
-    for each, polynomial in _polynomials(jet.ring.kind, jet.ring.dimension, jet.ring.order, jet.ring.polynomial):
-        if each.name in wanted and not divmod(polynomial, jet.polynomial)[1]:
+    wanted = tuple(each for each in assumed if each.everywhere)
+    ring = jet.ring
+    for each, polynomial in _polynomials(wanted, ring.kind, ring.dimension, ring.order, ring.polynomial):
+        if not divmod(polynomial, jet.polynomial)[1]:
             return each
     return None
 
 
 @cache
-def _polynomials(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[Assumption, fmpq_mpoly]]:
-    """What the assumptions without exception speak of, in the ring of that kind, dimension and order."""
+def _polynomials(
+    assumed: tuple[Assumption, ...], kind: Kind, dimension: int, order: int, polynomial: bool
+) -> list[tuple[Assumption, fmpq_mpoly]]:
+    """What assumptions without exception speak of, in the ring of that kind, dimension and order."""
     argument, found = JetReading(order).argument(kind, dimension, polynomial=polynomial), []
-    for each in _EVERYWHERE:
+    for each in assumed:
         spoken_of = any(kind.takes(kind_of(name), dimension) for name in each.kinds)
         if spoken_of and order_of(Formula(each.polynomial, each.name, kind, ""), dimension) <= order:
             value = each.polynomial(argument)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from math import gcd, lcm
-from typing import Any
+from operator import attrgetter
+from typing import Any, NamedTuple, cast
 
 from flint import fmpq_mpoly
 
@@ -14,18 +17,26 @@ from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.factorization import Factorization, multiplied
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
-from exactspline.papers import Paper, find, papers
+from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.readings.tree import trace
+from exactspline.readings.tree import speaks_of_gamma_alone, trace
 from exactspline.symbolic.substitution import substitute
+
+
+class Named(NamedTuple):
+    """An irreducible jet polynomial and its name: that of a formula, or its text where it has none."""
+
+    name: str
+    polynomial: fmpq_mpoly
 
 
 @dataclass(frozen=True)
@@ -33,11 +44,11 @@ class Factor(Displayed):
     """A quotient of jet polynomials, as a constant and powers of irreducible ones with names where they have one."""
 
     constant: mpq
-    powers: tuple[tuple[str, fmpq_mpoly, int], ...]
+    powers: Factorization[Named]
     ring: JetRing
 
     def __str__(self) -> str:
-        parts = [_power(name, e) for name, _, e in self.powers]
+        parts = [_power(base.name, e) for base, e in self.powers]
         if self.constant != 1 or not parts:
             parts.insert(0, str(self.constant))
         return "·".join(parts)
@@ -45,7 +56,7 @@ class Factor(Displayed):
     @property
     def names(self) -> frozenset[str]:
         """The names in it."""
-        return frozenset(name for name, _, _ in self.powers)
+        return frozenset(base.name for base, _ in self.powers)
 
     @property
     def is_zero(self) -> bool:
@@ -61,9 +72,8 @@ class Factor(Displayed):
         """Numerator and denominator as jet polynomials."""
         one = self.ring.context.constant(1)
         top, bottom = one * int(self.constant.numerator), one * int(self.constant.denominator)
-        for _, p, e in self.powers:
-            top, bottom = (top * p**e, bottom) if e > 0 else (top, bottom * p ** (-e))
-        return top, bottom
+        polynomials = self.powers.mapped(attrgetter("polynomial"))
+        return multiplied(polynomials.above, top), multiplied(polynomials.below**-1, bottom)
 
     def on(self, curve: Curve[T] | Pair[T]) -> tuple[T, T]:
         """Numerator and denominator in the reading of a concrete curve."""
@@ -89,6 +99,18 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
 
 
+def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
+    """Whether neither the formulas nor a factor as claims write it speak of the denominator, but of γ alone."""
+    weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
+    return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
+
+
+def jets_with_roots(formulas: Sequence[Formula], factor: str, dimension: int, *, polynomial: bool = False) -> Evaluated:
+    """The same with the roots of the frame adjoined; for formulas of γ alone γ has indeterminate coordinates."""
+    alone = without_denominator(formulas, factor, dimension)
+    return jets_for(formulas, dimension, polynomial=polynomial or alone)
+
+
 def find_factor(left: Value, right: Value) -> Factor | None:
     """The quotient left/right of two formulas in the fraction reading, or None when they are not proportional; the
     constant 0 where the left side alone vanishes.
@@ -100,7 +122,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
 
     Raises `ClaimError` when the right side vanishes identically.
     """
-    (ps, _), (qs, _) = split(left), split(right)
+    (ps, _), (qs, _) = split(cast(Any, left)), split(cast(Any, right))
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
         raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
@@ -116,13 +138,15 @@ def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
     """A quotient of jet polynomials as a product of named irreducible ones."""
     a, tops = top.factor()
     b, bottoms = bottom.factor()
-    constant, powers = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q)), []
+    constant = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q))
+    powers: list[tuple[Named, int]] = []
     for sign, factors in ((1, tops), (-1, bottoms)):
         for p, e in factors:
             name, unit = name_of(Jet(ring, p))
             constant *= unit ** (sign * int(e))
-            powers.append((name, p / int(unit.numerator) * int(unit.denominator), sign * int(e)))
-    return Factor(constant, tuple(sorted(powers, key=lambda item: (item[0] != "w", item[0]))), ring)
+            powers.append((Named(name, p / int(unit.numerator) * int(unit.denominator)), sign * int(e)))
+    in_order = sorted(powers, key=lambda power: (power[0].name != "w", power[0].name))
+    return Factor(constant, Factorization(in_order), ring)
 
 
 def name_of(jet: Jet) -> tuple[str, mpq]:
@@ -174,26 +198,49 @@ def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
     return [(name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero]
 
 
-def named_values(ring: JetRing) -> list[tuple[str, Any]]:
+def named_values(ring: JetRing) -> list[tuple[str, object]]:
     """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
-    found: list[tuple[str, Any]] = []
-    for source in papers():
+    found: list[tuple[str, object]] = []
+    for source in naming():
         found += _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
     return _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial) + found
 
 
+#: The paper whose own words for things come first; None where none is spoken of.
+_SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
+
+
+def naming() -> tuple[Paper, ...]:
+    """The papers whose formulas give factors their names: that which is spoken of and those that it uses, then those
+    that are meant where none is named.
+    """
+    source = _SPOKEN_OF.get()
+    own = (source, *source.uses) if source is not None and not source.default else ()
+    return tuple(dict.fromkeys((*own, *default_papers())))
+
+
+@contextmanager
+def speaking_of(source: Paper) -> Iterator[None]:
+    """While this lasts, factors have the names that a paper has for them."""
+    token = _SPOKEN_OF.set(source)
+    try:
+        yield
+    finally:
+        _SPOKEN_OF.reset(token)
+
+
 @cache
-def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, object]]:
     """The denominators of the curves by their names."""
     if polynomial:
         return []
-    known = JetReading(order).argument(kind, dimension).operands()
-    jets = [(name, known[name]) for name in ("w", "W") if name in known]
+    known: Mapping[str, Any] = JetReading(order).argument(kind, dimension).operands()
+    jets = [(name, known[name]) for name in ("w", "W") if name in known and (name, 0) in known[name].ring.index]
     return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
 
 
 @cache
-def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, Any]]:
+def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, object]]:
     """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
     c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
     return [

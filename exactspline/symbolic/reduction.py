@@ -19,6 +19,7 @@ from flint import fmpq, fmpq_mpoly
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
 from exactspline.language.operand import Operand
@@ -28,19 +29,11 @@ from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.factored_jet import (
-    FactoredJet,
-    FactoredJetReading,
-    Powers,
-    merged,
-    multiplied,
-    shared,
-    without,
-)
+from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, factored, name_of_vector
+from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector
 from exactspline.symbolic.substitution import substitute
 
 #: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
@@ -119,7 +112,9 @@ class Part:
         return p.has_roots and p.above > p.below and self.role != GENERATOR
 
     def _factor(self, powers: Sequence[tuple[Power, int]], constant: mpq) -> Factor:
-        return Factor(constant, tuple((p.name, p.jet.polynomial, e) for p, e in powers if e), self.core[0].ring)
+        return Factor(
+            constant, Factorization((Named(p.name, p.jet.polynomial), e) for p, e in powers), self.core[0].ring
+        )
 
     @property
     def reduced(self) -> tuple[Jet, ...]:
@@ -135,7 +130,7 @@ class Part:
 
     def _product(self, powers: Any) -> Jet:
         ring = self.core[0].ring
-        return Jet(ring, multiplied(ring, [(p.jet.polynomial, e) for p, e in powers if e > 0]))
+        return Jet(ring, multiplied(ring, Powers((p.jet.polynomial, e) for p, e in powers if e > 0)))
 
     @property
     def true(self) -> TrueDegree | None:
@@ -270,7 +265,8 @@ def reduce(
     Raises `FormulaError` when the function returns nothing of the kind, `ShapeError` when it does not fit the
     dimension.
     """
-    chosen = [dimension] if dimension else _dimensions(formula)
+    known = _dimensions(formula)
+    chosen = [dimension] if dimension else known
     for n in chosen[:-1]:
         try:
             return _reduced(formula, n, polynomial)
@@ -289,6 +285,10 @@ def _dimensions(formula: Any) -> list[int]:
     kind = _kind(formula)
     if kind is TABLE:
         raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="reduce formulas of a curve")
+    if kind.adjoins_roots:
+        raise FormulaError(
+            f"{name_of_function(formula)} has roots in it", remedy="reduce a rational formula: a square, a product"
+        )
     return list(kind.dimensions)
 
 
@@ -329,8 +329,8 @@ def _part(role: str, naive: Degree, value: Any) -> Part:
     ring = numerator[0].ring
     if denominator is not None and denominator.is_zero:
         raise FormulaError("a denominator vanishes on every curve", remedy="check the formula")
-    below = _irreducible(ring, denominator.powers if denominator is not None else (), mpq(1))
-    common, cores = _content(ring, numerator, [p for _, p, _ in below.powers])
+    below = _irreducible(ring, denominator.powers if denominator is not None else Powers(), mpq(1))
+    common, cores = _content(ring, numerator, [base.polynomial for base, _ in below.powers])
     above = _irreducible(ring, common, mpq(1))
     is_scalar = not isinstance(value, Vector) and not getattr(value, "is_vector", False)
     core, core_name, unit = _named(ring, cores, is_scalar)
@@ -342,19 +342,14 @@ def _part(role: str, naive: Degree, value: Any) -> Part:
 
 def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:
     """A product as a product of irreducible factors, each factorization multiplied out again."""
-    found: list[tuple[str, fmpq_mpoly, int]] = []
+    found = Factorization[Named]()
     for base, e in powers:
         factor = factored(ring, base, ring.context.constant(1))
         if factor.fraction()[0] != base * int(factor.constant.denominator):
             raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
         constant *= factor.constant**e
-        for name, p, n in factor.powers:
-            i = next((i for i, (_, q, _) in enumerate(found) if p == q), None)
-            if i is None:
-                found.append((name, p, n * e))
-            else:
-                found[i] = (name, p, found[i][2] + n * e)
-    return Factor(constant, tuple(found), ring)
+        found = found * factor.powers**e
+    return Factor(constant, found, ring)
 
 
 def _named(ring: JetRing, cores: list[fmpq_mpoly], is_scalar: bool) -> tuple[tuple[Jet, ...], str, mpq]:
@@ -367,8 +362,8 @@ def _named(ring: JetRing, cores: list[fmpq_mpoly], is_scalar: bool) -> tuple[tup
 
 
 def _powers(ring: JetRing, above: Factor, below: Factor) -> tuple[Power, ...]:
-    rows: list[Power] = [Power(name, Jet(ring, p), e, 0) for name, p, e in above.powers]
-    for name, p, e in below.powers:
+    rows: list[Power] = [Power(name, Jet(ring, p), e, 0) for (name, p), e in above.powers]
+    for (name, p), e in below.powers:
         i = next((i for i, row in enumerate(rows) if row.jet.polynomial == p), None)
         if i is None:
             rows.append(Power(name, Jet(ring, p), 0, e))
@@ -406,16 +401,16 @@ def _content(
     """
     present = [c for c in components if not c.is_zero]
     if not present:
-        return (), [ring.context.constant(0) for _ in components]
+        return Powers(), [ring.context.constant(0) for _ in components]
     common = present[0].powers
     for c in present[1:]:
-        common = shared(common, c.powers)
-    rests = [multiplied(ring, without(c.powers, common)) * c.unit for c in components]
+        common = common.shared(c.powers)
+    rests = [multiplied(ring, (Powers() if c.is_zero else c.powers.without(common))) * c.unit for c in components]
     if len(components) == 1:
         return common, rests
     for q in sorted(divisors, key=len, reverse=True):
         e, rests = _divided_out(rests, q)
-        common = merged(common, ((q, e),)) if e else common
+        common = common * Powers([(q, e)])
     content = ring.context.constant(0)
     for p in rests:
         content = content.gcd(p)
@@ -423,7 +418,7 @@ def _content(
     cores = [p / content for p in rests]
     if any(core * content != p for core, p in zip(cores, rests, strict=True)):
         raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
-    return (merged(common, ((content, 1),)) if content.total_degree() > 0 else common), cores
+    return (common * Powers([(content, 1)]) if content.total_degree() > 0 else common), cores
 
 
 def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:

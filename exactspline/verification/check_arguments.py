@@ -8,7 +8,7 @@ from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.hodograph_kind import curve_of_hodograph
-from exactspline.language.kinds import HODOGRAPH, PAIR, CurveKind, constant_text, kind_of
+from exactspline.language.kinds import HODOGRAPH, CurveKind, PairKind, constant_text, kind_of
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.integral import integral
@@ -67,7 +67,7 @@ def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
     Raises `InapplicableError` for a kind of which one curve alone is no example.
     """
     asked = kind_of(kind)
-    if asked is PAIR:
+    if isinstance(asked, PairKind):
         return pair_with(curve), ", first segment, with its moved copy"
     if asked is HODOGRAPH:
         return with_hodograph(curve), ", as u, v and h of a hodograph"

@@ -9,19 +9,22 @@ from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError, nearest
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
+from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.degree import parse
-from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.assumptions import Assumption, assumption
+from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
+from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
+from exactspline.verification.notation import symbol
+from exactspline.verification.paper_curves import curve_named, curve_names
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -76,8 +79,11 @@ def kind_name(claim: Claim, name: str, value: str) -> str:
 
 def example_name(claim: Claim, name: str, value: str) -> str:
     """The name of an example curve of which the claim speaks; empty for none."""
-    if value and value not in example_names():
-        raise ClaimError(f"no example curve is called {value!r}", where=name, remedy=nearest(value, [*example_names()]))
+    if value:
+        try:
+            claim.curve_named(value)
+        except ClaimError as error:
+            raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
     return str(value)
 
 
@@ -88,7 +94,7 @@ def example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ..
 
 def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
     """Assumptions by their names, each about what the claim speaks of."""
-    found = tuple(each if isinstance(each, Assumption) else assumption(each) for each in value)
+    found = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in found:
         if claim.curve != ArgumentKind.TABLE and not each.speaks_of(kind_of(claim.curve)):
             raise ClaimError(
@@ -97,6 +103,20 @@ def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) 
                 remedy=f"it speaks of {', '.join(map(repr, each.kinds))}",
             )
     return found
+
+
+def _assumed(claim: Claim, text: str) -> Assumption:
+    """An assumption of the library, or one that the author states: a formula of the paper, or a constant, that has no
+    zero (``f ≠ 0``), or that vanishes on no whole segment (``f ≢ 0``).
+    """
+    name, sign, zero = text.partition(" ≠ ") if " ≠ " in text else text.partition(" ≢ ")
+    if text in ASSUMPTIONS or zero != "0":
+        return assumption(text)
+    kind = kind_of(claim.curve)
+    constants = {s.name for s in kind.symbols(kind.dimensions[0]) if not s.parameter}
+    if name not in constants:
+        formula_name(claim, "assumes", name)
+    return stated_assumption(text, name if name in constants else claim.find(name), kind, "≠" in sign)
 
 
 def degree_text(claim: Claim, name: str, value: str) -> str:
@@ -112,12 +132,16 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
+#: No count that a claim states may be larger.
+LARGEST = 1000
+
+
 def count_from(least: int) -> Callable[[Claim, str, object], int]:
     """A whole number, at least so large."""
 
     def check(claim: Claim, name: str, value: object) -> int:
-        if not isinstance(value, int) or value < least:
-            raise ClaimError(f"{value!r} is no number ≥ {least}", where=name, remedy="write a whole number")
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= LARGEST:
+            raise ClaimError(f"{value!r} is no number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number")
         return value
 
     return check
@@ -176,11 +200,13 @@ class Claim(Displayed):
                 object.__setattr__(self, f.name, check(self, f.name, getattr(self, f.name)))
             elif not isinstance(getattr(self, f.name), str):
                 raise ClaimError(f"{getattr(self, f.name)!r} is no text", where=f.name, remedy="write a text")
+            elif not getattr(self, f.name).replace("\n", "").isprintable():
+                raise ClaimError("a text that cannot be printed", where=f.name, remedy="leave control characters out")
         self._validate_common()
         self.validate()
 
     def _validate_common(self) -> None:
-        if self.status == Status.PRINTED and not (self.words or "eq" in self.place or "Table" in self.place):
+        if self.status == Status.PRINTED and not (self.words or re.search(r"eq|Table|[(]\d|\d", self.place)):
             raise ClaimError(
                 "a printed claim has neither words nor an equation", where="words", remedy="quote what is printed"
             )
@@ -222,9 +248,27 @@ class Claim(Displayed):
         """What the formula in that field is handed."""
         return kind_of(self.curve)
 
+    @property
+    def source_paper(self) -> Paper:
+        """The paper that makes it."""
+        return paper_named(self.paper)
+
     def find(self, name: str) -> Formula:
         """A formula of its paper, or of one that this paper uses."""
-        return paper_named(self.paper).find(name)
+        return self.source_paper.find(name)
+
+    def curve_named(self, name: str) -> Nurbs:
+        """A curve of its paper, or an example."""
+        return curve_named(self.source_paper, name)
+
+    @property
+    def of_pair(self) -> bool:
+        """Whether it speaks of two curves."""
+        return isinstance(kind_of(self.curve), PairKind)
+
+    def symbol(self, name: str) -> str:
+        """The LaTeX name of a formula of its paper."""
+        return symbol(name, self.find)
 
     @property
     def assumed(self) -> str:
@@ -243,8 +287,9 @@ class Claim(Displayed):
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
-        on_splines = self.curve != ArgumentKind.TABLE and not kind_of(self.curve).adjoins_roots
-        return on_splines and dimension in self.dimensions and polynomial in self.of.worlds
+        kind = kind_of(self.curve)
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
     @abstractmethod
@@ -282,6 +327,10 @@ class Claim(Displayed):
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """What holds on one curve, as the argument of its formulas."""
 
+    def beside(self, own: Evaluation) -> str:
+        """What is said of a check beside the name of the curve."""
+        return own.beside(self.curve)
+
     def missing(self, argument: Handed) -> str:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when
         all exist.
@@ -297,8 +346,8 @@ class Claim(Displayed):
 
     def refuted_on_examples(self) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none."""
-        for name in sorted(example_names(), key=lambda name: name != self.witness):
-            curve = example(name)
+        for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
+            curve = self.curve_named(name)
             if self.speaks_of(curve.dimension, curve.polynomial):
                 finding = self.check(curve)
                 if finding.verdict == REFUTED:
@@ -323,7 +372,7 @@ class ExampleClaim(Claim):
 
     def prove(self) -> tuple[str, Finding]:
         """What the example says."""
-        own = Evaluation(example(self.example))
+        own = Evaluation(self.curve_named(self.example))
         return self.reading, self.examine(own.handed(self.curve), own)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
@@ -342,6 +391,11 @@ def combined(claim: Claim) -> tuple[str, Finding]:
 
     Raises `ContradictionError` when it is proved and fails on one of them.
     """
+    with speaking_of(claim.source_paper):
+        return _combined(claim)
+
+
+def _combined(claim: Claim) -> tuple[str, Finding]:
     try:
         reading, finding = claim.prove()
     except ExactSplineError as error:

@@ -16,7 +16,7 @@ from functools import cache
 from typing import Any
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
-from exactspline.papers import Paper, Table, paper, papers
+from exactspline.papers import Paper, Table, default_papers, paper
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim, entries
 from exactspline.verification.kinds import KINDS
@@ -39,8 +39,18 @@ def claim_of(table: Table, source: Paper) -> Claim:
         ) from error
 
 
-def _read(entry: dict[str, Any], source: Paper) -> Claim:
+def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
+    """An entry with what goes without saying: where words or a place are given it is printed, else it is ours."""
     told = dict(entry)
+    told.setdefault("status", "printed" if told.get("words") or told.get("place") else "ours")
+    told.setdefault("source", told.get("place") or source.title)
+    if "id" in told and "key" not in told:
+        told["key"] = f"{re.sub(r'[ .]+', '', str(told['id']))}-{told.get('kind', '')}".replace(" ", "-")
+    return told
+
+
+def _read(entry: dict[str, Any], source: Paper) -> Claim:
+    told = _completed(entry, source)
     name = told.pop("kind", None)
     if name not in KINDS:
         raise ClaimError(f"the kind {name!r} is unknown", where="kind", remedy=nearest(str(name), list(KINDS)))
@@ -94,13 +104,17 @@ def key_words(value: object) -> set[str]:
     return own | set(re.findall(r"[\w′]+", str(value)))
 
 
-@cache
-def claims_of(name: str) -> tuple[Claim, ...]:
+def claims_of(source: Paper | str) -> tuple[Claim, ...]:
     """The claims of one paper, in its order.
 
     Raises `ClaimError` for an entry that says nothing, and for a key that occurs twice.
     """
-    source, found, places = paper(name), [], dict[str, str]()
+    return _claims(paper(source) if isinstance(source, str) else source)
+
+
+@cache
+def _claims(source: Paper) -> tuple[Claim, ...]:
+    found, places = [], dict[str, str]()
     for table in source.claim_tables():
         claim = claim_of(table, source)
         if claim.key in places:
@@ -114,26 +128,31 @@ def claims_of(name: str) -> tuple[Claim, ...]:
 
 @cache
 def all_claims() -> tuple[Claim, ...]:
-    """Every claim of every paper that comes with the library, in the order of the papers.
+    """Every claim of the papers that are meant where none is named, in the order of the papers.
 
     >>> [claim.factor for claim in all_claims() if claim.id == "C4.1a"]
     ['w', 'w^-3']
     """
-    return tuple(claim for source in papers() for claim in claims_of(source.name))
+    return claims_in(default_papers())
 
 
-def select(ids: Iterable[str]) -> tuple[Claim, ...]:
+def claims_in(sources: Iterable[Paper]) -> tuple[Claim, ...]:
+    """Every claim of some papers."""
+    return tuple(claim for source in sources for claim in claims_of(source))
+
+
+def select(ids: Iterable[str], claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
     """The claims with the given ids or keys, all of them for none; an id also selects what it begins (``C3`` all of
-    §3).
+    §3). They are sought among `claims`, without these among those that are meant where no paper is named.
 
     Raises `ClaimError` with the nearest ids.
     """
-    ids = list(ids)
-    chosen = tuple(c for c in all_claims() if not ids or any(i == c.key or matches(c.id, i) for i in ids))
+    ids, known = list(ids), all_claims() if claims is None else tuple(claims)
+    chosen = tuple(c for c in known if not ids or any(i == c.key or matches(c.id, i) for i in ids))
     for i in ids:
-        if not any(i == claim.key or matches(claim.id, i) for claim in all_claims()):
-            known = list(dict.fromkeys(claim.id for claim in all_claims()))
-            raise ClaimError(f"no claim has the id {i!r}", remedy=nearest(i, known))
+        if not any(i == claim.key or matches(claim.id, i) for claim in known):
+            ids_there = dict.fromkeys(claim.id for claim in known)
+            raise ClaimError(f"no claim has the id {i!r}", remedy=nearest(i, ids_there))
     return chosen
 
 

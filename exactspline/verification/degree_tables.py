@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, partial
 from time import perf_counter
 from typing import Any
 
-from exactspline.errors import FormulaError, ReductionError, ShapeError
+from exactspline.errors import FormulaError, InapplicableError, ReductionError, ShapeError
 from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction, constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE, PAIR, Kind
+from exactspline.language.kinds import CURVE, PAIR, TABLE, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import find, known_as
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
@@ -28,7 +28,8 @@ from exactspline.symbolic.covariants import degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.generic_degree import lowest_degree, symbolic_minimum
-from exactspline.verification.measure import measurable, measure
+from exactspline.verification.generic_proof import reduction_of
+from exactspline.verification.measure import measurable, measure, speaks_of
 from exactspline.verification.minimality import attained, witness
 
 
@@ -123,7 +124,7 @@ def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -
     if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
-        found = true_degree(reduction(formula.name, dimension, polynomial).main.lowest[0])
+        found = true_degree(reduction(known_as(formula), dimension, polynomial).main.lowest[0])
     except FormulaError:
         return "–"
     return f"{found.k}, {found.m}, {found.j}"
@@ -284,17 +285,54 @@ def _bisected(kind: Kind, curve: Nurbs) -> Any:
     return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
 
 
-def formula_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
-    """The rows for every formula that speaks of such a curve, as calls."""
-    return [partial(_formula_row, f.name, curve) for f in measurable(curve.dimension)]
+def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> list[Callable[[], DegreeRow]]:
+    """The rows for every formula that speaks of such a curve, as calls: of some, or of all that are meant where no
+    paper is named.
+    """
+    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if speaks_of(f, curve.dimension)]
+    return [partial(_formula_row, f, curve) for f in known]
 
 
-def _formula_row(name: str, curve: Nurbs) -> DegreeRow:
-    formula = find(name)
+@dataclass(frozen=True)
+class FormulaDegrees:
+    """A formula of the generic curve of degree d: what Table 1 counts, what cancels, the degree of the reduced form,
+    and that of the value in lowest terms; a reason where the degree theorem says nothing.
+    """
+
+    formula: str
+    curves: str
+    nominal: str
+    cancelled: str
+    reduced: str
+    lowest: str
+
+
+def formula_degrees(formulas: Iterable[Formula]) -> list[Callable[[], FormulaDegrees]]:
+    """The rows for formulas, rational and polynomial curves one after the other, as calls."""
+    return [
+        partial(_degrees_of, f, polynomial) for f in formulas if f.kind is not TABLE for polynomial in (False, True)
+    ]
+
+
+def _degrees_of(formula: Formula, polynomial: bool) -> FormulaDegrees:
+    n, curves = formula.kind.dimensions[0], "polynomial" if polynomial else "rational"
+    try:
+        nominal = str(formula(DegreeReading().argument(formula.kind, n, polynomial=polynomial)).degree)
+    except InapplicableError as error:
+        return FormulaDegrees(formula.name, curves, "–", "–", "–", error.problem)
+    try:
+        main = reduction_of(formula, n, polynomial).main
+        cancelled, reduced, lowest = str(main.cancelled), str(main.generic), str(main.generic_lowest)
+    except FormulaError as error:
+        cancelled, reduced, lowest = "–", "–", error.problem
+    return FormulaDegrees(formula.name, curves, nominal, cancelled, reduced, lowest)
+
+
+def _formula_row(formula: Formula, curve: Nurbs) -> DegreeRow:
     start = perf_counter()
     m = measure(formula, curve)
     seconds = perf_counter() - start
     text = print_text(trace(formula, curve.dimension))
     return DegreeRow(
-        name, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
+        m.formula, "as it stands", str(m.nominal), m.represented, m.true, m.control_points, "–", text, seconds=seconds
     )

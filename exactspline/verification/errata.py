@@ -6,12 +6,12 @@ to which they belong, and from those that say what holds instead.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 
 from exactspline.language.choices import Parameter
 from exactspline.language.services import Displayed
-from exactspline.papers import papers
+from exactspline.papers import Paper, default_papers
 from exactspline.readings.printing.text import symbol_text
 from exactspline.verification.claim import Claim, combined
 from exactspline.verification.claims import claims_of
@@ -59,29 +59,30 @@ class Erratum(Displayed):
         return {"key": f"{self.paper}: {self.error}"} | asdict(self)
 
 
-def errata() -> Iterator[Erratum]:
-    """The errors of the papers, in the order of each, decided anew.
+def errata(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
+    """The errors of papers, in the order of each, decided anew; without any, of those that are meant where none is
+    named.
 
     >>> first = next(errata())
     >>> first.error, [each.id for each in first.statements]
     ('span', ['C3c'])
     """
-    return _joined(Status.PRINTED)
+    return _joined(Status.PRINTED, sources)
 
 
-def remarks() -> Iterator[Erratum]:
+def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
     """What fails too, in the same form, although no paper says it: what one might read into it.
 
     >>> [each.error for each in remarks()]
     ['second-parameter']
     """
-    return _joined(Status.OURS)
+    return _joined(Status.OURS, sources)
 
 
-def _joined(status: Status) -> Iterator[Erratum]:
+def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum]:
     """The statements of one status that fail, joined by the error to which they belong."""
-    for source in papers():
-        claims = claims_of(source.name)
+    for source in default_papers() if sources is None else sources:
+        claims = claims_of(source)
         for error, title in source.errors.items():
             own = [claim for claim in claims if claim.error == error]
             fails = [claim for claim in own if claim.status == status and claim.expected == REFUTED]
@@ -89,6 +90,16 @@ def _joined(status: Status) -> Iterator[Erratum]:
             if refuted:
                 why = tuple(dict.fromkeys(claim.note for claim in fails if claim.note))
                 yield Erratum(source.name, error, title, refuted, _truth(own), why)
+        if status == Status.PRINTED and not source.default:
+            yield from _unrecorded(claims)
+
+
+def _unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
+    """What fails though nobody has recorded it: each statement is an error of its own."""
+    for claim in claims:
+        if not claim.error and claim.expected != REFUTED and (found := _refuted(claim)):
+            why = (claim.note,) if claim.note else ()
+            yield Erratum(claim.paper, claim.key, claim.statement, (found,), (), why)
 
 
 def _refuted(claim: Claim) -> Refuted | None:
@@ -133,41 +144,47 @@ def numbered(claim: Claim) -> str:
 
 def check(claim: Claim) -> tuple[str, ...]:
     """Three lines of Python that show that the claim fails."""
-    d = claim.dimensions[0]
+    d, source = claim.dimensions[0], claim.source_paper
+
+    def named(formula: str) -> str:
+        """What `find` finds it by."""
+        return formula if source.default else f"{source.name}:{formula}"
+
     if isinstance(claim, Identity) and factor_of(claim.find(claim.left), claim.find(claim.right), d) is not None:
         return (
             "from exactspline.verification.generic_proof import factor_of",
-            f'factor = factor_of("{claim.left}", "{claim.right}", {d})',
+            f'factor = factor_of("{named(claim.left)}", "{named(claim.right)}", {d})',
             "print(factor)",
         )
     if isinstance(claim, Vanishing):
         return (
             "from exactspline.symbolic.factorization import jets_for",
             "from exactspline.papers import find",
-            f'print(find("{claim.left}")(jets_for(("{claim.left}",), {d})))',
+            f'print(find("{named(claim.left)}")(jets_for(("{named(claim.left)}",), {d})))',
         )
     if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS:
         return (
             "from exactspline.verification.generic_degree import lowest_degree",
             "from exactspline.papers import find",
-            f'print(lowest_degree(find("{claim.formula}"), {d}))',
+            f'print(lowest_degree(find("{named(claim.formula)}"), {d}))',
         )
     if isinstance(claim, DegreeClaim):
         parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.FIRST else ""
         return (
             "from exactspline.papers import find",
             "from exactspline.readings.degree import DegreeReading",
-            f'print(DegreeReading({parameter}).of(find("{claim.formula}"), {d}, '
+            f'print(DegreeReading({parameter}).of(find("{named(claim.formula)}"), {d}, '
             f"polynomial={claim.of == Scope.POLYNOMIAL}).degree)",
         )
     if isinstance(claim, Count):
         return (
             "from exactspline.papers import find; from exactspline.splines.examples import example",
             "from exactspline.verification.measure import measure",
-            f'print(measure(find("{claim.formula}"), example("{claim.example}")))',
+            f'print(measure(find("{named(claim.formula)}"), example("{claim.example}")))',
         )
     return (
-        "from exactspline.verification.claims import select",
-        f'(claim,) = select(["{claim.key}"])',
+        *([] if source.package else [f"import exactspline; exactspline.load_paper({str(source.folder)!r})"]),
+        "from exactspline.verification.claims import claims_of",
+        f'(claim,) = [each for each in claims_of("{claim.paper}") if each.key == "{claim.key}"]',
         "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",
     )

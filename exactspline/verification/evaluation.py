@@ -33,7 +33,7 @@ class Evaluation:
     def __init__(self, curve: Nurbs | Operands) -> None:
         self.curve: Any = curve
         self._handed: dict[str, tuple[Evaluated, str]] = {}
-        self._failing: dict[tuple[str, str], str] = {}
+        self._failing: dict[tuple[str, Assumption], str] = {}
 
     def _argument(self, kind: str) -> tuple[Evaluated, str]:
         if kind not in self._handed:
@@ -52,10 +52,11 @@ class Evaluation:
     def failing(self, kind: str, assumed: Iterable[Assumption]) -> str:
         """The first of the assumptions that fails on this curve, with the place; empty when all hold."""
         for each in assumed:
-            if (kind, each.name) not in self._failing:
+            if (kind, each) not in self._failing:
                 place = _fails(each, self.handed(kind))
-                self._failing[kind, each.name] = f"{each.name.removesuffix(' ≢ 0')} vanishes {place}" if place else ""
-            if told := self._failing[kind, each.name]:
+                told = each.name.removesuffix(" ≢ 0").removesuffix(" ≠ 0")
+                self._failing[kind, each] = f"{told} vanishes {place}" if place else ""
+            if told := self._failing[kind, each]:
                 return told
         return ""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from exactspline.geometry.constructions import Construction, Variant
 from exactspline.language.formula import Formula
+from exactspline.papers import known_as
 from exactspline.readings.degree import Degree
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction, reduction
@@ -35,7 +36,7 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     >>> lowest_degree(find("plane_bisector"), 2)
     4d − 2
     """
-    return joined_degree(reduction(formula.name, dimension, polynomial))
+    return joined_degree(reduction(known_as(formula), dimension, polynomial))
 
 
 def joined_degree(found: Reduction) -> Degree:

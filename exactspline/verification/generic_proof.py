@@ -8,11 +8,11 @@ from functools import cache
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.formula import Formula
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import Paper, find
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
 from exactspline.symbolic.assumptions import Assumption, zero_free
-from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+from exactspline.symbolic.factorization import Factor, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, reduce
 
 
@@ -24,11 +24,12 @@ def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, poly
 
     Raises `ClaimError` when the right side vanishes identically.
     """
-    return _factor(*[find(each) if isinstance(each, str) else each for each in (left, right)], dimension, polynomial)
+    sides = [find(each) if isinstance(each, str) else each for each in (left, right)]
+    return _factor(*sides, dimension, polynomial, naming())
 
 
 @cache
-def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool) -> Factor | None:
+def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Factor | None:
     c = jets_for((left, right), dimension, polynomial=polynomial)
     return find_factor(left(c), right(c))
 
@@ -38,7 +39,7 @@ def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[str], t
     others have none.
     """
     assumed, names, used = list(assumed), [], []
-    for name, polynomial, _ in factor.powers:
+    for (name, polynomial), _ in factor.powers:
         reason = zero_free(Jet(factor.ring, polynomial), assumed)
         if reason is None:
             names.append(name)
@@ -53,9 +54,13 @@ def transposed(formula: Formula) -> Formula:
     return Formula(lambda c: formula.function(Pair(c.second, c.first)), formula.source, formula.kind, formula.symbol)
 
 
-@cache
 def reduction_of(formula: Formula, dimension: int, polynomial: bool) -> Reduction:
     """The reduction of a formula, made once."""
+    return _reduction(formula, dimension, polynomial, naming())
+
+
+@cache
+def _reduction(formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Reduction:
     return reduce(formula, dimension=dimension, polynomial=polynomial)
 
 

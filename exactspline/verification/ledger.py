@@ -7,11 +7,14 @@ from functools import partial
 from time import perf_counter
 
 from exactspline.errors import ExactSplineError
+from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
+from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim import Claim, contradict
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.paper_curves import own_curves
 from exactspline.verification.verdict import REFUTED, ContradictionError, Finding, Row, row, undecided
 from exactspline.verification.vocabulary import ArgumentKind
 
@@ -44,14 +47,28 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> lis
     chosen, proofs = list(claims), Proofs()
     calls: list[Task] = []
     if curves is None:
-        curves = [example(name) for name in example_names()]
         calls += [partial(proved, claim, proofs) for claim in chosen]
         calls += [partial(_checked_on_table, claim, proofs) for claim in chosen if claim.curve == ArgumentKind.TABLE]
+        for name in dict.fromkeys(claim.paper for claim in chosen):
+            own = [claim for claim in chosen if claim.paper == name]
+            calls += _on_curves(own, _curves_of(own[0].source_paper), proofs)
+        return calls
+    return _on_curves(chosen, curves, proofs)
+
+
+def _curves_of(source: Paper) -> list[Nurbs]:
+    """The curves on which a paper is checked: those in its folder, the examples where there are none."""
+    return list(own_curves(source).values()) or [example(name) for name in example_names()]
+
+
+def _on_curves(claims: Iterable[Claim], curves: Iterable[Nurbs], proofs: Proofs) -> list[Task]:
+    """Curve by curve the claims that speak of it; what is evaluated on a curve is evaluated once."""
+    calls: list[Task] = []
     for curve in curves:
         own = Evaluation(curve)
         calls += [
             partial(checked, claim, own, own.curve.name or UNNAMED, proofs)
-            for claim in chosen
+            for claim in claims
             if claim.speaks_of(curve.dimension, curve.polynomial)
         ]
     return calls
@@ -75,7 +92,8 @@ class Proofs:
 
 def _proof(claim: Claim) -> tuple[str, Finding]:
     try:
-        return claim.prove()
+        with speaking_of(claim.source_paper):
+            return claim.prove()
     except ContradictionError:
         raise
     except ExactSplineError as error:
@@ -93,13 +111,14 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
     """A claim checked on one curve. What is refuted there must not be proved for all curves."""
     start = perf_counter()
     try:
-        finding = claim.check(own)
+        with speaking_of(claim.source_paper):
+            finding = claim.check(own)
     except ContradictionError:
         raise
     except ExactSplineError as error:
         finding = undecided(claim.claims, error)
     if finding.verdict == REFUTED:
         contradict(claim, proofs[claim][1], finding)
-    is_example = name in example_names() and own.curve is example(name)
-    beside, seconds = own.beside(claim.curve), perf_counter() - start
+    is_example = claim.source_paper.default and name in example_names() and own.curve is example(name)
+    beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE
 from exactspline.language.parts import joined
-from exactspline.papers import all_formulas
+from exactspline.papers import all_formulas, known_as
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.splines.lowest_terms import control_point_count, true_degree_or_none
 from exactspline.splines.nurbs import Nurbs
@@ -38,10 +38,14 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     """
     value = joined(formula(curve))
     nominal = formula(DegreeReading().argument(CURVE, curve.dimension, polynomial=curve.polynomial)).degree
-    return Measure(formula.name, nominal, value.degree, true_degree_or_none(value), control_point_count(value))
+    return Measure(known_as(formula), nominal, value.degree, true_degree_or_none(value), control_point_count(value))
+
+
+def speaks_of(formula: Formula, dimension: int) -> bool:
+    """Whether a formula speaks of curves of this dimension, and of nothing beside them."""
+    return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
 
 
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that speak of curves of this dimension."""
-    kinds = {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
-    return [formula for formula in all_formulas().values() if formula.kind in kinds]
+    return [formula for formula in all_formulas().values() if speaks_of(formula, dimension)]

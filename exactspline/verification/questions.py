@@ -15,11 +15,12 @@ from exactspline.exact import mpq
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
-from exactspline.papers import find
+from exactspline.papers import all_formulas, find, resolve
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import Factor, find_factor
+from exactspline.symbolic.factorization import Factor, find_factor, jets_with_roots
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 
@@ -37,17 +38,26 @@ class Proof:
     factor: str
     dimension: int
     holds: bool
-    #: What the left side over the right one is in truth; None for vectors that are not parallel.
+    #: What the left side over the right one is in truth; None for vectors that are not parallel, and over roots.
     quotient: Factor | None
+    #: Whether roots are adjoined: then a quotient is no product of polynomials.
+    roots: bool = False
 
     def __bool__(self) -> bool:
         return self.holds
+
+    def data(self) -> dict[str, object]:
+        """The answer for a program."""
+        told = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
+        quotient = None if self.quotient is None else str(self.quotient)
+        return told | {"factor": self.factor, "dimension": self.dimension, "holds": self.holds, "quotient": quotient}
 
     def __str__(self) -> str:
         statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
         if self.holds:
             return f"{statement} for all curves in R{self.dimension}"
-        truth = "they are not parallel" if self.quotient is None else f"the quotient is {self.quotient}"
+        different = "they differ" if self.roots else "they are not parallel"
+        truth = different if self.quotient is None else f"the quotient is {self.quotient}"
         return f"not {statement} in R{self.dimension}: {truth}"
 
 
@@ -101,12 +111,64 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     _check_kinds(kind, sides, n)
     named = [find(name) for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS]
     _check_kinds(kind, named, n)
-    curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
-    quotient = find_factor(sides[0](curve), sides[1](curve))
+    if kind.adjoins_roots:
+        curve, quotient = jets_with_roots((*sides, *named), factor, n), None
+    else:
+        curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
+        quotient = find_factor(sides[0](curve), sides[1](curve))
     top, bottom = factor_of_text(factor, curve)
     (ps, _), (qs, _) = (split(f(curve)) for f in sides)
     holds = len(ps) == len(qs) and all(p * bottom == top * q for p, q in zip(ps, qs, strict=True))
-    return Proof(sides[0].name, sides[1].name, factor, n, holds, quotient)
+    return Proof(sides[0].name, sides[1].name, factor, n, holds, quotient, kind.adjoins_roots)
+
+
+def proof_of(text: str, *, trust: bool = False) -> Proof:
+    """The identity that a text states between formulas of anybody, decided: ``file.py:left = w^3 * file.py:right``.
+
+    >>> print(proof_of("f1 = w * f2"))
+    f1 = w · f2 for all curves in R2
+
+    Raises `FormulaError` for a text that states none, and whatever `exactspline.papers.resolve` and `prove` raise.
+    """
+    left, equal, right = text.partition("=")
+    *factor, last = right.replace("·", " ").replace("*", " ").split() or [""]
+    if not equal or not left.strip() or not last or len(left.split()) > 1:
+        raise FormulaError(f"{text!r} states no identity", remedy='write "file.py:left = w^3 * file.py:right"')
+    first, place = resolve(left.strip(), trust=trust), left.strip().rpartition(":")[0]
+    try:
+        second = resolve(f"{place}:{last}" if place and ":" not in last else last, trust=trust)
+    except FormulaError:
+        if last not in all_formulas():
+            raise
+        second = find(last)
+    return prove(first, second, " ".join(factor) or "1")
+
+
+@dataclass(frozen=True)
+class DegreeAnswer:
+    """The answer of `degree`: what Table 1 counts, and what the value in lowest terms has on the generic curve."""
+
+    formula: str
+    dimension: int
+    nominal: Degree
+    lowest: Degree
+
+    def __str__(self) -> str:
+        return f"{self.formula} in R{self.dimension}: nominal {self.nominal}, in lowest terms {self.lowest}"
+
+
+def degree(formula: Named, *, dimension: int | None = None, polynomial: bool = False) -> DegreeAnswer:
+    """The degrees of a formula of the generic curve of degree d.
+
+    >>> print(degree("g2"))
+    g2 in R2: nominal 9d − 6, in lowest terms 9d − 12
+
+    Raises `FormulaError` for an unknown formula, and where the degree theorem says nothing of its argument.
+    """
+    (wanted,) = _formulas(formula)
+    n = wanted.kind.dimensions[0] if dimension is None else dimension
+    nominal = wanted(DegreeReading().argument(wanted.kind, n, polynomial=polynomial)).degree
+    return DegreeAnswer(wanted.name, n, nominal, reduce(wanted, dimension=n, polynomial=polynomial).main.generic_lowest)
 
 
 def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:

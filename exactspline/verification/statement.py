@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from exactspline.errors import InapplicableError
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
-from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -22,7 +22,6 @@ from exactspline.verification.claim import Claim, combined
 from exactspline.verification.claims import select
 from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Scope
 
@@ -126,35 +125,47 @@ def sides(claim: Claim) -> tuple[Side, ...]:
 
 
 def _side(name: str, role: str, claim: Claim) -> Side:
-    formula, tree = find(name), telling_tree(find(name), _dimension(name, claim))
+    formula = claim.find(name)
+    tree = telling_tree(formula, _dimension(formula, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    degrees = [str(_degree(name, claim, polynomial)) for polynomial in (False, True)]
+    counted = [_degree(name, claim, polynomial) for polynomial in (False, True)]
+    degrees = ["–" if degree is None else str(degree) for degree in counted]
     return Side(
-        role, name, formula.source, f"{shown} = {print_text(tree)}", f"{symbol(name)} = {print_latex(tree)}", *degrees
+        role,
+        name,
+        formula.source,
+        f"{shown} = {print_text(tree)}",
+        f"{claim.symbol(name)} = {print_latex(tree)}",
+        *degrees,
     )
 
 
-def _dimension(name: str, claim: Claim) -> int:
+def _dimension(formula: Formula, claim: Claim) -> int:
     """The dimension in which a formula is read: the claim's, if there is such a formula, else its own."""
-    own = find(name).kind.dimensions
+    own = formula.kind.dimensions
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
-def _degree(name: str, claim: Claim, polynomial: bool) -> Degree:
-    formula = find(name)
+def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
+    """The degree of a formula, None where it has none: over roots, of functions that are given by an equation."""
+    formula = claim.find(name)
     counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
-    handed = (
-        DegreeReading("d", *counts).argument(formula.kind, _dimension(name, claim), polynomial=polynomial)
-        if formula.kind is not TABLE
-        else degree_table()
-    )
-    degree: Degree = formula(handed).degree
+    if formula.kind is TABLE:
+        degree: Degree = formula(degree_table()).degree
+        return degree
+    if formula.kind.adjoins_roots:
+        return None
+    dimension, reading = _dimension(formula, claim), DegreeReading("d", *counts)
+    try:
+        degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
+    except InapplicableError:
+        return None
     return degree
 
 
 def _size(name: str, claim: Claim) -> int:
     degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
-    return degree.at(dict.fromkeys(degree.names, 3))
+    return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:

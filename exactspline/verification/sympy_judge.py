@@ -13,8 +13,9 @@ from exactspline.language.arguments import embedded
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.readings.sympy_expression import SympyReading
+from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim, worst
-from exactspline.verification.claim_factor import factor_of_text
+from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding, Row, row, undecided, vacuous
@@ -45,7 +46,12 @@ def judged(claim: Claim) -> Row:
 
 
 def _argument(claim: Claim, dimension: int, polynomial: bool) -> Any:
-    return SympyReading().argument(kind_of(claim.curve), dimension, polynomial=polynomial)
+    kind = kind_of(claim.curve)
+    if kind.adjoins_roots:
+        factor = claim.factor if isinstance(claim, Identity) else "1"
+        named = [*claim.named, *(name for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS)]
+        polynomial = polynomial or without_denominator([claim.find(name) for name in named], factor, dimension)
+    return SympyReading().argument(kind, dimension, polynomial=polynomial)
 
 
 @singledispatch

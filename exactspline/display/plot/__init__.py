@@ -8,14 +8,13 @@ All is computed exactly; numbers become floats only when matplotlib gets them. A
 from exactspline.display.plot.canvas import PlotError, new_figure, save
 from exactspline.display.plot.comparisons import inspect_figure, plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
-from exactspline.display.plot.functions import greville_abscissae, plot_function, plot_roots
+from exactspline.display.plot.functions import plot_function, plot_roots
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 
 __all__ = [
     "PlotError",
     "SurfaceMesh",
-    "greville_abscissae",
     "inspect_figure",
     "mark_points",
     "new_figure",

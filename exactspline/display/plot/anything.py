@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def plot(thing: object, ax: Axes | None = None, **how: Any) -> Axes:
+def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
     """Draw a curve, a function, a zero set, a derived curve or a surface into matplotlib's axes (None: those of a new
     figure), which are returned. `how` as for the function of `exactspline.display.plot` that draws such things.
 
@@ -32,20 +32,21 @@ def plot(thing: object, ax: Axes | None = None, **how: Any) -> Axes:
 
     Raises `PlotError` without matplotlib, `ShapeError` for what has no picture.
     """
+    options: dict[str, Any] = how
     if isinstance(thing, Nurbs):
-        return plot_curve(thing, ax, **how)
+        return plot_curve(thing, ax, **options)
     if isinstance(thing, BSpline):
-        return plot_function(thing, ax, **how)
+        return plot_function(thing, ax, **options)
     if isinstance(thing, ZeroSet):
-        return plot_function(thing.spline, ax, roots=thing, **how)
+        return plot_function(thing.spline, ax, roots=thing, **options)
     if isinstance(thing, RuledSurface):
-        return plot_ruled_surface(thing, ax=ax, **how)
+        return plot_ruled_surface(thing, ax=ax, **options)
     parts = thing.numerator if isinstance(thing, Rational) else thing
     if isinstance(parts, Vector):
         draw: Callable[..., Axes] = (
             plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient
         )
-        return draw(thing, ax, **how)
+        return draw(thing, ax, **options)
     raise ShapeError(
         f"a {type(thing).__name__} has no picture of its own",
         remedy="draw a curve, a spline, a zero set, a vector or quotient of splines, or a ruled surface",

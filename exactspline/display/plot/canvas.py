@@ -83,12 +83,13 @@ def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
     return ax
 
 
-def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: Any) -> None:
+def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: object) -> None:
     """Exact points as a line or as dots: the one place where they become floats."""
+    options: dict[str, Any] = how
     columns = list(zip(*points, strict=True))
     if any(abs(x) > LARGEST for column in columns for x in column):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
-    ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **how)
+    ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **options)
 
 
 def legend_below(ax: Axes, columns: int = 3) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,9 @@ from exactspline.display.plot.canvas import (
     BLUE,
     GREEN,
     MARKS,
+    ORANGE,
     PURPLE,
+    SKY,
     VERMILLION,
     axes_for,
     draw,
@@ -22,9 +24,12 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
 from exactspline.exact import iroot, mpq
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis import Analysis, analyse
 from exactspline.geometry.constructions import construction
+from exactspline.geometry.extent import coordinate_extrema
+from exactspline.geometry.kinds import FeatureKind
 from exactspline.language.choices import Side
+from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
@@ -38,6 +43,16 @@ if TYPE_CHECKING:
 LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, (0, (5, 1, 1, 1, 1, 1))))
 #: Samples of every graph that is compared.
 SAMPLES = 400
+
+
+#: What a picture of several curves marks: a name, the marker with size and colour, the parameters on one curve.
+_MARKED: tuple[tuple[str, str, int, str, Callable[[Analysis], list[Root]]], ...] = (
+    ("corners", "s", 11, VERMILLION, lambda found: [knot_root(joint.parameter) for joint in found.corners]),
+    ("cusps", "X", 9, BLACK, lambda found: [f.root for f in found.singular_points if f.kind is FeatureKind.CUSP]),
+    ("coordinate extrema", "o", 7, SKY, lambda found: [f.root for f in coordinate_extrema(found.curve)]),
+    ("curvature extrema", "^", 7, ORANGE, lambda found: [f.root for f in found.curvature_extrema]),
+    ("inflections", "D", 7, GREEN, lambda found: [f.root for f in found.inflections]),
+)
 
 
 def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
@@ -70,6 +85,37 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
         plot_features(curve, [*single, *jumps], ax, marker=marker, color=color, label=f"zeros of {title}", size=size)
+    return figure
+
+
+def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
+    """One picture of several curves, a drawing or a glyph: corners, inflections, cusps, the extrema of the curvature,
+    and where the coordinates turn.
+
+    >>> from exactspline.splines.examples import example
+    >>> ax, = features_figure([example("cubic_s"), example("cusp")]).axes
+    >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
+    'inflections (1)'
+
+    Raises `PlotError` for a space curve among plane ones, otherwise as `plot_curve`.
+    """
+    figure = new_figure(9, 8)
+    ax = figure.add_subplot(projection="3d" if curves[0].dimension == 3 else None)
+    for curve in curves:
+        plot_curve(curve, ax, control_polygon=False, label="_curve")
+    for name, marker, size, color, of in _MARKED:
+        found = [(curve, of(analyse(curve))) for curve in curves]
+        label = f"{name} ({sum(len(places) for _, places in found)})"
+        for curve, places in found:
+            plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
+    seen = set()
+    for line in ax.lines:
+        # a legend names what has many curves once
+        if line.get_label() in seen:
+            line.set_label("_again")
+        seen.add(line.get_label())
+    legend_below(ax)
+    ax.set_title(title or shown_name(curves[0]))
     return figure
 
 

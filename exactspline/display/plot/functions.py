@@ -30,6 +30,7 @@ from exactspline.exact import mpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import greville_abscissae
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,19 +41,6 @@ POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
 #: Into how many pieces a leg of a control polygon is cut where the scale bends it.
 BENDS = 64
 SCALES = ("linear", "symlog", "clip")
-
-
-def greville_abscissae(f: BSpline) -> list[mpq]:
-    """The parameters over which the control points of a function are drawn: means of n consecutive knots (of a
-    constant: the middles of segments).
-
-    >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))
-    [mpq(0,1), mpq(1,2), mpq(3,2), mpq(2,1)]
-    """
-    n, t = f.degree, f.knots.knots
-    if n == 0:
-        return [(a + b) / 2 for a, b in pairwise(t)]
-    return [sum(t[i + 1 : i + n + 1], mpq(0)) / n for i in range(len(f.control_points))]
 
 
 def plot_function(
@@ -174,14 +162,14 @@ def draw_roots(
                 label=counted,
                 zorder=5,
             )
-    for i, (low, high) in enumerate(stretches(roots)):
+    for i, (low, high) in enumerate(zero_intervals(roots)):
         ends = [(low, mpq(0)), (high, mpq(0))]
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
 
 
-def stretches(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
+def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
     """The intervals on which all is zero, cut at the seam."""
-    return [part for stretch in getattr(roots, "intervals", []) for part in stretch.parts]
+    return [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
 
 
 def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
@@ -193,7 +181,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
     no other, the root a dot.
 
-    What is drawn is the interval at hand: `Root.refine` makes it narrower. Stretches on which the function vanishes are
+    What is drawn is the interval at hand: `Root.refine` makes it narrower. Intervals on which the function vanishes are
     thick bars at the bottom.
 
     >>> from exactspline.roots.zero_set import zeros
@@ -222,7 +210,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
-    for i, (low, high) in enumerate(stretches(roots)):
+    for i, (low, high) in enumerate(zero_intervals(roots)):
         ends = [(low, mpq(-1)), (high, mpq(-1))]
         draw(ax, ends, color=color, linewidth=6, label="_stretch" if i else "zero throughout")
     ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.exact import mpq
 from exactspline.splines.nurbs import Nurbs
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import mpmath
 
 
-def to_mpmath(curve: Nurbs) -> Callable[[Any], list[mpmath.mpf]]:
+def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
     """The function that takes a parameter to the point, every coordinate rounded once, to the precision at the call.
 
     >>> from mpmath import mpf, workdps
@@ -22,7 +22,7 @@ def to_mpmath(curve: Nurbs) -> Callable[[Any], list[mpmath.mpf]]:
     0.882352941176470588235294117647
     """
 
-    def value(parameter: Any) -> list[mpmath.mpf]:
+    def value(parameter: object) -> list[mpmath.mpf]:
         import mpmath
         from mpmath.libmp import from_rational, round_nearest, to_rational
 

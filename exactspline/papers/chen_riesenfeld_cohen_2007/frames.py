@@ -4,18 +4,18 @@ The argument is a `exactspline.language.adjoined_root.FramedCurve`: a curve with
 """
 
 from exactspline.language.formula import formula
-from exactspline.language.vector import Vector, cross, det, dot, norm2, perp
+from exactspline.language.vector import cross, det, dot, join, norm2, perp
 from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f0
 from exactspline.papers.chen_riesenfeld_cohen_2007.space import binormal, normal, rectifying_developable, torsion
 
 
-@formula("eq. (7)", on="framed", symbol=r"\sigma")
+@formula("eq. (7)", on="framed")
 def speed(c):
     """``‖γ′‖``."""
     return c.sigma
 
 
-@formula("eq. (13)", on="framed space", symbol=r"\rho")
+@formula("eq. (13)", on="framed space")
 def binormal_length(c):
     """``‖γ′ × γ″‖``."""
     return c.rho
@@ -50,7 +50,7 @@ def frame_products(c):
     """The scalar products and the determinant of T, N, B without those of an orthonormal, right-handed basis."""
     t, n, b = unit_tangent(c), unit_normal(c), unit_binormal(c)
     lengths = [norm2(v) - 1 for v in (t, n, b)]
-    return Vector(*lengths, dot(t, n), dot(n, b), dot(b, t), det(t, n, b) - 1)
+    return join(*lengths, dot(t, n), dot(n, b), dot(b, t), det(t, n, b) - 1)
 
 
 @formula("eq. (15)", on="framed space", symbol=r"\kappa")

@@ -7,7 +7,10 @@ import re
 from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
 from exactspline.readings.tree import Node, Operation
 
-_GREEK = {"gamma": "γ", "sigma": "σ", "rho": "ρ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"}
+_GREEK = {
+    **{"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"},
+    **{"lambda": "λ", "sigma": "σ", "rho": "ρ", "omega": "ω", "nabla": "∇"},
+}
 _SUBSCRIPT = {ord("_"): None, **str.maketrans("123", "₁₂₃")}
 _SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -81,10 +84,10 @@ def symbol_text(symbol: str) -> str:
     text = symbol.replace("'''", "‴").replace("''", "″").replace("'", "′").replace("\\ ", " ")
     text = text.replace(r"\times", "×").replace(r"\cdot", "·").replace(r"\perp", "⊥").replace(r"\|", "‖")
     text = re.sub(r"\\mathbf\{([A-Z])\}", lambda m: chr(ord("𝐀") + ord(m[1]) - ord("A")), text)
-    text = re.sub(r"\\(kappa|gamma|sigma|rho|tau|Psi|Pi|delta|bar)", lambda m: _GREEK.get(m[1], ""), text)
+    text = re.sub(rf"\\({'|'.join(_GREEK)}|bar) ?", lambda m: _GREEK.get(m[1], ""), text)
     text = re.sub(r"\^\{?(\d+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
     text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1/\2", text)
-    return re.sub(r"\\(mathbf|left|right)|[_{}]", "", text)
+    return re.sub(r"\\(mathbf|mathrm|left|right)|[_{}]", "", text)
 
 
 print_text = TextPrinter()

@@ -5,10 +5,13 @@ from __future__ import annotations
 from exactspline.verification.claim import Claim
 from exactspline.verification.kinds.coefficients import Coefficients
 from exactspline.verification.kinds.condition import Condition
+from exactspline.verification.kinds.contact import Contact
 from exactspline.verification.kinds.count import Count
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.existence import Existence
 from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.invariance import Invariance
+from exactspline.verification.kinds.sign import SignClaim
 from exactspline.verification.kinds.square_class import SquareClass
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
 from exactspline.verification.kinds.zero_set import ZeroSet
@@ -28,6 +31,9 @@ KINDS: dict[str, type[Claim]] = {
         SameSurface,
         Existence,
         IsoCurve,
+        Contact,
+        Invariance,
+        SignClaim,
     )
 }
 
@@ -35,12 +41,15 @@ __all__ = [
     "KINDS",
     "Coefficients",
     "Condition",
+    "Contact",
     "Count",
     "DegreeClaim",
     "Existence",
     "Identity",
+    "Invariance",
     "IsoCurve",
     "SameSurface",
+    "SignClaim",
     "SquareClass",
     "Vanishing",
     "ZeroSet",

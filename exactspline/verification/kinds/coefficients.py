@@ -13,7 +13,6 @@ from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Curves
 
@@ -48,7 +47,7 @@ class Coefficients(Claim):
     @property
     def latex(self) -> str:
         """The formula has no vanishing coefficient."""
-        return rf"{symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
+        return rf"{self.symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
         """What is generic says nothing of single curves."""

@@ -11,11 +11,9 @@ from exactspline.language.parts import split
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.examples import example
 from exactspline.verification.claim import ExampleClaim, formula_name, read
 from exactspline.verification.conditioning.condition_number import Interval, condition_number
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 
 BETTER = "better at every common zero"
@@ -35,7 +33,7 @@ class Condition(ExampleClaim):
 
     def validate(self) -> None:
         """Refuse an example of which the claim does not speak, and a form compared with itself."""
-        curve = example(self.example)
+        curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
                 f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
@@ -51,7 +49,7 @@ class Condition(ExampleClaim):
     @property
     def latex(self) -> str:
         """Both names."""
-        return rf"{symbol(self.left)} \;\text{{is better conditioned than}}\; {symbol(self.right)}"
+        return rf"{self.symbol(self.left)} \;\text{{is better conditioned than}}\; {self.symbol(self.right)}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Where enclosures do not tell two condition numbers apart nothing is decided."""

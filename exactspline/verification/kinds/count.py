@@ -11,11 +11,9 @@ from exactspline.errors import ClaimError
 from exactspline.geometry.features import curvature_extrema
 from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Counter, word
 
@@ -55,7 +53,7 @@ class Count(ExampleClaim):
 
     def validate(self) -> None:
         """Refuse an example of which the claim does not speak."""
-        curve = example(self.example)
+        curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
                 f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
@@ -69,7 +67,7 @@ class Count(ExampleClaim):
     @property
     def latex(self) -> str:
         """The formula with the numbers."""
-        return rf"{symbol(self.formula)}: \;\text{{{self.claimed}}}"
+        return rf"{self.symbol(self.formula)}: \;\text{{{self.claimed}}}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only what is claimed is computed."""

@@ -22,7 +22,7 @@ from exactspline.verification.claim import Claim, count_from, degree_text, formu
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
-from exactspline.verification.notation import degree_latex, symbol
+from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import LOWER_HERE, OUTSIDE, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation, Scope
 
@@ -62,7 +62,7 @@ class DegreeClaim(Claim):
     def validate(self) -> None:
         """Refuse combinations that say nothing."""
         table = self.curve == ArgumentKind.TABLE
-        if self.parameter == Parameter.SECOND and self.curve != ArgumentKind.PAIR:
+        if self.parameter == Parameter.SECOND and not self.of_pair:
             raise ClaimError("there is no parameter s̄ of one curve", where="parameter", remedy='write "s"')
         if self.counting == Counting.PART_BY_PART and (self.measure != Measure.NOMINAL or table):
             raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
@@ -85,7 +85,7 @@ class DegreeClaim(Claim):
     def latex(self) -> str:
         """The degree, the relation, what is claimed."""
         sign = RELATIONS[self.relation][0]
-        return rf"{MEASURES[self.measure]} {symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
+        return rf"{MEASURES[self.measure]} {self.symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
 
     @property
     def proof_reading(self) -> str:

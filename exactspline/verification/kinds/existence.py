@@ -9,7 +9,6 @@ from exactspline.language.parts import split
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding, vacuous
 
 NOT = "not rational"
@@ -33,7 +32,7 @@ class Existence(Claim):
     @property
     def latex(self) -> str:
         """The formula is not rational."""
-        return rf"{symbol(self.formula)} \;\text{{is not rational}}"
+        return rf"{self.symbol(self.formula)} \;\text{{is not rational}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """That there is no rational form is refuted by one: a formula without roots, not the constant zero."""

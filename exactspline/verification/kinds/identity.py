@@ -11,13 +11,13 @@ from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.symbolic.factorization import jets_for
+from exactspline.symbolic.factorization import jets_for, jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.curve_check import printed_factor, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.notation import factor_latex, symbol
+from exactspline.verification.notation import factor_latex
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
@@ -27,7 +27,7 @@ def stated_factor(claim: Claim, name: str, value: str) -> str:
     for part, _ in factor_parts(value):
         if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
             raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
-        if part == "W" and claim.curve != ArgumentKind.PAIR:
+        if part == "W" and not claim.of_pair:
             raise ClaimError("the factor speaks of a second curve", where=name, remedy='the denominator is "w"')
         if part[0].isalpha() and part not in WEIGHTS:
             formula_name(claim, name, part)
@@ -58,7 +58,7 @@ class Identity(Claim):
     @property
     def latex(self) -> str:
         """Left side, factor, right side."""
-        return f"{symbol(self.left)} = {factor_latex(self.factor)}{symbol(self.right)}"
+        return f"{self.symbol(self.left)} = {factor_latex(self.factor, self.find)}{self.symbol(self.right)}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left = factor · right`` as differential polynomials."""
@@ -75,6 +75,8 @@ class Identity(Claim):
             witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
             return Finding(REFUTED, self.factor, "not proportional", "", witness)
         order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, order, self.find)
         if bottom.is_zero:
             return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
@@ -86,7 +88,8 @@ class Identity(Claim):
     def _over_roots(self, dimension: int, polynomial: bool) -> Finding:
         """The same where a quotient is no product of polynomials: component by component."""
         left, right = self.find(self.left), self.find(self.right)
-        c = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        formulas = (left, right, *self._factors())
+        c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)
         ps, qs = split(left(c))[0], split(right(c))[0]
         top, bottom = factor_of_text(self.factor, c, self.find)
         if all(x.is_zero for x in (*ps, *qs)):
@@ -112,6 +115,8 @@ class Identity(Claim):
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
         (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
         assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
+        top: Any
+        bottom: Any
         top, bottom = factor_of_text(self.factor, argument, self.find)
         factor = printed_factor(self.factor, argument)
         if all(x.is_zero for x in (*ps, *qs)):
@@ -173,16 +178,18 @@ class Vanishing(Claim):
     @property
     def latex(self) -> str:
         """The formula is zero."""
-        return rf"{symbol(self.left)} \equiv 0"
+        return rf"{self.symbol(self.left)} \equiv 0"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left`` is the zero polynomial."""
         formula = self.find(self.left)
-        components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
+        roots = kind_of(self.curve).adjoins_roots
+        jets = jets_with_roots((formula,), "1", dimension, polynomial=polynomial) if roots else None
+        components = split(formula(jets or jets_for((formula,), dimension, polynomial=polynomial)))[0]
         rest = next((c for c in components if not c.is_zero), None)
         if rest is None:
             return Finding(PROVED, "0", "0")
-        if kind_of(self.curve).adjoins_roots:
+        if roots:
             return Finding(REFUTED, "0", "not zero", witness=f"component {components.index(rest) + 1} is not zero")
         witness = self.refuted_on_examples().witness or "the jet polynomial is not zero"
         return Finding(REFUTED, "0", polynomial_text(Jet(rest.ring, rest.top), 3), witness=witness)

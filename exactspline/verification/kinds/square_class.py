@@ -12,7 +12,6 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
@@ -32,7 +31,7 @@ class SquareClass(Claim):
         """Refuse a formula compared with itself, and two curves."""
         if self.formula == self.right:
             raise ClaimError("a formula is compared with itself", where="right", remedy="name another one")
-        if self.curve in (ArgumentKind.PAIR, ArgumentKind.TABLE):
+        if self.of_pair or self.curve == ArgumentKind.TABLE:
             raise ClaimError(f"squares of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
 
     @property
@@ -43,7 +42,7 @@ class SquareClass(Claim):
     @property
     def latex(self) -> str:
         """The quotient is a square."""
-        return rf"{symbol(self.formula)} \,/\, {symbol(self.right)} \;\text{{is a square up to a constant}}"
+        return rf"{self.symbol(self.formula)} \,/\, {self.symbol(self.right)} \;\text{{is a square up to a constant}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The quotient of the two is a square times a constant: every irreducible factor occurs an even number of
@@ -54,7 +53,7 @@ class SquareClass(Claim):
         if any(x.is_zero for f in (formula, right) for x in split(f(c))[0]):
             return vacuous("a square")
         factor = factor_of(formula, right, dimension, polynomial=polynomial)
-        odd = "not proportional" if factor is None else "·".join(name for name, _, e in factor.powers if e % 2)
+        odd = "not proportional" if factor is None else "·".join(base.name for base, e in factor.powers if e % 2)
         quotient = f"{self.formula}/{self.right} = {factor}"
         if not odd:
             return Finding(PROVED, "a square", "a square", quotient)

@@ -19,7 +19,6 @@ from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import harmful
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, ContradictionError, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
@@ -49,7 +48,7 @@ class SameSurface(Claim):
     @property
     def latex(self) -> str:
         """Both names."""
-        return rf"{symbol(self.left)} \;\text{{and}}\; {symbol(self.right)} \;\text{{are one surface}}"
+        return rf"{self.symbol(self.left)} \;\text{{and}}\; {self.symbol(self.right)} \;\text{{are one surface}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The generators are parallel, the directrices differ along them; with the relation of the ruling parameters ζ
@@ -105,7 +104,7 @@ class SameSurface(Claim):
 
 def _poles(factor: Factor) -> Factor:
     """The denominator of a factor."""
-    return Factor(factor.constant, tuple(power for power in factor.powers if power[2] < 0), factor.ring)
+    return Factor(factor.constant, factor.powers.below, factor.ring)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -134,7 +133,9 @@ class IsoCurve(Claim):
     @property
     def latex(self) -> str:
         """Both names."""
-        return rf"{symbol(self.left)} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {symbol(self.right)}"
+        return (
+            rf"{self.symbol(self.left)} \;\text{{is the curve}}\; \zeta = 0 \;\text{{of}}\; {self.symbol(self.right)}"
+        )
 
     def missing(self, argument: Handed) -> str:
         """Nothing is asked beforehand: the right side is handed the curve in space."""

@@ -14,7 +14,6 @@ from exactspline.verification.claim import Claim, formula_names, one_of, read
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of, harmful
-from exactspline.verification.notation import symbol
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, ZeroSetOf
 
@@ -36,7 +35,7 @@ class ZeroSet(Claim):
             raise ClaimError(
                 "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
             )
-        if self.curve in (ArgumentKind.PAIR, ArgumentKind.TABLE):
+        if self.of_pair or self.curve == ArgumentKind.TABLE:
             raise ClaimError(f"zero sets of {str(self.curve)!r} are not decided", where="curve", remedy="name a curve")
 
     @property
@@ -47,7 +46,7 @@ class ZeroSet(Claim):
     @property
     def latex(self) -> str:
         """Zero sets that are equal."""
-        return " = ".join(rf"\{{{symbol(name)} = 0\}}" for name in self.formulas)
+        return " = ".join(rf"\{{{self.symbol(name)} = 0\}}" for name in self.formulas)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """Neighbours are identical up to factors that have no zero by what is assumed."""

@@ -1,0 +1,58 @@
+// The ledger: searched and opened; a refuted claim shows the curve on which it fails.
+
+import { data, element, navigation } from "./site.js";
+import { html } from "./svg.js";
+
+navigation();
+const claims = await data("claims");
+const plain = (text) => text.toLowerCase();
+const haystacks = claims.map((c) => plain([c.id, c.source, c.statement, c.words, c.key, ...c.sides.map((s) => `${s.name} ${s.text}`)].join(" ")));
+const SHOWN = 60;
+
+function formula(latex, text) {
+  const made = html("div", { class: "formula" });
+  try {
+    katex.render(latex, made, { throwOnError: true, displayMode: true });
+  } catch {
+    made.textContent = text;
+  }
+  return made;
+}
+
+function row(name, ...content) {
+  return content.every((c) => c === "" || c === null) ? "" : html("p", {}, html("b", {}, `${name}: `), ...content);
+}
+
+function opened(c) {
+  const sides = c.sides.map((s) => html("div", {}, html("p", {}, html("b", {}, `${s.role}: `), s.source, s.rational ? ` · degree ${s.rational}` : "", s.polynomial && s.polynomial !== s.rational ? ` (polynomial: ${s.polynomial})` : ""), formula(s.latex, s.text)));
+  return html(
+    "div",
+    { class: "opened" },
+    c.latex ? formula(c.latex, c.statement) : "",
+    row("words", c.words ? `“${c.words}”` : "", c.place ? ` (${c.place})` : ""),
+    ...sides,
+    row("assumes", c.assumes),
+    row("found", c.computed === c.claimed ? "" : c.computed),
+    row("witness", c.witness, c.curve ? " " : "", c.curve ? html("a", { href: `curve.html#${c.curve}` }, "open the curve") : ""),
+    row("note", c.note),
+  );
+}
+
+function entry(c) {
+  const made = html("details", { class: "card" }, html("summary", {}, html("span", { class: `verdict ${c.verdict}` }, c.verdict), ` ${c.id}, ${c.source}: ${c.statement}`));
+  made.ontoggle = () => made.children.length === 1 && made.append(opened(c));
+  return made;
+}
+
+function show() {
+  const words = plain(element("search").value).split(/\s+/).filter(Boolean);
+  const [paper, verdict] = [element("paper").value, element("verdict").value];
+  const found = claims.filter((c, i) => (!paper || c.paper === paper) && (!verdict || c.verdict === verdict) && words.every((w) => haystacks[i].includes(w)));
+  element("count").textContent = `${found.length} of ${claims.length}${found.length > SHOWN ? `, the first ${SHOWN} shown` : ""}`;
+  element("claims").replaceChildren(...found.slice(0, SHOWN).map(entry));
+}
+
+const papers = new Map(claims.map((c) => [c.paper, c.title]));
+element("paper").append(html("option", { value: "" }, "all"), ...[...papers].map(([value, title]) => html("option", { value }, title)));
+for (const id of ["search", "paper", "verdict"]) element(id).oninput = show;
+show();

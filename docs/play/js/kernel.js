@@ -1,0 +1,51 @@
+// One library for a page: questions go to the worker, answers come back as promises.
+
+export class Kernel {
+  #worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+  #waiting = new Map();
+  #next = 0;
+  #channels = new Map();
+
+  constructor(status) {
+    this.#worker.onmessage = ({ data }) => {
+      if (data.broken) return status?.(`The library could not be started: ${data.broken}`, true);
+      if (data.steps) return status?.(data.step < data.steps ? `${data.doing} … ${data.step + 1}/${data.steps}` : "");
+      const { resolve, reject } = this.#waiting.get(data.id);
+      this.#waiting.delete(data.id);
+      if (data.error) reject(new Error(data.error));
+      else resolve(data);
+    };
+  }
+
+  // What the library answers: `{answer, milliseconds}`; an error is the library's own words.
+  ask(question, data = {}) {
+    const id = this.#next++;
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, { resolve, reject });
+      this.#worker.postMessage({ id, question, data });
+    });
+  }
+
+  // The same for what changes faster than it is answered: of the questions that wait, only the last one is asked.
+  latest(question, data, show, complain) {
+    const channel = this.#channels.get(question) ?? { busy: false, next: null };
+    this.#channels.set(question, channel);
+    channel.next = { data, show, complain };
+    if (!channel.busy) this.#drain(question, channel);
+  }
+
+  async #drain(question, channel) {
+    channel.busy = true;
+    while (channel.next) {
+      const { data, show, complain } = channel.next;
+      channel.next = null;
+      try {
+        const told = await this.ask(question, data);
+        if (!channel.next) show(told);
+      } catch (problem) {
+        if (!channel.next) complain(problem);
+      }
+    }
+    channel.busy = false;
+  }
+}

@@ -1,0 +1,83 @@
+// A picture of a NURBS curve in doubles, at once; every number that is shown comes from the library instead.
+
+import { double } from "./numbers.js";
+
+const combine = (a, x, b, y) => x.map((v, i) => a * v + b * y[i]);
+
+function segmentOf(knots, degree, count, t) {
+  let low = degree;
+  while (low + 1 < count && knots[low + 1] <= t) low += 1;
+  return low;
+}
+
+function deBoor(knots, degree, points, t) {
+  const at = segmentOf(knots, degree, points.length, t);
+  const row = points.slice(at - degree, at + 1);
+  for (let level = 1; level <= degree; level += 1)
+    for (let j = degree; j >= level; j -= 1) {
+      const i = at - degree + j;
+      const width = knots[i + degree + 1 - level] - knots[i];
+      const share = width ? (t - knots[i]) / width : 0;
+      row[j] = combine(1 - share, row[j - 1], share, row[j]);
+    }
+  return row[degree];
+}
+
+function derivative({ knots, degree, points }) {
+  if (degree === 0) return { knots, degree, points: points.map((p) => p.map(() => 0)) };
+  const slopes = points.slice(1).map((p, i) => {
+    const width = knots[i + 1 + degree] - knots[i + 1];
+    const factor = width ? degree / width : 0;
+    return combine(factor, p, -factor, points[i]);
+  });
+  return { knots: knots.slice(1, -1), degree: degree - 1, points: slopes };
+}
+
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
+const times = (c, a) => [c * a[0], c * a[1]];
+const det = (a, b) => a[0] * b[1] - a[1] * b[0];
+
+// The values of a spline function at so many parameters of its domain.
+export function values({ knots, degree, ordinates }, count = 240) {
+  const points = ordinates.map((y) => [y]);
+  const [low, high] = [knots[degree], knots[knots.length - 1 - degree]];
+  return Array.from({ length: count + 1 }, (_, k) => {
+    const t = low + ((high - low) * k) / count;
+    return [t, deBoor(knots, degree, points, t)[0]];
+  });
+}
+
+// A function t ↦ {point, tangent, curvature, centre} of a curve as the pages hold it.
+export function preview(curve) {
+  const knots = curve.knots.map(double);
+  const weights = curve.weights.map(double);
+  const points = curve.points.map((p, i) => [double(p[0]) * weights[i], double(p[1]) * weights[i], weights[i]]);
+  const forms = [{ knots, degree: curve.degree, points }];
+  forms.push(derivative(forms[0]), derivative(derivative(forms[0])));
+  return (t) => {
+    const [p, p1, p2] = forms.map((f) => deBoor(f.knots, f.degree, f.points, t));
+    const point = times(1 / p[2], p);
+    const first = times(1 / p[2], minus(p1, times(p1[2], point)));
+    const second = times(1 / p[2], minus(minus(p2, times(2 * p1[2], first)), times(p2[2], point)));
+    const speed = Math.hypot(...first);
+    const curvature = det(first, second) / speed ** 3;
+    const normal = [-first[1] / speed, first[0] / speed];
+    const centre = [point[0] + normal[0] / curvature, point[1] + normal[1] / curvature];
+    return { t, point, first, normal, curvature, centre };
+  };
+}
+
+// Samples over the domain, so many in every segment, ends included.
+export function samples(curve, count = 96) {
+  const at = preview(curve);
+  const knots = curve.knots.map(double);
+  const breaks = [...new Set(knots.slice(curve.degree, knots.length - curve.degree))];
+  const found = [];
+  for (let i = 0; i + 1 < breaks.length; i += 1)
+    for (let j = i ? 1 : 0; j <= count; j += 1) {
+      // just inside the segment: the last sample belongs to it, not to the next one
+      const t = breaks[i] + ((breaks[i + 1] - breaks[i]) * Math.min(j, count - 1e-9)) / count;
+      found.push(at(t));
+    }
+  return found;
+}

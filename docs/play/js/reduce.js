@@ -1,0 +1,56 @@
+// A formula that is typed, and what the library finds in it.
+
+import { Kernel } from "./kernel.js";
+import { element, navigation, statusLine } from "./site.js";
+import { html } from "./svg.js";
+
+const SAMPLES = [
+  ["curvature's numerator", 2, "from exactspline import det\n\n\ndef numerator(c):\n    return det(c.gamma.d(1), c.gamma.d(2))\n"],
+  ["torsion's numerator", 3, "from exactspline import triple\n\n\ndef numerator(c):\n    return triple(c.gamma.d(1), c.gamma.d(2), c.gamma.d(3))\n"],
+  ["extrema of curvature", 2, "from exactspline import det, dot, norm2\n\n\ndef extrema(c):\n    v, a, j = c.gamma.d(1), c.gamma.d(2), c.gamma.d(3)\n    return det(v, j) * norm2(v) - 3 * det(v, a) * dot(v, a)\n"],
+  ["evolute", 2, "from exactspline import det, norm2, perp\n\n\ndef evolute(c):\n    v = c.gamma.d(1)\n    return c.gamma + perp(v) * norm2(v) / det(v, c.gamma.d(2))\n"],
+];
+
+navigation();
+const say = statusLine(element("status"));
+const kernel = new Kernel(say);
+
+function part(p) {
+  const line = (name, value) => value && html("tr", {}, html("th", { scope: "row" }, name), html("td", { class: "number" }, value));
+  const rows = [
+    line("naive degree", p.naive),
+    line("factors cancelled", p.cancelled),
+    line("what is left", p.reduced),
+    line("its degree", p.nominal),
+    line("true degree", p.true),
+    line("in lowest terms", p["lowest terms"]),
+    ...Object.entries(p.meaning).map(([name, meaning]) => line(name, meaning)),
+    ...Object.entries(p.lower).map(([d, n]) => line(`at d = ${d}`, n < 0 ? "it vanishes on every curve" : `the true degree is ${n}`)),
+  ];
+  return html("div", { class: "card" }, html("h2", {}, p.part), html("div", { class: "scroll" }, html("table", {}, ...rows.filter(Boolean))));
+}
+
+async function go() {
+  const asked = { text: element("text").value, dimension: Number(element("dimension").value), polynomial: element("polynomial").checked };
+  say("reducing …");
+  try {
+    const { answer, milliseconds } = await kernel.ask("reduce", asked);
+    element("found").replaceChildren(html("div", { class: "card" }, html("h2", {}, "As the library reads it"), html("p", {}, html("code", {}, `${answer.name} = ${answer.text}`))), ...answer.parts.map(part));
+    document.body.dataset.reduced = JSON.stringify(answer.parts);
+    say(`verified by multiplication, ${milliseconds.toFixed(0)} ms`);
+  } catch (problem) {
+    element("found").replaceChildren();
+    say(problem.message, true);
+  }
+}
+
+element("samples").append(...SAMPLES.map(([name], i) => html("option", { value: i }, name)));
+element("samples").onchange = () => {
+  const [, dimension, text] = SAMPLES[element("samples").value];
+  element("text").value = text;
+  element("dimension").value = dimension;
+  go();
+};
+element("go").onclick = go;
+element("text").onkeydown = (event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && go();
+element("samples").onchange();

@@ -1,0 +1,154 @@
+"""What the pages ask of the library: text in, text out; every answer is computed by the library itself."""
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+from mpmath import mp, nstr
+
+import exactspline as xs
+
+DIGITS = 15
+
+
+def answer(question: str, data: str) -> str:
+    """The answer to a question as JSON: ``{"answer": …}``, or ``{"error": …}`` in the library's words."""
+    try:
+        return json.dumps({"answer": QUESTIONS[question](json.loads(data))})
+    except xs.ExactSplineError as problem:
+        return json.dumps({"error": str(problem)})
+    except RecursionError:
+        return json.dumps({"error": "this is nested too deeply"})
+
+
+def features(data: dict[str, Any]) -> dict[str, Any]:
+    """Inflections, extrema of curvature, singular points and corners of a plane curve, each certified."""
+    curve = _curve(data)
+    found = xs.inspect_curve(curve)
+    groups = {"inflection": found.inflections, "extremum": found.critical, "singular": found.singular_points}
+    listed = [_feature(curve, group, f) for group, members in groups.items() for f in members]
+    joints = [
+        {"kind": str(joint.kind), "t": str(joint.parameter), "point": _point(curve, joint.parameter)}
+        for joint in found.joints
+        if not joint.tangent_continuous
+    ]
+    pieces = {"straight": found.straight, "of constant curvature": found.constant, "standing still": found.standing}
+    return {
+        "features": sorted(listed, key=lambda f: f["double"]),
+        "joints": joints,
+        "pieces": [{"kind": kind, "where": str(piece)} for kind, members in pieces.items() for piece in members],
+        "degree": curve.degree,
+        "segments": curve.segments,
+        "polynomial": curve.polynomial,
+    }
+
+
+def digits(data: dict[str, Any]) -> dict[str, str]:
+    """One feature's parameter to more digits, and its exact value or its polynomial."""
+    curve = _curve(data["curve"])
+    found = xs.inspect_curve(curve)
+    group = {"inflection": found.inflections, "extremum": found.critical, "singular": found.singular_points}
+    root = group[data["group"]][data["index"]].root
+    exact = root.exact
+    return {
+        "decimal": _decimal(root, data["digits"]),
+        "exact": str(exact) if exact is not None else "",
+        "polynomial": "" if exact is not None else str(root.minimal_polynomial()),
+    }
+
+
+def forms(data: dict[str, Any]) -> list[dict[str, Any]]:
+    """The forms whose zeros are the extrema of curvature: their degrees, control polygons and zeros."""
+    curve = _curve(data["curve"])
+    told = []
+    for variant in data["variants"]:
+        form, found = xs.zero_form(curve, "critical_curvature", variant)
+        largest = max((abs(c) for c in form.control_points), default=0) or 1
+        told.append(
+            {
+                "variant": variant,
+                "degree": form.degree,
+                "controls": len(form.control_points),
+                "knots": [float(u) for u in form.knots],
+                "abscissae": [float(u) for u in xs.greville_abscissae(form)],
+                "ordinates": [float(c / largest) for c in form.control_points],
+                "zeros": [float(root) for root in found.roots],
+            }
+        )
+    return told
+
+
+def reduce(data: dict[str, Any]) -> dict[str, Any]:
+    """What cancels in a formula that was typed, for all curves."""
+    from exactspline.papers import formulas_by_module
+    from exactspline.papers.formula_check import formulas_of
+    from exactspline.readings.printing.text import TextPrinter
+
+    made = formulas_of(data["text"], "your formula", formulas_by_module(), plain=True)
+    if not made:
+        raise xs.ExactSplineError("there is no function here", remedy="write def name(c): return …")
+    formula = list(made.values())[-1]
+    found = xs.reduction(formula, dimension=data["dimension"], polynomial=data["polynomial"])
+    return {
+        "name": formula.name,
+        "text": TextPrinter()(xs.trace(formula, data["dimension"])),
+        "parts": [part.data() for part in found.parts],
+    }
+
+
+def bisector(data: dict[str, Any]) -> dict[str, Any]:
+    """The trimmed bisector of a curve and a point: its pieces with certified ends, drawn in doubles."""
+    curve = _curve(data["curve"])
+    found = xs.trimmed_bisector(curve, data["point"])
+    return {"pieces": [_piece(curve, piece) for piece in found.pieces], "missing": list(found.missing)}
+
+
+def _piece(curve: Any, piece: Any, count: int = 48) -> dict[str, Any]:
+    low, high = (end.low if isinstance(end, xs.Root) else end for end in (piece.low, piece.high))
+    drawn = []
+    # the ends themselves may be infinite, or irrational: the picture stays just inside
+    for k in range(count):
+        t = low + (high - low) * (2 * k + 1) / (2 * count)
+        foot = curve(t if piece.foot is None else piece.foot)
+        drawn.append([[float(x) for x in piece(t)], [float(x) for x in foot]])
+    ends = [_decimal(end, DIGITS) if isinstance(end, xs.Root) else str(end) for end in (piece.low, piece.high)]
+    degree = max(piece.value.numerator.degree, piece.value.denominator.degree)
+    return {"kind": str(piece.kind), "ends": ends, "degree": degree, "drawn": drawn}
+
+
+def _decimal(root: Any, count: int) -> str:
+    with mp.workdps(count + 10):
+        return str(nstr(root.mpf(count + 2), count))
+
+
+def _feature(curve: Any, group: str, feature: Any) -> dict[str, Any]:
+    root = feature.root
+    (point,) = curve.at_floats([root])
+    told = {
+        "group": group,
+        "kind": str(feature.kind),
+        "t": str(root.exact) if root.exact is not None else _decimal(root, DIGITS),
+        "exact": root.exact is not None,
+        "double": float(root),
+        "point": list(point),
+    }
+    if group != "singular":
+        (told["curvature"],) = curve.curvature_floats([root])
+    return told
+
+
+def _point(curve: Any, t: Any) -> list[float]:
+    return [float(x) for x in curve(t)]
+
+
+def _curve(data: dict[str, Any]) -> Any:
+    return xs.Nurbs(data["degree"], data["knots"], data["points"], data["weights"])
+
+
+QUESTIONS: dict[str, Callable[[Any], Any]] = {
+    "features": features,
+    "digits": digits,
+    "forms": forms,
+    "reduce": reduce,
+    "bisector": bisector,
+}

@@ -1,0 +1,126 @@
+"""Heavy cases, each in a process of its own: so that its memory is its own, and that it can be ended when it takes too
+long.
+
+``python -m exactspline.batch.bench.alone NAME COUNT`` prints what a case took.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from time import process_time
+
+#: Wall-clock seconds for each second of processor time, on a machine that does other things.
+PATIENCE = 4
+
+
+@dataclass(frozen=True)
+class Took:
+    """Processor seconds, and by how many MB the largest resident size grew (where the system tells)."""
+
+    seconds: float | None = None
+    megabytes: float | None = None
+    note: str = ""
+
+
+def run(name: str, count: int, limit: int) -> Took:
+    """One case, ended after so many seconds of processor time."""
+    command = [sys.executable, "-m", "exactspline.batch.bench.alone", name, str(count), str(limit)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE * limit)
+    except subprocess.TimeoutExpired:
+        return Took(note=f"more than {limit} s")
+    if done.returncode < 0:
+        return Took(note=f"more than {limit} s")
+    if done.returncode:
+        return Took(note=done.stderr.strip().splitlines()[-1])
+    told = json.loads(done.stdout)
+    return Took(told["seconds"], told["megabytes"])
+
+
+def _inspect(count: int) -> Callable[[], object]:
+    from exactspline.batch.bench.inputs import along
+    from exactspline.geometry.inspection import inspect_curve
+
+    c = along(count)
+    return lambda: inspect_curve(c)
+
+
+def _trim(_: int) -> Callable[[], object]:
+    from exactspline.batch.bench.inputs import wandering
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector
+
+    c = wandering(3, 500, rational=False)
+    return lambda: trimmed_bisector(c, (7, 100))
+
+
+def _trim_rational(_: int) -> Callable[[], object]:
+    from exactspline.batch.bench.inputs import wandering
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector
+
+    c = wandering(5, 10, rational=True)
+    return lambda: trimmed_bisector(c, (7, 100))
+
+
+def _sweep(count: int) -> Callable[[], object]:
+    from exactspline.batch.families import Family
+    from exactspline.batch.sweep import sweep
+
+    def call() -> object:
+        return sum(1 for _ in sweep(Family.parsed(f"degree=3 count={count}")))
+
+    return call
+
+
+def _bisector(degree: int) -> Callable[[], object]:
+    from exactspline.batch.bench.inputs import curve
+    from exactspline.papers import find
+    from exactspline.splines.tensor import surface_pair
+
+    pair = surface_pair(*[curve(degree, 4, dimension=3, seed=seed) for seed in (1, 2)])
+    return lambda: find("bisector_symmetric")(pair)
+
+
+CASES: dict[str, Callable[[int], Callable[[], object]]] = {
+    "inspect": _inspect,
+    "trim": _trim,
+    "trim rational": _trim_rational,
+    "sweep": _sweep,
+    "bisector": _bisector,
+}
+
+
+def peak() -> float | None:
+    """The largest resident size of this process so far in MB, where the system tells."""
+    try:
+        found = re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text(encoding="ascii"))
+    except OSError:
+        return None
+    return int(found[1]) / 1024 if found else None
+
+
+def main() -> None:
+    """Run one case and print what it took."""
+    name, count, limit = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    call = CASES[name](count)
+    try:
+        import resource
+
+        so_far = int(process_time())
+        resource.setrlimit(resource.RLIMIT_CPU, (so_far + limit, so_far + limit + 5))
+    except (ImportError, ValueError):
+        pass  # then the clock on the wall ends it
+    before, start = peak(), process_time()
+    call()
+    seconds, after = process_time() - start, peak()
+    grown = after - before if before is not None and after is not None else None
+    print(json.dumps({"seconds": seconds, "megabytes": grown}))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,90 @@
+"""Whole commands, as a user starts them: `prove` cold, files inspected, what an import costs."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from pathlib import Path
+from time import process_time
+
+from exactspline.batch.bench.row import OURS, Options, Row, bounded
+from exactspline.batch.corpus import Problem, items
+from exactspline.errors import ExactSplineError
+from exactspline.geometry.inspection import inspect_curve
+from exactspline.splines.examples import example_names
+
+COMMANDS = "commands"
+#: The least of so many runs counts.
+RUNS = 3
+
+
+def command_rows(options: Options) -> Iterator[Row]:
+    """Processor time of processes of their own, and of files in this one."""
+    took, _ = processor_time(["-m", "exactspline", "prove", "-q"], runs=1)
+    yield bounded(COMMANDS, "prove, whole and cold", took, "s", 5)
+    loaded = imported_by(["prove", "--curve", "rational_cubic", "-q"])
+    whole, _ = processor_time(["-m", "exactspline", "prove", "--curve", "rational_cubic", "-q"])
+    imports, _ = processor_time(["-c", "".join(f"import {name}\n" for name in loaded)])
+    above, note = whole - imports, f"{whole:.2f} s less {imports:.2f} s of {', '.join(loaded)}"
+    yield bounded(COMMANDS, "prove on one curve, above its imports", above, "s", Fraction(15, 100), note)
+    yield from _files(options.curves)
+    nothing, _ = processor_time(["-c", "pass"])
+    for told, arguments in (
+        ("import exactspline", ["-c", "import exactspline"]),
+        ("exactspline --help", ["-m", "exactspline", "--help"]),
+    ):
+        took, _ = processor_time(arguments)
+        yield Row(COMMANDS, f"{told}, above Python itself", OURS, took - nothing, "s")
+
+
+def processor_time(arguments: Sequence[str], runs: int = RUNS) -> tuple[float, str]:
+    """The least processor time of a Python process in seconds, and what it printed."""
+    times, printed = [], ""
+    for _ in range(runs):
+        before = os.times()
+        done = subprocess.run([sys.executable, *arguments], capture_output=True, text=True, check=False)
+        after, printed = os.times(), done.stdout
+        times.append(after.children_user + after.children_system - before.children_user - before.children_system)
+        if done.returncode:
+            raise ExactSplineError(f"{' '.join(arguments)} ended with status {done.returncode}", remedy=done.stderr)
+    return min(times), printed
+
+
+LOADED = """
+import sys
+sys.argv = ["exactspline", *sys.argv[1:]]
+from exactspline.cli import main
+try:
+    main()
+except SystemExit:
+    pass
+from importlib.metadata import packages_distributions
+known = packages_distributions()
+print("\\nloaded", *sorted({name for name in map(lambda m: m.split(".")[0], sys.modules) if name in known}))
+"""
+
+
+def imported_by(arguments: Sequence[str]) -> list[str]:
+    """The installed packages that a command loads, ours left out."""
+    _, printed = processor_time(["-c", LOADED, *arguments], runs=1)
+    names = printed.rsplit("loaded", 1)[-1].split()
+    return [name for name in names if name != "exactspline" and not name.startswith("_")]
+
+
+def _files(folder: str) -> Iterator[Row]:
+    """All curves of a folder, or the examples, inspected in this process, each read afresh."""
+    told = f"all curves of {Path(folder).name or folder}" if folder else "all example curves"
+    places = [folder] if folder else list(example_names())
+    found, count = None, 0
+    for _ in range(RUNS):
+        curves = [item.curve() for item in items(places) if not isinstance(item.given, Problem)]
+        curves = [type(c)(c.degree, c.knots, c.control_points, c.weights) for c in curves]
+        start, count = process_time(), len(curves)
+        for c in curves:
+            inspect_curve(c)
+        took = process_time() - start
+        found = took if found is None else min(found, took)
+    yield bounded(COMMANDS, f"{told} ({count}) inspected in one process", found, "s", Fraction(15, 100))

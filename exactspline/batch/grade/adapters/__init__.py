@@ -1,0 +1,34 @@
+"""One module a library: its own calls, in its own words, behind the same questions.
+
+An adapter converts numbers and picks out results; it never repairs an answer. What a library does not offer, or does
+not claim to support, is not asked.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from exactspline.batch.grade.adapters.common import Adapter
+
+#: The modules here by the names of the libraries.
+LIBRARIES = {
+    "scipy": "scipy_splines",
+    "geomdl": "geomdl_curves",
+    "splinepy": "splinepy_splines",
+    "bezier": "bezier_curves",
+    "fontTools": "fonttools_bezier",
+    "Open CASCADE": "open_cascade",
+    "svgpathtools": "svgpathtools_paths",
+    "svgelements": "svgelements_paths",
+    "rhino3dm": "rhino3dm_curves",
+    "splipy": "splipy_curves",
+    "nurbspy": "nurbspy_curves",
+    "bezier-js": "bezier_js",
+}
+
+
+def adapter(library: str) -> Adapter:
+    """The adapter of a library; ImportError where it is not installed."""
+    module = import_module(f"exactspline.batch.grade.adapters.{LIBRARIES[library]}")
+    made: Adapter = module.ADAPTER()
+    return made

@@ -1,0 +1,105 @@
+"""What adapters share: the curve as a library is given it, and how a library is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+Rows = list[list[float]]
+
+
+@dataclass
+class Given:
+    """A curve of doubles, Cartesian control points, and the parameter that a question is about.
+
+    `finer` is the same curve with that parameter as one knot more, where it is to be removed.
+    """
+
+    degree: int
+    knots: list[float]
+    points: Rows
+    weights: list[float] | None
+    t: float
+    finer: Given | None = None
+
+    @classmethod
+    def of(cls, data: dict[str, Any]) -> Given:
+        """What came as JSON."""
+        finer = data.get("finer")
+        return cls(**{**data, "finer": cls.of(finer) if finer else None})
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates."""
+        return len(self.points[0])
+
+    @property
+    def is_bezier(self) -> bool:
+        """Whether it is one segment on [0, 1]."""
+        n = self.degree + 1
+        return self.knots == [0] * n + [1] * n
+
+    @property
+    def homogeneous(self) -> Rows:
+        """``(w x, …, w)``, rounded once."""
+        weights = self.weights or [1] * len(self.points)
+        return [[*(x * w for x in p), w] for p, w in zip(self.points, weights, strict=True)]
+
+    @property
+    def distinct(self) -> tuple[list[float], list[int]]:
+        """The distinct knots and how often each is there."""
+        values = sorted(set(self.knots))
+        return values, [self.knots.count(v) for v in values]
+
+
+class DeclinedError(Exception):
+    """A library says itself that it has no answer."""
+
+
+class Adapter:
+    """A library: a question is a method that returns numbers, rows of control points, or a list of parameters for
+    every form asked about.
+    """
+
+    name = ""
+    #: The package that is installed, where it has another name.
+    package = ""
+
+    def can(self, question: str, given: Given) -> bool:
+        """Whether the library claims to answer this."""
+        return hasattr(self, question)
+
+    def version(self) -> str:
+        """The version that is installed."""
+        from importlib.metadata import version
+
+        return version(self.package or self.name)
+
+    def ask(self, question: str, given: Given) -> Any:
+        """The library's answer."""
+        answer: Callable[[Given], Any] = getattr(self, question)
+        return answer(given)
+
+
+def floats(values: Iterable[Any]) -> list[float]:
+    """Numbers of a library as Python's."""
+    return [float(x) for x in values]
+
+
+def rows(values: Iterable[Iterable[Any]]) -> Rows:
+    """Rows of numbers of a library as Python's."""
+    return [floats(row) for row in values]
+
+
+def with_knots(points: Rows, knots: Iterable[Any]) -> dict[str, Any]:
+    """Control points and the knots that the library chose for them."""
+    return {"rows": points, "knots": floats(knots)}
+
+
+def with_weights(points: Iterable[Iterable[Any]], weights: Iterable[Any] | None) -> Rows:
+    """Control points, of a rational curve with the weights over the first one."""
+    if weights is None:
+        return rows(points)
+    ws = floats(weights)
+    return [[*floats(p), w / ws[0]] for p, w in zip(points, ws, strict=True)]

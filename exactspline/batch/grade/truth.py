@@ -1,0 +1,183 @@
+"""Exact answers to the questions that libraries are asked, each with what the independent checker needs to prove it.
+
+Answers are data: exact numbers as text, roots as certificates (see `exactspline.roots.certificate`), so that they can
+be kept in a file and checked again by `exactspline.batch.grade.recheck`, which shares no arithmetic with this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+from exactspline.batch.grade.cases import Case
+from exactspline.batch.oracle_values import unit
+from exactspline.errors import ExactSplineError
+from exactspline.exact import double, from_float, mpq, text
+from exactspline.geometry import balls
+from exactspline.geometry.analysis import analyse
+from exactspline.geometry.extent import coordinate_range, slope
+from exactspline.geometry.values_along import curvature_at, point_at, torsion_at
+from exactspline.language.vector import Vector, triple
+from exactspline.roots.real import Real
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+
+#: Digits behind the point of an interval.
+DIGITS = 30
+Data: TypeAlias = dict[str, object]
+
+
+def truth(case: Case, question: str) -> Data | None:
+    """The exact answer to a question about a case; None where the question does not apply.
+
+    >>> from exactspline.batch.grade.cases import all_cases
+    >>> case = next(c for c in all_cases() if c.key == "named geomdl-135")
+    >>> truth(case, "value")
+    {'numbers': [['1', '1'], ['1/2', '1/2'], ['0', '0']]}
+    """
+    try:
+        return _ANSWERS[question](case)
+    except ExactSplineError:
+        return None
+
+
+def _numbers(values: list[Real]) -> Data:
+    return {"numbers": [_interval(value) for value in values]}
+
+
+def _interval(value: Real) -> list[str]:
+    low, high = value.enclosed(DIGITS)
+    return [text(low), text(high)]
+
+
+def _derivative(order: int) -> Callable[[Case], Data]:
+    return lambda case: _numbers(list(point_at(case.curve, case.parameter, order)))
+
+
+def _tangent(case: Case) -> Data:
+    return _numbers(unit(list(analyse(case.curve).velocity), case.parameter))
+
+
+def _curvature(case: Case) -> Data:
+    found = curvature_at(case.curve, case.parameter)
+    low, high = sorted(abs(t) for t in found.enclosed(DIGITS))
+    return {"numbers": [[text(low), text(high)]]}
+
+
+def _torsion(case: Case) -> Data:
+    return _numbers([torsion_at(case.curve, case.parameter)])
+
+
+def rows(curve: Nurbs) -> list[list[mpq]]:
+    """Control points; of a rational curve with their weights over the first weight."""
+    if curve.polynomial:
+        return [list(point) for point in curve.control_points]
+    return [[*p, w / curve.weights[0]] for p, w in zip(curve.control_points, curve.weights, strict=True)]
+
+
+def _curves(*curves: Nurbs) -> Data:
+    parts = [
+        {"degree": c.degree, "knots": [text(t) for t in c.knots], "rows": [[text(x) for x in row] for row in rows(c)]}
+        for c in curves
+    ]
+    return {"curves": parts}
+
+
+def inserted(case: Case) -> Nurbs | None:
+    """The curve with a knot more, where all its numbers are doubles: what a library is to remove a knot from."""
+    if case.parameter in case.curve.breakpoints:
+        return None
+    finer = case.curve.insert_knot(case.parameter)
+    numbers = [*finer.weights, *(x for point in finer.control_points for x in point)]
+    return finer if all(from_float(double(x)) == x for x in numbers) else None
+
+
+def _remove(case: Case) -> Data | None:
+    return None if inserted(case) is None else _curves(case.curve)
+
+
+def _box(case: Case) -> Data:
+    ranges = [coordinate_range(case.curve, axis) for axis in range(case.curve.dimension)]
+    found = _numbers([end for ends in ranges for end in ends])
+    return found | {"certificates": [_certificate(slope(case.curve, i)) for i in range(case.curve.dimension)]}
+
+
+def _certificate(form: BSpline) -> dict[str, object]:
+    """The certificate of a form's zeros, each of them narrowed."""
+    found = zeros(form)
+    for root in found:
+        root.refine(20)
+    return found.certificate()
+
+
+def _places(*forms: BSpline) -> Data | None:
+    """Zeros of several forms; None where one of them vanishes on a whole segment: no library is asked that."""
+    certificates = [_certificate(form) for form in forms]
+    return None if any(c["intervals"] for c in certificates) else {"certificates": certificates}
+
+
+def bend(curve: Nurbs) -> BSpline:
+    """``w³ [γ′ γ″]`` of a plane curve."""
+    p, w = curve.p, curve.w
+    if curve.polynomial:
+        flat: BSpline = p[0].d() * p[1].d(2) - p[1].d() * p[0].d(2)
+        return flat
+    a, b, c = (tuple(f.d(order) for f in (*p, w)) for order in range(3))
+    found: BSpline = triple(Vector(*a), Vector(*b), Vector(*c))
+    return found
+
+
+def _turns(case: Case) -> Data | None:
+    return _places(*[slope(case.curve, axis) for axis in range(case.curve.dimension)])
+
+
+def _roots(case: Case) -> Data | None:
+    return _places(case.curve.p[1])
+
+
+def _inflections(case: Case) -> Data | None:
+    return _places(bend(case.curve)) if case.curve.dimension == 2 else None
+
+
+def _extrema(case: Case) -> Data | None:
+    if case.curve.dimension != 2 or not case.curve.polynomial or case.curve.segments > 1:
+        return None
+    x, y = (tuple(f.d(k) for k in range(4)) for f in case.curve.p)
+    speed, along = x[1] * x[1] + y[1] * y[1], x[1] * x[2] + y[1] * y[2]
+    turning, jerk = x[1] * y[2] - y[1] * x[2], x[1] * y[3] - y[1] * x[3]
+    return _places(jerk * speed - (turning * along).scaled(3))
+
+
+def _length(case: Case) -> Data:
+    return _numbers([balls.length(case.curve)])
+
+
+def _area(case: Case) -> Data | None:
+    c = case.curve
+    if c.dimension != 2 or not c.polynomial or not c.closed or c.segments < 3:
+        return None
+    from exactspline.batch.oracle import oracle
+
+    return _numbers([oracle(c, "area").items[0].values["area"]])
+
+
+_ANSWERS: dict[str, Callable[[Case], Data | None]] = {
+    "value": _derivative(0),
+    "first": _derivative(1),
+    "second": _derivative(2),
+    "tangent": _tangent,
+    "curvature": _curvature,
+    "torsion": lambda case: _torsion(case) if case.curve.dimension == 3 else None,
+    "insert": lambda case: _curves(case.curve.insert_knot(case.parameter)),
+    "remove": _remove,
+    "elevate": lambda case: _curves(case.curve.elevate_degree()),
+    "split": lambda case: _curves(*case.curve.split(case.parameter)),
+    "box": _box,
+    "turns": _turns,
+    "roots": _roots,
+    "inflections": _inflections,
+    "extrema": _extrema,
+    "length": _length,
+    "area": _area,
+}

@@ -1,0 +1,48 @@
+"""One library in a process of its own: ``python -m exactspline.batch.grade.worker scipy``.
+
+A line of JSON with a curve and questions in, a line with the answers out. Whatever the library prints goes nowhere, and
+what it raises is an answer; when it takes the process with it, the runner sees that.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import warnings
+from typing import Any
+
+from exactspline.batch.grade.adapters import adapter
+from exactspline.batch.grade.adapters.common import Adapter, DeclinedError, Given
+
+
+def answers(library: Adapter, request: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """The answers to the questions that the library takes."""
+    given, found = Given.of(request["given"]), dict[str, dict[str, Any]]()
+    for question in request["questions"]:
+        if not library.can(question, given):
+            continue
+        try:
+            found[question] = {"answer": library.ask(question, given)}
+        except DeclinedError as error:
+            found[question] = {"declined": str(error)}
+        except Exception as error:  # what a library raises is its answer
+            found[question] = {"raised": f"{type(error).__name__}: {error}"[:300]}
+    return found
+
+
+def main() -> None:
+    """Answer until there are no more requests."""
+    warnings.simplefilter("ignore")
+    replies = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    silence = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silence, 1)
+    os.dup2(silence, 2)
+    library = adapter(sys.argv[1])
+    print(json.dumps({"version": library.version()}), file=replies, flush=True)
+    for line in sys.stdin:
+        print(json.dumps({"answers": answers(library, json.loads(line))}), file=replies, flush=True)
+
+
+if __name__ == "__main__":
+    main()

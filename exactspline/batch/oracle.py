@@ -1,0 +1,44 @@
+"""The exact oracle: questions about a curve, answered exactly, in certified intervals and as correctly rounded doubles.
+
+A question is text: a name, an argument behind a colon, parameters behind an @. ``value@1/2``, ``derivative:2@0,1/3``,
+``curvature@inflections``, ``elevate:2``, ``inflections``.
+"""
+
+from __future__ import annotations
+
+from exactspline.batch.oracle_answers import Answer, Question, QuestionError
+from exactspline.batch.oracle_questions import QUESTIONS
+from exactspline.errors import nearest
+from exactspline.splines.nurbs import Nurbs
+
+
+def question_of(asked: str) -> Question:
+    """A question read; `QuestionError` with the nearest names.
+
+    >>> question_of("derivative:2@0,1/3")
+    Question(text='derivative:2@0,1/3', name='derivative', argument='2', places=('0', '1/3'))
+    """
+    head, at, tail = asked.strip().partition("@")
+    name, _, argument = head.partition(":")
+    if name not in QUESTIONS:
+        remedy = nearest(name, QUESTIONS, listed_by="exactspline oracle --list")
+        raise QuestionError(f"no question is called {name!r}", remedy=remedy)
+    return Question(asked.strip(), name, argument, tuple(tail.split(",")) if at else ())
+
+
+def oracle(curve: Nurbs, asked: str) -> Answer:
+    """The answer to a question about a curve.
+
+    >>> from exactspline import example
+    >>> [item] = oracle(example("cubic_s"), "inflections").items
+    >>> item.what, item.values["parameter"].exact, item.values["parameter"].double()
+    ('inflection', mpq(1,2), 0.5)
+    >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
+    6.283185307179587
+
+    Raises `QuestionError` for what is no question, and the `ExactSplineError` of a question that the curve has no
+    answer to.
+    """
+    question = question_of(asked)
+    items, certificates = QUESTIONS[question.name].answer(curve, question)
+    return Answer(question.text, tuple(items), tuple(certificates))

@@ -1,0 +1,124 @@
+"""Questions to the oracle and what its answers consist of; answers as data for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from exactspline.errors import ExactSplineError
+from exactspline.exact import mpq, rational, text
+from exactspline.geometry.analysis import analyse
+from exactspline.roots.enclosure import Bounds, exact_place, rounded_outwards
+from exactspline.roots.real import Real
+from exactspline.roots.root import Root
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surd import Surd
+
+#: Digits behind the point to which an interval is told.
+DIGITS = 30
+
+
+class QuestionError(ExactSplineError):
+    """A question that cannot be read, or that has no answer for a curve."""
+
+
+@dataclass(frozen=True)
+class Item:
+    """One thing that was found: what it is, its numbers by name, and what else is known of it."""
+
+    what: str
+    values: Mapping[str, Real]
+    facts: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The answer to a question: items in order, and the certificates of the zero sets that it rests on."""
+
+    question: str
+    items: tuple[Item, ...]
+    certificates: tuple[dict[str, object], ...] = ()
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question as it was read: its name, its argument (empty where there is none), its parameters."""
+
+    text: str
+    name: str
+    argument: str
+    places: tuple[str, ...]
+
+    def number(self, otherwise: int | None = None) -> int:
+        """The argument as a small whole number."""
+        if self.argument.isascii() and self.argument.isdecimal() and len(self.argument) < 4:
+            return int(self.argument)
+        if otherwise is not None and not self.argument:
+            return otherwise
+        raise QuestionError(f"{self.text!r} needs a whole number behind the colon", remedy=f"{self.name}:2")
+
+    def parameters(self, curve: Nurbs) -> list[mpq | Root]:
+        """The parameters: exact numbers, or the features of the curve by their name."""
+        if not self.places:
+            raise QuestionError(
+                f"{self.text!r} names no parameter", remedy=f"{self.name}@1/2, or {self.name}@inflections"
+            )
+        return [t for place in self.places for t in _parameters(curve, place)]
+
+    def single(self, curve: Nurbs) -> mpq:
+        """The only parameter, a rational one."""
+        found = self.parameters(curve)
+        if len(found) != 1 or isinstance(found[0], Root):
+            raise QuestionError(f"{self.text!r} needs one rational parameter", remedy=f"{self.name}@1/2")
+        return found[0]
+
+
+def _parameters(curve: Nurbs, place: str) -> list[mpq | Root]:
+    """An exact number, or the parameters of features by their name."""
+    facts = analyse(curve)
+    if place == "knots":
+        return list(facts.breaks)
+    if place in ("inflections", "extrema"):
+        features = facts.inflections if place == "inflections" else facts.curvature_extrema
+        return [exact_place(feature.root) for feature in features]
+    return [rational(place)]
+
+
+def answer_data(answer: Answer, digits: int = DIGITS) -> dict[str, object]:
+    """An answer as data for programs (see ``exactspline schema oracle``)."""
+    return {
+        "question": answer.question,
+        "items": [
+            {
+                "what": item.what,
+                "values": {name: number_data(value, digits) for name, value in item.values.items()},
+                "facts": dict(item.facts),
+            }
+            for item in answer.items
+        ],
+        "certificates": list(answer.certificates),
+    }
+
+
+def number_data(value: Real, digits: int = DIGITS) -> dict[str, object]:
+    """A number: exactly where it is rational or ``a√b`` and known to be, in a certified interval, and as the correctly
+    rounded double (null where it is too large, or its ball leaves that open).
+
+    >>> number_data(Real.of(mpq(1, 3)))
+    {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}
+    """
+    known = value.exact
+    if known is not None and not isinstance(known, Surd):
+        low = high = known
+    else:
+        low, high = rounded_outwards(Bounds(*value.enclosed(digits)), digits)
+    try:
+        rounded: float | None = value.double()
+    except (ExactSplineError, OverflowError):
+        rounded = None
+    return {
+        "exact": None if known is None else str(known).replace("−", "-"),
+        "low": text(low),
+        "high": text(high),
+        "double": rounded,
+    }

@@ -1,0 +1,127 @@
+"""Results as Parquet (the extra `parquet`): a folder of parts, each there whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+from exactspline.atomic_write import write_atomically
+from exactspline.batch.lines import Line
+from exactspline.batch.results import Results, ResultsError, Settings, locked
+
+if TYPE_CHECKING:
+    import pyarrow
+
+#: A part has at most so many rows, and is written after so many seconds: what a kill costs at most.
+ROWS, SECONDS = 10_000, 60
+
+
+class Parquet(Results):
+    """A folder of parts ``part-000000000.parquet``, each named by the index of its first row.
+
+    A column for everything that was looked for, a list of ``{kind, parameter, low, high}`` each; readers of folders
+    (pyarrow, pandas, DuckDB, polars) take the parts together and pass over the settings.
+    """
+
+    def __init__(self, place: Path, settings: Settings) -> None:
+        super().__init__(place, settings)
+        try:
+            import pyarrow as pa
+        except ImportError:
+            raise ResultsError(
+                "pyarrow is not installed", where=str(place), remedy="pip install 'exactspline[parquet]'"
+            ) from None
+        find = self.settings["find"]
+        self._find: list[str] = list(find)
+        self._schema = _schema(pa, self._find)
+        self._kept: list[dict[str, object]] = []
+        self._last = monotonic()
+        try:
+            place.mkdir(exist_ok=True)
+            self._handle = os.open(place, os.O_RDONLY)
+        except OSError as error:
+            raise ResultsError(
+                f"no folder can be made there ({error.strerror})", where=str(place), remedy="name another folder"
+            ) from None
+        try:
+            locked(self._handle, place)
+            self.check_settings(place / "_settings.json", new=not any(place.iterdir()))
+            for torn in place.glob(".part-*"):
+                torn.unlink()
+        except BaseException:
+            os.close(self._handle)
+            raise
+
+    def existing(self) -> Iterator[Line]:
+        """The rows of all parts."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        index = 0
+        for part in sorted(self.place.glob("part-*.parquet")):
+            try:
+                with pq.ParquetFile(part) as stream:
+                    for batch in stream.iter_batches():
+                        for row in batch.to_pylist():
+                            line = self._line(row)
+                            if line.index != index:
+                                raise ValueError
+                            yield line
+                            index += 1
+            except (pa.ArrowInvalid, ValueError, KeyError, TypeError):
+                raise ResultsError(
+                    f"is not the part that begins at row {index}", where=str(part), remedy="restore the folder"
+                ) from None
+
+    def add(self, line: Line) -> None:
+        """One more row, written with its part."""
+        data = line.data()
+        found: Any = data.pop("found")
+        self._kept.append(data | {name: found.get(name) for name in self._find})
+        if len(self._kept) >= ROWS or monotonic() - self._last > SECONDS:
+            self._write()
+
+    def close(self) -> None:
+        """Write the part that is begun."""
+        try:
+            self._write()
+        finally:
+            os.close(self._handle)
+
+    def _write(self) -> None:
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        if self._kept:
+            table = pa.Table.from_pylist(self._kept, schema=self._schema)
+            place = self.place / f"part-{self._kept[0]['index']:09d}.parquet"
+            write_atomically(place, lambda stream: pq.write_table(table, stream), ResultsError)
+        self._kept, self._last = [], monotonic()
+
+    def _line(self, row: dict[str, Any]) -> Line:
+        found = {name: points for name in self._find if (points := row.pop(name)) is not None}
+        return Line.from_data(row | {"found": found})
+
+
+def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
+    point = pa.struct([(name, pa.string()) for name in ("kind", "parameter", "low", "high")])
+    judged = pa.struct(
+        [("claim", pa.string()), ("verdict", pa.string()), ("as_recorded", pa.bool_()), ("witness", pa.string())]
+    )
+    columns = {
+        "index": pa.int64(),
+        "source": pa.string(),
+        "curve": pa.string(),
+        "degree": pa.int32(),
+        "dimension": pa.int32(),
+        "segments": pa.int32(),
+        "polynomial": pa.bool_(),
+        **{name: pa.list_(point) for name in find},
+        "claims": pa.list_(judged),
+        "error": pa.struct([("kind", pa.string()), ("message", pa.string()), ("bad_input", pa.bool_())]),
+        "seconds": pa.float64(),
+    }
+    return pa.schema(list(columns.items()))

@@ -1,0 +1,107 @@
+"""A sweep with its results on disk: what is there is read and held against the corpus, what is missing is computed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import takewhile
+from pathlib import Path
+
+from exactspline.batch.backends import mapped
+from exactspline.batch.corpus import Item, Source, items
+from exactspline.batch.lines import VERSION, Line
+from exactspline.batch.parquet import Parquet
+from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
+from exactspline.batch.summary import Summary
+from exactspline.batch.work import Work
+from exactspline.splines.nurbs import Nurbs
+
+
+@dataclass(frozen=True)
+class Where:
+    """Where a sweep is computed: see `exactspline.batch.backends.mapped`."""
+
+    backend: str = "processes"
+    jobs: int = 1
+    scheduler: str = ""
+
+
+def settings(sources: Sequence[Source], work: Work) -> dict[str, object]:
+    """What results depend on: only where all of it is the same may they be gone on with."""
+    return {
+        "schema": "exactspline/sweep_line",
+        "version": VERSION,
+        "corpus": [source.name if isinstance(source, Nurbs) else str(source) for source in sources],
+        "find": list(work.find),
+        "claims": [list(claim) for claim in work.claims],
+        "digits": work.digits,
+    }
+
+
+def recorded(
+    sources: Sequence[Source],
+    work: Work,
+    where: Where,
+    output: str,
+    summary: Summary,
+    tick: Callable[[float, Line, bool], None] = lambda *_: None,
+    stopped: Callable[[], bool] = lambda: False,
+) -> None:
+    """Sweep a corpus into a file (`opened`), or nowhere, and count all of its lines.
+
+    Where the file is there already, its lines are counted and the sweep goes on behind them. `tick` is called with the
+    share of the corpus that is done, the line, and whether it was there already. Once `stopped` says so no curve is
+    begun any more; those that are begun are finished.
+
+    Raises `ResultsError` where the results cannot be written or are of another corpus.
+    """
+    given = takewhile(lambda _: not stopped(), items(sources))
+    if not output:
+        _compute(given, work, where, None, summary, tick)
+        return
+    with opened(output, settings(sources, work)) as results:
+        for line in results.existing():
+            item = next(given, None)
+            if item is None and stopped():
+                return
+            if item is None or (item.source, item.name) != (line.source, line.curve):
+                raise ResultsError(
+                    f"line {line.index + 1} is about {line.source or line.curve}, which the corpus has not there",
+                    where=output,
+                    remedy="the corpus has changed: write to another file",
+                )
+            summary.add(line)
+            tick(item.share, line, True)
+        _compute(given, work, where, results, summary, tick)
+
+
+def opened(place: str, settings: Settings) -> Results:
+    """Results at a place, begun or gone on with: Parquet for ``*.parquet``, JSON Lines otherwise.
+
+    Raises `ResultsError`, also where pyarrow is needed and missing.
+    """
+    if place.endswith(".parquet"):
+        return Parquet(Path(place), settings)
+    return JsonLines(Path(place), settings)
+
+
+def _compute(
+    given: Iterator[Item],
+    work: Work,
+    where: Where,
+    results: Results | None,
+    summary: Summary,
+    tick: Callable[[float, Line, bool], None],
+) -> None:
+    shares: dict[int, float] = {}
+
+    def noted() -> Iterator[Item]:
+        for item in given:
+            shares[item.index] = item.share
+            yield item
+
+    for line in mapped(work.lines, noted(), where.backend, where.jobs, where.scheduler):
+        if results is not None:
+            results.add(line)
+        summary.add(line)
+        tick(shares.pop(line.index), line, False)

@@ -1,0 +1,104 @@
+"""What a sweep says all together, gathered line by line in constant memory."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from heapq import heappush, heappushpop
+
+from exactspline.batch.lines import Line
+
+#: The kind of problem of what a file holds besides curves.
+SKIPPED = "Skipped"
+#: How many of the slowest curves, and of the verdicts that are not on record, are named.
+NAMED = 5
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A line of the summary: what is counted, of which name, and the processor time where that is what it tells."""
+
+    what: str
+    name: str = ""
+    count: int | None = None
+    seconds: float | None = None
+
+
+@dataclass
+class Summary:
+    """Counts over all lines.
+
+    >>> from exactspline.batch.sweep import sweep
+    >>> summary = Summary()
+    >>> for line in sweep(["circle", "six_segment_cubic", "cusp"]):
+    ...     summary.add(line)
+    >>> [(each.name, each.count) for each in summary.entries() if each.what == "degree"]
+    [('2', 1), ('3', 2)]
+    """
+
+    lines: int = 0
+    segments: int = 0
+    seconds: float = 0
+    degrees: Counter[int] = field(default_factory=Counter)
+    errors: Counter[str] = field(default_factory=Counter)
+    found: Counter[tuple[str, str]] = field(default_factory=Counter)
+    verdicts: Counter[tuple[str, str]] = field(default_factory=Counter)
+    differing: int = 0
+    #: What failed though the input is good: a defect of this program.
+    alarms: int = 0
+    examples: list[str] = field(default_factory=list)
+    _slowest: list[tuple[float, int, str]] = field(default_factory=list)
+
+    def add(self, line: Line) -> None:
+        """Count one line."""
+        self.lines += 1
+        self.segments += line.segments or 0
+        self.seconds += line.seconds
+        if line.degree is not None:
+            self.degrees[line.degree] += 1
+        name = named(line)
+        if line.error is not None:
+            self.errors[line.error.kind] += 1
+            if not line.error.bad_input:
+                self.alarms += 1
+                self._remember(f"{name}: {line.error.kind}: {line.error.message}")
+        self.found.update((what, each.kind) for what, points in line.found.items() for each in points)
+        self.verdicts.update((each.claim, each.verdict) for each in line.claims)
+        for each in line.claims:
+            if not each.as_recorded:
+                self.differing += 1
+                self._remember(f"{name}: {each.claim} is {each.verdict}")
+        put = heappush if len(self._slowest) < NAMED else heappushpop
+        put(self._slowest, (line.seconds, -line.index, name))
+
+    def _remember(self, text: str) -> None:
+        if len(self.examples) < NAMED:
+            self.examples.append(text)
+
+    @property
+    def as_expected(self) -> bool:
+        """Whether every verdict is as recorded and nothing failed but for bad input."""
+        return not self.differing and not self.alarms
+
+    @property
+    def all_read(self) -> bool:
+        """Whether every curve has a result; what is no curve of a format that is read is skipped by right."""
+        return set(self.errors) <= {SKIPPED}
+
+    def entries(self) -> Iterator[Entry]:
+        """The summary in the order in which it is printed."""
+        yield Entry("curves", "", self.lines - self.errors.total())
+        yield Entry("segments", "", self.segments)
+        yield from (Entry("degree", str(degree), count) for degree, count in sorted(self.degrees.items()))
+        yield from (Entry(what, kind, count) for (what, kind), count in sorted(self.found.items()))
+        yield from (Entry(claim, verdict, count) for (claim, verdict), count in sorted(self.verdicts.items()))
+        yield from (Entry("error", kind, count) for kind, count in sorted(self.errors.items()))
+        yield from (Entry("not as expected", text) for text in self.examples)
+        yield Entry("processor time", "", None, self.seconds)
+        yield from (Entry("slowest", name, None, seconds) for seconds, _, name in sorted(self._slowest, reverse=True))
+
+
+def named(line: Line) -> str:
+    """A curve by its source and its name."""
+    return ": ".join(dict.fromkeys(filter(None, (line.source, line.curve)))) or f"curve {line.index}"

@@ -1,0 +1,21 @@
+"""``exactspline new-paper``: a folder with a small paper that works, to be changed."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+
+def new_paper(
+    folder: Annotated[str, typer.Argument(help="The folder to write; it must not exist, or be empty.")],
+) -> None:
+    """Write a small paper that works: formulas.py, claims.toml, curves/ and README.md, commented, to be changed."""
+    from exactspline.display import console
+    from exactspline.papers.new import write_new_paper
+
+    written = write_new_paper(folder)
+    shown = console.console()
+    for file in written:
+        console.lines(shown, str(file))
+    console.lines(shown, f"Now: exactspline prove --paper {folder}")

@@ -1,0 +1,255 @@
+"""``exactspline sweep``: many curves, a line each."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from exactspline.cli.common import quiet_fonts
+from exactspline.cli.output import Output, is_quiet, printing
+from exactspline.errors import CurveFileError
+
+if TYPE_CHECKING:
+    from exactspline.batch.corpus import Source
+    from exactspline.batch.lines import Line
+    from exactspline.batch.summary import Summary
+    from exactspline.display.sheet import Sheet
+
+INTERRUPTED = 130
+Tick = Callable[[float, "Line", bool], None]
+
+
+def _completed(given: str) -> list[str]:
+    """Names of examples that begin so; the shell completes files by itself."""
+    from exactspline.splines.examples import example_names
+
+    return [name for name in example_names() if name.startswith(given)]
+
+
+def _inspections(given: str) -> list[str]:
+    from exactspline.batch.inspections import INSPECTIONS
+
+    return [name for name in [*INSPECTIONS, "all"] if name.startswith(given)]
+
+
+def _backends(given: str) -> list[str]:
+    from exactspline.batch.backends import BACKENDS
+
+    return [name for name in BACKENDS if name.startswith(given)]
+
+
+@printing
+def sweep(
+    out: Output,
+    corpus: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[CORPUS]...",
+            help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
+            "names of example curves.",
+            autocompletion=_completed,
+        ),
+    ] = None,
+    random: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--random",
+            metavar="WORDS",
+            help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, in "
+            "words or joined by commas. May be repeated in the latter way.",
+        ),
+    ] = None,
+    find: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--find",
+            metavar="WHAT",
+            help="inflections, extrema, corners, critical_points, singular_points, joints, straight_pieces, "
+            "constant_pieces, torsion_zeros, or all. May be repeated. [default: the first three]",
+            autocompletion=_inspections,
+        ),
+    ] = None,
+    claim: Annotated[
+        list[str] | None,
+        typer.Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated."),
+    ] = None,
+    digits: Annotated[
+        int, typer.Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")
+    ] = 10,
+    output: Annotated[
+        str,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="Where the lines go: JSON Lines, or Parquet for *.parquet (a folder of parts); - for standard output, "
+            "then without a summary. Where FILE is there, the sweep goes on behind its last whole line.",
+        ),
+    ] = "",
+    jobs: Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")] = 1,
+    backend: Annotated[
+        str,
+        typer.Option(
+            "--backend",
+            metavar="NAME",
+            help="serial, processes, dask or ray (extras of these names).",
+            autocompletion=_backends,
+        ),
+    ] = "processes",
+    scheduler: Annotated[
+        str,
+        typer.Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]"),
+    ] = "",
+) -> None:
+    """Features, and verdicts of claims, of many curves: a line each, in order, and a summary.
+
+    A curve that is broken is a line with its error. Killed or interrupted, the same command goes on where it was.
+    """
+    from exactspline.batch.backends import check_backend
+    from exactspline.batch.recorded import Where, recorded
+    from exactspline.batch.summary import Summary
+    from exactspline.batch.work import Work
+
+    sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits)
+    check_backend(backend)
+    quiet_fonts()
+    summary, where, to_stdout = Summary(), Where(backend, jobs, scheduler), output == "-"
+    start = monotonic()
+    with _interruptible() as stopped:
+        with _progress() as tick:
+            told = _printing(tick) if to_stdout else tick
+            recorded(sources, work, where, "" if to_stdout else output, summary, told, stopped)
+        interrupted = stopped()
+    if interrupted:
+        goes_on = f"; the same command goes on behind them in {output}" if output and not to_stdout else ""
+        sys.stderr.write(f"interrupted after {summary.lines} curves{goes_on}\n")
+        raise typer.Exit(INTERRUPTED)
+    if not to_stdout:
+        seconds = monotonic() - start
+        out.give("sweep", lambda: _rows(summary), lambda: [_sheet(summary)], lambda: _print(out, summary, seconds))
+    if not summary.as_expected:
+        raise typer.Exit(1)
+    if not summary.all_read:
+        raise typer.Exit(2)
+
+
+def _sources(corpus: Sequence[str], random: Sequence[str]) -> list[Source]:
+    """What is swept. Words of a family that stand apart (``--random degree=5 count=100``) reach us among the files."""
+    from exactspline.batch.families import Family, is_word
+
+    words = [word for word in corpus if random and is_word(word) and not Path(word).exists()]
+    if words and len(random) > 1:
+        raise CurveFileError(f"to which --random {words[0]} belongs is unknown", remedy="join its words by commas")
+    families = [Family.parsed([*text.replace(",", " ").split(), *words]) for text in random]
+    sources: list[Source] = [*[word for word in corpus if word not in words], *families]
+    if not sources:
+        raise CurveFileError("there is nothing to sweep", remedy="name files, folders, fonts, or a family by --random")
+    return sources
+
+
+def _printing(tick: Tick) -> Tick:
+    """Lines on standard output."""
+    from exactspline.batch.results import line_text
+
+    def told(share: float, line: Line, known: bool) -> None:
+        sys.stdout.write(line_text(line))
+        tick(share, line, known)
+
+    return told
+
+
+@contextmanager
+def _interruptible() -> Iterator[Callable[[], bool]]:
+    """Ctrl-C once: the curves that are begun are finished and written; twice: they are dropped, and computed when the
+    sweep goes on.
+    """
+    presses = 0
+
+    def pressed(*_: object) -> None:
+        nonlocal presses
+        presses += 1
+        if presses > 1:
+            raise KeyboardInterrupt
+        sys.stderr.write("\nfinishing the curves that are begun; Ctrl-C again drops them\n")
+
+    try:
+        before = signal.signal(signal.SIGINT, pressed)
+    except ValueError:  # not the main thread
+        yield lambda: False
+        return
+    try:
+        yield lambda: presses > 0
+    except KeyboardInterrupt:
+        sys.stderr.write("interrupted; what is written stays\n")
+        raise typer.Exit(INTERRUPTED) from None
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+@contextmanager
+def _progress() -> Iterator[Tick]:
+    """A bar on a terminal with the curves, their rate and the time left; nothing in a pipe."""
+    if is_quiet() or not sys.stderr.isatty():
+        yield lambda *_: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (
+        TextColumn("{task.fields[curves]} curves"),
+        BarColumn(),
+        TextColumn("{task.percentage:>3.0f} %"),
+        TextColumn("{task.fields[rate]}/s"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=1, curves=0, rate="–")
+        start, computed, known_share, last = monotonic(), 0, None, monotonic()
+
+        def tick(share: float, line: Line, known: bool) -> None:
+            nonlocal computed, known_share, last, start
+            if known:
+                known_share, start = share, monotonic()
+                return
+            if known_share is not None:
+                bar.reset(task, total=1, curves=line.index, rate="–")
+                bar.update(task, completed=known_share)
+                known_share = None
+            computed += 1
+            if monotonic() - last > 1 / 5:
+                last = monotonic()
+                bar.update(task, completed=share, curves=line.index + 1, rate=f"{computed / (last - start):.0f}")
+
+        yield tick
+
+
+def _rows(summary: Summary) -> list[dict[str, object]]:
+    from dataclasses import asdict
+
+    return [{"key": f"{i}: {each.what} {each.name}".strip()} | asdict(each) for i, each in enumerate(summary.entries())]
+
+
+def _sheet(summary: Summary) -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    made = Sheet("what", "name", "count", "seconds", numbers=("count", "seconds"), prose=["name"], heads=2)
+    for each in summary.entries():
+        seconds = "" if each.seconds is None else f"{each.seconds:.3f}"
+        made.add_row(each.what, each.name, "" if each.count is None else each.count, seconds)
+    return made
+
+
+def _print(out: Output, summary: Summary, seconds: float) -> None:
+    from exactspline.display import console
+
+    shown = console.console()
+    shown.print(_sheet(summary))
+    if not out.quiet:
+        console.lines(shown, f"{summary.lines} lines in {seconds:.1f} s")

@@ -1,0 +1,68 @@
+"""Exact numbers, points and names in MathML, which browsers draw without help of anybody."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from exactspline.exact import mpq, text
+
+#: What pages for print have in common.
+STYLE = """
+body{font:17px/1.5 Georgia,serif;margin:2rem auto;max-width:48rem;padding:0 1rem;color:#1a1a1a;background:#fff}
+h1{font-size:1.5rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin:1.6rem 0 .4rem}p{margin:.4rem 0}
+math{font-size:1.05em}mtd{padding:.25em .7em}.wide{overflow-x:auto}ol>li{margin:1.1rem 0}
+section.solutions{break-before:page}@media print{body{margin:0;max-width:none}li{break-inside:avoid}}
+"""
+
+
+def number(x: mpq) -> str:
+    """An exact number.
+
+    >>> number(mpq(-1, 2))
+    '<mrow><mo>−</mo><mfrac><mn>1</mn><mn>2</mn></mfrac></mrow>'
+    """
+    top, slash, bottom = text(abs(x)).partition("/")
+    size = f"<mfrac><mn>{top}</mn><mn>{bottom}</mn></mfrac>" if slash else f"<mn>{top}</mn>"
+    return f"<mrow><mo>−</mo>{size}</mrow>" if x < 0 else size
+
+
+def tuple_of(parts: Iterable[str]) -> str:
+    """What is in a row between parentheses.
+
+    >>> tuple_of([number(mpq(1)), number(mpq(2))])
+    '<mrow><mo>(</mo><mn>1</mn><mo>,</mo><mn>2</mn><mo>)</mo></mrow>'
+    """
+    return f"<mrow><mo>(</mo>{'<mo>,</mo>'.join(parts)}<mo>)</mo></mrow>"
+
+
+def name(symbol: str) -> str:
+    """A name; what stands behind an underscore is its index.
+
+    >>> name("d_1")
+    '<msub><mi>d</mi><mn>1</mn></msub>'
+    """
+    letter, _, index = symbol.partition("_")
+    kind = "mn" if index.isdigit() else "mi"
+    main = f"<mi>{escape(letter)}</mi>"
+    return f"<msub>{main}<{kind}>{escape(index)}</{kind}></msub>" if index else main
+
+
+def math(inner: str, *, block: bool = False) -> str:
+    """The element that holds it."""
+    return f'<math display="{"block" if block else "inline"}">{inner}</math>'
+
+
+def table(rows: Sequence[Sequence[str]]) -> str:
+    """Cells in rows and columns, empty ones among them."""
+    lines = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in rows)
+    return f"<mtable>{lines}</mtable>"
+
+
+def page(title: str, body: str) -> str:
+    """A page that stands alone."""
+    return (
+        '<!doctype html><html lang="en"><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{escape(title)}</title><style>{STYLE}</style>{body}</html>\n"
+    )

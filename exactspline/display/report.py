@@ -1,0 +1,144 @@
+"""A referee's report: what a paper claims, what holds of it, on what it rests; one page that asks nothing of the
+network.
+"""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterable, Sequence
+from html import escape
+from importlib.metadata import PackageNotFoundError, version
+
+from exactspline.atomic_write import write_atomically
+from exactspline.display.glossary import explained
+from exactspline.display.ledger import HOLDS, WORDS, closing, found, witness, word
+from exactspline.papers import Paper
+from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.tree import trace
+from exactspline.verification.claim import Claim
+from exactspline.verification.verdict import REFUTED, Row
+
+_STYLE = """
+body{font:16px/1.5 Georgia,serif;margin:2rem auto;max-width:52rem;padding:0 1rem;color:#1a1a1a;background:#fff}
+h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.2rem;margin-top:2.2rem;border-bottom:1px solid #bbb}
+article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid #bbb}article h3{font-size:1rem;margin:0}
+article.PROVED,article.VERIFIED{border-color:#00694d}article.REFUTED{border-color:#b34700}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:.1rem 1rem;margin:.3rem 0}dt{color:#555}dd{margin:0}
+code,.mono{font:13px/1.4 ui-monospace,monospace;overflow-wrap:anywhere}table{border-collapse:collapse}
+td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
+.PROVED .verdict,.VERIFIED .verdict{color:#00694d}.REFUTED .verdict{color:#b34700}
+"""
+#: What a verdict rests on besides this package.
+PACKAGES = ("exactspline", "python-flint", "gmpy2", "sympy")
+
+
+def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
+    """The report on claims from the rows of a run of the ledger.
+
+    >>> from exactspline.verification.claims import select
+    >>> from exactspline.verification.ledger import audit
+    >>> chosen = select(["C4.1a"])
+    >>> text = report(chosen, list(audit(chosen)))
+    >>> "PROVED" in text, "http" in text, "<script" in text
+    (True, False, False)
+    """
+    sources = list(dict.fromkeys(claim.source_paper for claim in claims))
+    title = "; ".join(source.title for source in sources)
+    told = "".join(f"<dt>{escape(term)}</dt><dd>{escape(meaning)}</dd>" for term, meaning in explained(_words(rows)))
+    return (
+        '<!doctype html><html lang="en"><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>Report: {escape(title)}</title><style>{_STYLE}</style>"
+        f"<h1>{escape(title)}</h1>{''.join(f'<p>{escape(s.reference)}</p>' for s in sources if s.reference)}"
+        f"<p>{escape(summary(claims, rows))} {escape(closing(rows))}.</p>"
+        f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
+        f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
+        f"<h2>What the words mean</h2><dl>{told}</dl>"
+        f"<h2>What it rests on</h2>{_versions()}{''.join(map(_digests, sources))}</html>\n"
+    )
+
+
+def write_report(path: str, claims: Sequence[Claim], rows: Sequence[Row]) -> None:
+    """Write the report: the file is there whole or not at all."""
+    text = report(claims, rows).encode()
+    write_atomically(path, lambda stream: stream.write(text))
+
+
+def summary(claims: Sequence[Claim], rows: Iterable[Row]) -> str:
+    """The answer in a sentence: how many claims hold for all curves, how many fail."""
+    general = [row for row in rows if not row.curve]
+    holds, fails = sum(row.verdict in HOLDS for row in general), sum(row.verdict == REFUTED for row in general)
+    rest = len(general) - holds - fails
+    told = f"Of {len(claims)} claims {holds} hold and {fails} fail"
+    return f"{told}, {rest} neither." if rest else f"{told}."
+
+
+def _words(rows: Iterable[Row]) -> list[str]:
+    present = set(map(word, rows))
+    return [each for each in WORDS if each in present]
+
+
+def _claim(claim: Claim, rows: Iterable[Row]) -> str:
+    own = [row for row in rows if (row.paper, row.key) == (claim.paper, claim.key)]
+    general = next((row for row in own if not row.curve), None)
+    verdict = word(general) if general else ""
+    told = [
+        ("printed", f"“{claim.words}”" if claim.words else ""),
+        ("claimed", claim.claims),
+        ("assumes", claim.assumed),
+        ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
+    ]
+    if general:
+        told += [("found", found(general)), ("witness", witness(general)), ("reading", general.reading)]
+        told.append(("rests on", ", ".join(general.assumptions)))
+    cells = "".join(f"<dt>{what}</dt><dd>{escape(text)}</dd>" for what, text in told if text)
+    shown = f'<span class="verdict">{verdict or "on curves"}</span>'
+    head = f"<h3>{escape(claim.id)} · {escape(claim.place or claim.source)} · {shown}</h3>"
+    return (
+        f'<article class="{verdict}">{head}<p>{escape(claim.statement)}</p><dl>{cells}</dl>{_on_curves(own)}</article>'
+    )
+
+
+def _on_curves(rows: Iterable[Row]) -> str:
+    """Curve by curve; those that agree in one line."""
+    lines: dict[tuple[str, str], list[str]] = {}
+    for row in rows:
+        if row.curve:
+            lines.setdefault((word(row), witness(row)), []).append(row.curve)
+    if not lines:
+        return ""
+    cells = "".join(
+        f"<tr><td>{told}</td><td>{escape(', '.join(curves))}</td><td>{escape(where)}</td></tr>"
+        for (told, where), curves in lines.items()
+    )
+    return f"<table>{cells}</table>"
+
+
+def _formulas(source: Paper) -> str:
+    lines = []
+    for name, formula in source.formulas.items():
+        text = print_text(trace(formula, formula.kind.dimensions[0]))
+        shown = f" = {symbol_text(formula.symbol)}" if formula.symbol else ""
+        lines.append(
+            f"<dt>{escape(name + shown)}</dt><dd>{escape(text)} <small>({escape(formula.source)})</small></dd>"
+        )
+    return f"<h3>{escape(source.name)}</h3><dl>{''.join(lines)}</dl>"
+
+
+def _versions() -> str:
+    rows = [("Python", platform.python_version())]
+    for package in PACKAGES:
+        try:
+            rows.append((package, version(package)))
+        except PackageNotFoundError:
+            rows.append((package, "not installed"))
+    cells = "".join(f"<tr><td>{name}</td><td>{escape(told)}</td></tr>" for name, told in rows)
+    return f"<table>{cells}</table>"
+
+
+def _digests(source: Paper) -> str:
+    cells = "".join(
+        f'<tr><td>{escape(name)}</td><td class="mono">{digest}</td></tr>' for name, digest in source.digests().items()
+    )
+    checked = "run as they stand" if source.trusted else "checked before they ran" if not source.package else "built in"
+    return f"<h3>{escape(source.name)}: formulas {checked}; SHA-256 of the files</h3><table>{cells}</table>"

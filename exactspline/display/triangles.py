@@ -1,0 +1,225 @@
+"""Triangles of fractions and tables of products: as tables of text, as LaTeX, as HTML with MathML, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from html import escape
+
+from exactspline.display import mathml
+from exactspline.display.latex import fraction, mathematics
+from exactspline.display.sheet import Sheet
+from exactspline.exact import text
+from exactspline.splines.triangles import ProductTable, Row, Triangle
+
+#: What a scheme is called.
+_TITLES = {"de Boor": "De Boor's triangle", "insertion": "Knot insertion", "elevation": "Degree elevation"}
+Scheme = Triangle | ProductTable
+
+
+def title(scheme: Scheme) -> str:
+    """What a scheme shows, in a line.
+
+    >>> from exactspline import BSpline, de_boor_triangle
+    >>> title(de_boor_triangle(BSpline.bezier([0, 1, 3]), "1/2"))
+    "De Boor's triangle at t = 1/2 in [0, 1], degree 2"
+    """
+    a, b = map(text, scheme.span)
+    if isinstance(scheme, ProductTable):
+        return f"Product on [{a}, {b}] of degrees {len(scheme.left) - 1} and {len(scheme.right) - 1}"
+    at = "" if scheme.parameter is None else f" at t = {text(scheme.parameter)}"
+    coordinates = ", points multiplied by their weights, then the weight" if scheme.rational else ""
+    degree = f"degree {scheme.degree}"
+    if scheme.method == "elevation":
+        degree = f"Bézier points of degree {scheme.degree} to {scheme.degree + len(scheme.ratios)}"
+    return f"{_TITLES[scheme.method]}{at} in [{a}, {b}], {degree}{coordinates}"
+
+
+def rule(scheme: Scheme) -> str:
+    """How the entries are computed, in words."""
+    if isinstance(scheme, ProductTable):
+        return (
+            "Bézier points times binomial coefficients are multiplied; the sum of a diagonal, divided by the binomial "
+            "coefficient of the product's degree, is a Bézier point of the product."
+        )
+    if scheme.method == "elevation":
+        return "An entry is s times the entry above in the column before plus 1 − s times the entry beside it."
+    return "An entry is 1 − s times the entry above in the column before plus s times the entry beside it."
+
+
+def point_text(row: Row) -> str:
+    """A value, or a point between parentheses.
+
+    >>> from exactspline.exact import mpq
+    >>> point_text((mpq(1, 2),)), point_text((mpq(1, 2), mpq(3)))
+    ('1/2', '(1/2, 3)')
+    """
+    return text(row[0]) if len(row) == 1 else f"({', '.join(map(text, row))})"
+
+
+def sheets(scheme: Scheme) -> list[Sheet]:
+    """The points, below them the shares with which neighbours were combined, and what was made."""
+    return _product_sheets(scheme) if isinstance(scheme, ProductTable) else _triangle_sheets(scheme)
+
+
+def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
+    steps = [f"step {r}" for r in range(1, len(triangle.columns))]
+    points = Sheet("point", "given", *steps, title=title(triangle), name=title(triangle))
+    for label, *cells in _grid(triangle, triangle.columns, point_text):
+        points.add_row(label, *cells)
+    shares = Sheet("point", *steps, title=f"Shares s. {rule(triangle)}", name="shares")
+    for label, *cells in _grid(triangle, ((), *triangle.ratios), text):
+        if any(cells):
+            shares.add_row(label, *cells[1:])
+    made = [points, shares] if triangle.ratios else [points]
+    return [*made, *_result_sheets(triangle)]
+
+
+def _result_sheets(triangle: Triangle) -> list[Sheet]:
+    if triangle.method == "de Boor":
+        if not triangle.rational:
+            return []
+        made = Sheet("point of the curve", title="Divided by its weight", name="tip")
+        made.add_row(point_text(triangle.tip))
+        return [made]
+    if not triangle.made or triangle.knots is None:
+        return []
+    made = Sheet("point", "is", title=f"Knots: {', '.join(map(text, triangle.knots))}", name="result")
+    for i, row in enumerate(triangle.made):
+        made.add_row(f"e{i}", point_text(row))
+    return [made]
+
+
+def _product_sheets(table: ProductTable) -> list[Sheet]:
+    columns = [f"·{text(b)} [{k}]" for k, b in enumerate(table.right)]
+    made = Sheet("times", *columns, title=title(table), name=title(table))
+    for a, row in zip(table.left, table.table, strict=True):
+        made.add_row(text(a), *map(text, row))
+    sums = Sheet("diagonal", "sum", "Bézier point", title=rule(table), name="diagonals")
+    for m, (total, point) in enumerate(zip(table.sums, table.points, strict=True)):
+        sums.add_row(f"{m}", text(total), text(point))
+    return [made, sums]
+
+
+def _grid(
+    triangle: Triangle, columns: Sequence[Sequence[object]], shown: Callable[..., str], name: str = "d"
+) -> Iterable[list[str]]:
+    """Rows of cells, a label in front. Downwards a column begins a row lower than the one before, so that an entry
+    stands beside the lower of the two that it is made of; in elevation each ends a row lower.
+    """
+    bezier = triangle.first < 0
+    first, letter = (0, "b") if bezier else (triangle.first, name)
+    height = max(map(len, columns)) if bezier else len(triangle.columns[0])
+    for i in range(height):
+        cells = []
+        for column in columns:
+            k = i if bezier else i - (height - len(column))
+            cells.append(shown(column[k]) if 0 <= k < len(column) else "")
+        yield [f"{letter}{first + i}", *cells]
+
+
+# ---- LaTeX
+
+
+def point_latex(row: Row) -> str:
+    """A value, or a point between parentheses."""
+    inner = r",\ ".join(map(fraction, row))
+    return inner if len(row) == 1 else rf"\left({inner}\right)"
+
+
+@mathematics.register
+def _(triangle: Triangle) -> str:
+    lines = [
+        " & ".join([f"{label[0]}_{{{label[1:]}}}", *cells])
+        for label, *cells in _grid(triangle, triangle.columns, point_latex)
+    ]
+    rows = " \\\\[4pt]\n".join(lines)
+    return f"\\begin{{array}}{{l|{'l' * len(triangle.columns)}}}\n{rows}\n\\end{{array}}"
+
+
+@mathematics.register
+def _(table: ProductTable) -> str:
+    head = " & ".join(["", *map(fraction, table.right)])
+    pairs = zip(table.left, table.table, strict=True)
+    rows = " \\\\[4pt]\n".join(" & ".join(map(fraction, (a, *row))) for a, row in pairs)
+    return f"\\begin{{array}}{{r|{'r' * len(table.right)}}}\n{head} \\\\ \\hline\n{rows}\n\\end{{array}}"
+
+
+def latex_text(schemes: Sequence[Scheme]) -> str:
+    """Display formulas for a document that loads amsmath, each under a comment that tells what it is."""
+    return "\n\n".join(f"% {title(s)}\n\\[\n{mathematics(s)}\n\\]" for s in schemes)
+
+
+# ---- HTML
+
+
+def point_mathml(row: Row) -> str:
+    """A value, or a point between parentheses."""
+    return mathml.number(row[0]) if len(row) == 1 else mathml.tuple_of(map(mathml.number, row))
+
+
+def scheme_mathml(scheme: Scheme) -> str:
+    """The table as one formula."""
+    if isinstance(scheme, ProductTable):
+        head = ["", *map(mathml.number, scheme.right)]
+        pairs = zip(scheme.left, scheme.table, strict=True)
+        return mathml.table([head, *[[mathml.number(x) for x in (a, *row)] for a, row in pairs]])
+    grid = _grid(scheme, scheme.columns, point_mathml)
+    return mathml.table([[mathml.name(f"{label[0]}_{label[1:]}"), *cells] for label, *cells in grid])
+
+
+def html_page(schemes: Sequence[Scheme], heading: str) -> str:
+    """A page that can be printed."""
+    parts = [
+        f"<h2>{escape(title(s))}</h2><p>{escape(rule(s))}</p>"
+        f'<div class="wide">{mathml.math(scheme_mathml(s), block=True)}</div>{_result_html(s)}'
+        for s in schemes
+    ]
+    return mathml.page(heading, f"<h1>{escape(heading)}</h1>{''.join(parts)}")
+
+
+def _result_html(scheme: Scheme) -> str:
+    if isinstance(scheme, ProductTable):
+        return _listed("Bézier points of the product", [(x,) for x in scheme.points])
+    if scheme.method == "de Boor":
+        return _listed("The point of the curve", [scheme.tip]) if scheme.rational else ""
+    return _listed("Control points of the result", scheme.made) if scheme.made else ""
+
+
+def _listed(what: str, rows: Sequence[Row]) -> str:
+    shown = "<mo>,</mo><mspace width='0.6em'/>".join(map(point_mathml, rows))
+    return f"<p>{escape(what)}: {mathml.math(f'<mrow>{shown}</mrow>')}</p>"
+
+
+# ---- data
+
+
+def scheme_data(scheme: Scheme) -> dict[str, object]:
+    """Everything, for programs: numbers as text."""
+
+    def rows(points: Iterable[Row]) -> list[list[str]]:
+        return [list(map(text, row)) for row in points]
+
+    told: dict[str, object] = {"key": title(scheme), "span": list(map(text, scheme.span))}
+    if isinstance(scheme, ProductTable):
+        return told | {
+            "method": "product",
+            "left": list(map(text, scheme.left)),
+            "right": list(map(text, scheme.right)),
+            "table": rows(scheme.table),
+            "sums": list(map(text, scheme.sums)),
+            "points": list(map(text, scheme.points)),
+        }
+    told |= {
+        "method": scheme.method,
+        "degree": scheme.degree,
+        "parameter": None if scheme.parameter is None else text(scheme.parameter),
+        "rational": scheme.rational,
+        "first": scheme.first,
+        "columns": [rows(column) for column in scheme.columns],
+        "ratios": rows(scheme.ratios),
+    }
+    if scheme.method == "de Boor":
+        told["tip"] = list(map(text, scheme.tip))
+    if scheme.made and scheme.knots is not None:
+        told |= {"knots": list(map(text, scheme.knots)), "made": rows(scheme.made)}
+    return told

@@ -1,0 +1,102 @@
+"""Polynomials as products of powers, whatever they are polynomials in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Generic, Protocol, Self, TypeVar
+
+
+class Multiplicative(Protocol):
+    """What has products and powers."""
+
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __pow__(self, exponent: int, /) -> Self: ...
+
+
+P = TypeVar("P")
+Q = TypeVar("Q")
+M = TypeVar("M", bound=Multiplicative)
+
+
+@dataclass(frozen=True)
+class Factorization(Generic[P]):
+    """``Π baseᵉ``: bases that differ from one another, with exponents other than 0, negative ones below the line.
+
+    A constant in front is kept by whoever needs one. Bases are compared, never hashed (FLINT's are not hashable).
+
+    >>> a, b = Factorization([("x", 2), ("y", 1)]), Factorization([("y", 2), ("z", 1)])
+    >>> print(a * b, a.shared(b), a.without(a.shared(b)))
+    x^2 y^3 z y x^2
+    """
+
+    powers: tuple[tuple[P, int], ...] = ()
+
+    def __init__(self, powers: Iterable[tuple[P, int]] = ()) -> None:
+        object.__setattr__(self, "powers", tuple((base, e) for base, e in powers if e))
+
+    def __iter__(self) -> Iterator[tuple[P, int]]:
+        return iter(self.powers)
+
+    def __len__(self) -> int:
+        return len(self.powers)
+
+    def __str__(self) -> str:
+        return " ".join(f"{base}" if e == 1 else f"{base}^{e}" for base, e in self.powers) or "1"
+
+    def exponent(self, base: P) -> int:
+        """That of a base, 0 where it does not occur."""
+        return next((e for other, e in self.powers if other == base), 0)
+
+    def __mul__(self, other: Factorization[P]) -> Factorization[P]:
+        merged = list(self.powers)
+        for base, e in other.powers:
+            i = next((i for i, (mine, _) in enumerate(merged) if mine == base), None)
+            if i is None:
+                merged.append((base, e))
+            else:
+                merged[i] = (base, merged[i][1] + e)
+        return Factorization(merged)
+
+    def __pow__(self, exponent: int) -> Factorization[P]:
+        return Factorization((base, e * exponent) for base, e in self.powers)
+
+    def shared(self, other: Factorization[P]) -> Factorization[P]:
+        """What both have: each base with the lower of its exponents, 0 where it does not occur.
+
+        >>> print(Factorization([("x", 2), ("y", -1)]).shared(Factorization([("x", 1)])))
+        x y^-1
+        """
+        mine = [(base, min(e, other.exponent(base))) for base, e in self.powers]
+        others = [(base, min(e, 0)) for base, e in other.powers if not self.exponent(base)]
+        return Factorization([*mine, *others])
+
+    def without(self, part: Factorization[P]) -> Factorization[P]:
+        """Divided by another one."""
+        return self * part**-1
+
+    def mapped(self, function: Callable[[P], Q]) -> Factorization[Q]:
+        """With every base replaced by what a function makes of it."""
+        return Factorization((function(base), e) for base, e in self.powers)
+
+    @property
+    def above(self) -> Factorization[P]:
+        """The part with positive exponents."""
+        return Factorization((base, e) for base, e in self.powers if e > 0)
+
+    @property
+    def below(self) -> Factorization[P]:
+        """The part with negative exponents."""
+        return Factorization((base, e) for base, e in self.powers if e < 0)
+
+
+def multiplied(factorization: Factorization[M], one: M) -> M:
+    """The product multiplied out, where no exponent is negative.
+
+    >>> multiplied(Factorization([(2, 3), (5, 1)]), 1)
+    40
+    """
+    result = one
+    for base, e in factorization:
+        result = result * base**e
+    return result

@@ -1,0 +1,264 @@
+"""The folder of a paper: its words, its formulas and its claims, read by one code whoever wrote them.
+
+A folder holds formulas (``formulas.py``), claims (``claims.toml``) and whatever ``paper.toml`` says of it; without a
+``paper.toml`` the first lines of ``claims.toml`` may say the same.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from hashlib import sha256
+from importlib import import_module
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any, TypedDict, cast
+
+from exactspline.errors import ClaimError, FormulaError, nearest
+from exactspline.language.formula import Formula
+from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
+
+
+class Told(TypedDict):
+    """What a folder says of itself."""
+
+    title: str
+    reference: str
+    formulas: list[str]
+    claims: list[str]
+    uses: list[str]
+    errors: dict[str, str]
+    sections: dict[str, str]
+    default: bool
+    order: int
+
+
+#: So many bytes of a table are read.
+CHARACTERS = 4_000_000
+#: What it says if it is silent.
+SILENT: Told = {
+    "title": "",
+    "reference": "",
+    "formulas": ["formulas"],
+    "claims": ["claims.toml"],
+    "uses": [],
+    "errors": {},
+    "sections": {},
+    "default": False,
+    "order": 0,
+}
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table as it stands in a file of a paper, with the place where it stands: ``file, entry number``."""
+
+    place: str
+    entry: dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Paper:
+    """A source: its folder, its title, the modules of its formulas and the files of its claims.
+
+    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors by
+    the name under which claims are joined that fail for one reason, with what is wrong. ``sections`` says where claims
+    stand by the first letter of their ids. A ``default`` paper is one of those that are meant where none is named.
+    ``package`` is where its modules are imported from, empty for a folder of anybody; then formulas are checked before
+    they run, unless the folder is ``trusted``; what they may import from other papers is ``importable``.
+    """
+
+    name: str
+    title: str
+    reference: str
+    folder: Traversable
+    modules: tuple[str, ...]
+    claim_files: tuple[str, ...]
+    uses: tuple[Paper, ...]
+    errors: dict[str, str]
+    sections: dict[str, str] = field(default_factory=dict)
+    default: bool = False
+    package: str = ""
+    trusted: bool = False
+    importable: Importable = dict
+    _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
+
+    @property
+    def formulas(self) -> dict[str, Formula]:
+        """Its own formulas by name, in the order of the source."""
+        if "formulas" not in self._kept:
+            self._kept["formulas"] = self._read_formulas()
+        return self._kept["formulas"]
+
+    def _read_formulas(self) -> dict[str, Formula]:
+        found: dict[str, Formula] = {}
+        for module in self.modules:
+            if self.package:
+                home = f"{self.package}.{module}"
+                values = vars(import_module(home)).values()
+                found |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
+                continue
+            file = self.folder.joinpath(*f"{module}.py".split("/"))
+            if file.is_file():
+                found |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
+        return found
+
+    def find(self, name: str) -> Formula:
+        """The formula with this name: its own, or one of a paper that it uses.
+
+        >>> from exactspline.papers import paper
+        >>> paper("chen_riesenfeld_cohen_2007").find("f2")
+        <formula f2, eq. (8)>
+
+        Raises `FormulaError` with the nearest names.
+        """
+        for source in (self, *self.uses):
+            if name in source.formulas:
+                return source.formulas[name]
+        known = [known for source in (self, *self.uses) for known in source.formulas]
+        raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
+
+    def claim_tables(self) -> Iterator[Table]:
+        """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims.
+
+        Raises `ClaimError` for what is no table of claims.
+        """
+        for file in self.claim_files:
+            data = self._read(file)
+            common, entries = data.get("common", {}), data.get("claim", [])
+            if not isinstance(common, dict) or not isinstance(entries, list):
+                raise ClaimError("no table of claims", where=f"{self.name}/{file}", remedy="write [[claim]]")
+            for i, entry in enumerate(entries):
+                place = f"{self.name}/{file}, claim {i + 1}"
+                if not isinstance(entry, dict):
+                    raise ClaimError("a claim is no table", where=place, remedy="write [[claim]]")
+                yield Table(place, common | entry)
+
+    def construction_tables(self) -> dict[str, Table]:
+        """Its constructions by name, as they stand in ``constructions.toml``."""
+        file = "constructions.toml"
+        tables = self._read(file).items()
+        return {name: Table(f"{self.name}/{file}, {name}", each) for name, each in tables if isinstance(each, dict)}
+
+    def curve_files(self) -> list[Traversable]:
+        """The files of its own curves, in ``curves/``."""
+        place = self.folder.joinpath("curves")
+        return sorted((f for f in place.iterdir() if f.is_file()), key=lambda f: f.name) if place.is_dir() else []
+
+    def digests(self) -> dict[str, str]:
+        """The SHA-256 digests of its files by their names."""
+        return {name: _digest(file) for name, file in sorted(_files(self.folder), key=lambda named: named[0])}
+
+    def _read(self, file: str) -> dict[str, object]:
+        return read_toml(self.folder.joinpath(*file.split("/")), f"{self.name}/{file}")
+
+
+def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
+    for each in folder.iterdir():
+        if each.name.startswith((".", "__pycache__")) or (isinstance(each, Path) and each.is_symlink()):
+            continue
+        if each.is_dir():
+            yield from _files(each, f"{path}{each.name}/")
+        elif each.is_file():
+            yield path + each.name, each
+
+
+def _digest(file: Traversable) -> str:
+    found = sha256()
+    with file.open("rb") as stream:
+        while part := stream.read(1 << 20):
+            found.update(part)
+    return found.hexdigest()
+
+
+def read_toml(file: Traversable, place: str) -> dict[str, object]:
+    """A file of tables; empty where there is none.
+
+    Raises `ClaimError` for what is no TOML, with the line.
+    """
+    if not file.is_file():
+        return {}
+    try:
+        with file.open("rb") as stream:
+            data = stream.read(CHARACTERS + 1)
+        if len(data) > CHARACTERS:
+            raise ClaimError("is too large", where=place, remedy=f"at most {CHARACTERS} bytes are read")
+        return tomllib.loads(data.decode("utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ClaimError(f"no TOML: {error}", where=place, remedy="mend the file") from None
+
+
+def told_of(folder: Traversable, name: str) -> Told:
+    """What a folder says of itself.
+
+    Raises `ClaimError` for a word that says nothing, or of the wrong type.
+    """
+    file = "paper.toml"
+    data = read_toml(folder.joinpath(file), f"{name}/{file}")
+    if not data:
+        file = "claims.toml"
+        whole = read_toml(folder.joinpath(file), f"{name}/{file}")
+        data = {key: value for key, value in whole.items() if key not in ("common", "claim")}
+    usual: dict[str, object] = {**SILENT}
+    for key, value in data.items():
+        if key not in usual:
+            raise ClaimError(f"a paper has no {key!r}", where=f"{name}/{file}", remedy=nearest(key, usual))
+        texts = value if isinstance(value, list) else [*value.values()] if isinstance(value, dict) else []
+        good = all(isinstance(text, str) and text.isprintable() for text in [*texts, *[value] * isinstance(value, str)])
+        if type(value) is not type(usual[key]) or not good:
+            raise ClaimError(f"{key} is {value!r}", where=f"{name}/{file}", remedy=f"write it like {usual[key]!r}")
+    told = cast(Told, usual | data)
+    for path in (*told["formulas"], *told["claims"]):
+        if any(part in ("", ".", "..") for part in path.split("/")):
+            raise ClaimError(f"the file {path!r}", where=f"{name}/{file}", remedy="name files inside the folder")
+    return told
+
+
+def paper_in(
+    folder: Traversable,
+    name: str,
+    used: Callable[[str], Paper],
+    *,
+    package: str = "",
+    trusted: bool = False,
+    importable: Importable = dict,
+) -> Paper:
+    """The paper in a folder; `used` gives the papers that it uses."""
+    told = told_of(folder, name)
+    return Paper(
+        name,
+        told["title"] or _heading(folder) or name,
+        told["reference"],
+        folder,
+        tuple(told["formulas"]),
+        tuple(told["claims"]),
+        tuple(used(other) for other in told["uses"]),
+        told["errors"],
+        told["sections"],
+        told["default"],
+        package,
+        trusted,
+        importable,
+    )
+
+
+def _heading(folder: Traversable) -> str:
+    """The first heading of ``README.md``."""
+    file = folder.joinpath("README.md")
+    lines = file.read_bytes().decode("utf-8", "replace").splitlines() if file.is_file() else []
+    heading = next((line.lstrip("# ").strip() for line in lines if line.startswith("#")), "")
+    return "".join(letter for letter in heading if letter.isprintable())
+
+
+def folder_at(path: str | Path) -> Path:
+    """The folder of a paper at a path.
+
+    Raises `ClaimError` where there is none, or none of a paper.
+    """
+    folder = Path(path)
+    if not folder.is_dir():
+        raise ClaimError("there is no such folder", where=str(path), remedy="exactspline new-paper FOLDER writes one")
+    if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):
+        raise ClaimError("is no folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
+    return folder

@@ -1,0 +1,405 @@
+"""Formulas of others, checked before they run.
+
+A file of formulas is code. Before anything of it runs, its syntax tree is read: functions whose bodies are expressions
+of the language (``+ − * / **``, derivatives, the operands of an argument, products of vectors) and calls of functions
+that stand above them. What is read is compiled and run without any of Python's built-in names, so that nothing can be
+reached that is not named here.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from exactspline.errors import FormulaError, nearest
+from exactspline.exact import rational
+from exactspline.language.arguments import PARAMETERS
+from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
+from exactspline.language.formula import Formula, formula
+from exactspline.language.kinds import CURVE, KINDS, Kind, kind_of
+from exactspline.language.ruled import ruled
+from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple, wronskian
+
+#: What a file of formulas may import from exactspline, and call.
+LANGUAGE: dict[str, Callable[..., Any]] = {
+    "complex_product": complex_product,
+    "complex_quotient": complex_quotient,
+    "conjugate": conjugate,
+    "cross": cross,
+    "det": det,
+    "dot": dot,
+    "formula": formula,
+    "generalized_cross": generalized_cross,
+    "join": join,
+    "norm2": norm2,
+    "perp": perp,
+    "rational": rational,
+    "ruled": ruled,
+    "triple": triple,
+    "wronskian": wronskian,
+}
+#: Where else they are imported from.
+HOMES = {"exactspline", "exactspline.language.complex_numbers", "exactspline.language.vector"}
+TRUST = "--trust runs the file as it stands, which may do anything"
+#: Limits: of a file, of what a formula is when all it calls is written out, of powers, of derivatives, of its degree.
+CHARACTERS, WRITTEN_OUT, POWER, ORDER, DEGREE, DIGITS = 200_000, 100_000, 64, 20, 2000, 200
+_OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
+_BRANCHES = (ast.If, ast.IfExp, ast.BoolOp, ast.Compare, ast.While, ast.Match, ast.Assert, ast.Try)
+_REPEATS = (ast.For, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+
+
+@dataclass
+class Checked:
+    """What is known of the functions that were read: how large each is when written out, and its degree."""
+
+    file: str
+    functions: dict[str, tuple[int, int]] = field(default_factory=dict)
+    imported: set[str] = field(default_factory=set)
+    kinds: list[Kind] = field(default_factory=list)
+    attributes: set[str] = field(default_factory=set)
+
+    def refuse(self, node: ast.AST, problem: str, remedy: str = TRUST) -> FormulaError:
+        """The error of what may not stand there, with file and line."""
+        return FormulaError(problem, where=f"{self.file}, line {getattr(node, 'lineno', 1)}", remedy=remedy)
+
+
+def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bool = False) -> dict[str, Formula]:
+    """The formulas of a file, checked and then run. `known` are those of other papers, by ``module:name``; with `plain`
+    functions of one argument count that nothing marks as a formula: as formulas of a curve.
+
+    >>> text = "@formula('eq. (1)', on='plane')\\ndef f(c): return det(c.p, c.p.d(1))"
+    >>> formulas_of(f"from exactspline import formula, det\\n{text}", "formulas.py", {})
+    {'f': <formula f, eq. (1)>}
+    >>> formulas_of("import os", "formulas.py", {})
+    Traceback (most recent call last):
+    exactspline.errors.FormulaError: formulas.py, line 1: import os; write "from exactspline import formula, det, …"
+
+    Raises `FormulaError` with file and line for whatever is no formula.
+    """
+    try:
+        return _run(_parsed(text, file), file, known, plain)
+    except (RecursionError, MemoryError):
+        raise FormulaError("an expression nested too deeply", where=file, remedy="give its parts names") from None
+
+
+def _parsed(text: str, file: str) -> ast.Module:
+    if len(text) > CHARACTERS:
+        raise FormulaError(f"{len(text)} characters", where=file, remedy=f"at most {CHARACTERS} are read")
+    try:
+        return ast.parse(text, file)
+    except SyntaxError as error:
+        raise FormulaError(
+            f"no Python: {error.msg}", where=f"{file}, line {error.lineno}", remedy="mend the syntax"
+        ) from None
+    except ValueError as error:
+        raise FormulaError(f"no Python: {error}", where=file, remedy="write a text file in UTF-8") from None
+
+
+def _run(tree: ast.Module, file: str, known: Mapping[str, Formula], plain: bool) -> dict[str, Formula]:
+    names, read = _checked(tree, file, known)
+    space: dict[str, Any] = {"__builtins__": {}, "__name__": file, **names}
+    body: list[ast.stmt] = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    exec(compile(ast.Module(body, []), file, "exec"), space)  # nothing but what `_checked` has read
+    own = {name: space[name] for name in read.functions if name not in names}
+    if plain:
+        single = {node.name for node in body if isinstance(node, ast.FunctionDef) and len(node.args.args) == 1}
+        own |= {n: Formula(f, file, CURVE, "") for n, f in own.items() if n in single and not isinstance(f, Formula)}
+    return {name: f for name, f in own.items() if isinstance(f, Formula)}
+
+
+def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple[dict[str, Any], Checked]:
+    """What a file imports, once every statement of it is read."""
+    names: dict[str, Any] = {}
+    read = Checked(file)
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.decorator_list]
+    read.kinds = [*KINDS.values(), *[kind_of(_decorated(node, read)) for node in functions]]
+    for i, node in enumerate(tree.body):
+        if isinstance(node, ast.ImportFrom):
+            for name, value in _imported(node, read, known):
+                if name in names or name in read.functions:
+                    raise read.refuse(node, f"the name {name!r} is taken", "choose another one")
+                names[name] = value
+                read.functions[name] = (1, 2)
+                read.imported.add(name)
+        elif isinstance(node, ast.FunctionDef):
+            _function(node, read)
+        elif not (i == 0 and isinstance(node, ast.Expr) and _is_text(node.value)):
+            raise read.refuse(node, _told(node), _instead(node))
+    return names, read
+
+
+def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula]) -> Iterable[tuple[str, Any]]:
+    module = node.module or ""
+    if node.level or (module not in HOMES and module != "__future__" and not module.startswith("exactspline.papers.")):
+        raise read.refuse(node, f"an import from {module or '.'}", 'write "from exactspline import formula, det, …"')
+    for alias in node.names:
+        as_name = alias.asname or alias.name
+        if as_name.startswith("_"):
+            raise read.refuse(node, f"the name {as_name!r}", "names begin with a letter")
+        if module == "__future__":
+            continue
+        if module in HOMES:
+            if alias.name not in LANGUAGE:
+                remedy = nearest(alias.name, LANGUAGE)
+                raise read.refuse(node, f"{alias.name!r} is no function of the language", remedy)
+            if as_name != alias.name:
+                raise read.refuse(node, f"another name for {alias.name}", "import it under its own")
+            yield as_name, LANGUAGE[alias.name]
+        else:
+            where = f"{module.removeprefix('exactspline.papers.')}:{alias.name}"
+            if where not in known:
+                raise read.refuse(node, f"{alias.name!r} is no formula of {module}", nearest(where, known))
+            yield as_name, known[where]
+
+
+def _function(node: ast.FunctionDef, read: Checked) -> None:
+    a = node.args
+    if a.posonlyargs or a.kwonlyargs or a.vararg or a.kwarg or a.defaults or any(arg.annotation for arg in a.args):
+        raise read.refuse(node, f"the arguments of {node.name}", "write plain names: def f(c)")
+    if node.returns is not None:
+        raise read.refuse(node, f"an annotation of {node.name}", "leave it out")
+    for name in (node.name, *[arg.arg for arg in a.args]):
+        if name.startswith("_"):
+            raise read.refuse(node, f"the name {name!r}", "names begin with a letter")
+    if node.name in read.functions:
+        raise read.refuse(node, f"the name {node.name!r} is taken", "choose another one")
+    read.attributes = _attributes(node, read)
+    locals_ = {arg.arg for arg in a.args}
+    if locals_ & set(read.functions):
+        raise read.refuse(node, f"the name {sorted(locals_ & set(read.functions))[0]!r} is taken", "choose another one")
+    read.functions[node.name] = _Body(read, dict.fromkeys(locals_, (1, 1))).size(node)
+
+
+def _attributes(node: ast.FunctionDef, read: Checked) -> set[str]:
+    """What the argument of a function has: from its decorator; of a function without one, what any has."""
+    kinds = [kind_of(_decorated(node, read))] if node.decorator_list else read.kinds
+    if node.decorator_list and "formula" not in read.imported:
+        raise read.refuse(node, "the function 'formula' is unknown here", 'write "from exactspline import formula"')
+    found = {"generator", "directrix"}
+    for kind in kinds:
+        for n in kind.dimensions:
+            found |= {*kind.names(n), *kind.parts}
+            for part in kind.parts.values():
+                found |= set(part.names(n))
+    return found
+
+
+def _decorated(node: ast.FunctionDef, read: Checked) -> str:
+    """The kind of argument that ``@formula("source", on="kind", symbol="…")`` names."""
+    call = node.decorator_list[0]
+    good = (
+        len(node.decorator_list) == 1
+        and len(node.args.args) == 1
+        and isinstance(call, ast.Call)
+        and isinstance(call.func, ast.Name)
+        and call.func.id == "formula"
+        and len(call.args) == 1
+        and _is_text(call.args[0])
+        and all(k.arg in ("on", "symbol") and _is_text(k.value) for k in call.keywords)
+        and all(_is_plain(each) for each in (*call.args, *[k.value for k in call.keywords]))
+    )
+    if not good or not isinstance(call, ast.Call):
+        raise read.refuse(
+            node, f"how {node.name} is marked", '@formula("place in the source", on="plane") and one argument'
+        )
+    kind = next((k.value.value for k in call.keywords if k.arg == "on" and isinstance(k.value, ast.Constant)), "curve")
+    try:
+        return kind_of(str(kind)).name
+    except FormulaError as error:
+        raise read.refuse(node, error.problem, error.remedy) from None
+
+
+def _is_text(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
+def _is_plain(node: ast.AST) -> bool:
+    """Whether a text can be printed anywhere: on a terminal, in a page, as LaTeX."""
+    return isinstance(node, ast.Constant) and str(node.value).isprintable() and not set("<>$") & set(str(node.value))
+
+
+class _Body:
+    """A walk through the body of a function. Of every expression it gives how large it is when all that it calls is
+    written out, and a bound of its degree.
+    """
+
+    def __init__(self, read: Checked, names: dict[str, tuple[int, int]]) -> None:
+        self.read, self.names = read, names
+
+    def size(self, node: ast.FunctionDef) -> tuple[int, int]:
+        """That of what a function returns."""
+        body = node.body[1:] if isinstance(node.body[0], ast.Expr) and _is_text(node.body[0].value) else node.body
+        *steps, last = body or [node]
+        if not isinstance(last, ast.Return) or last.value is None:
+            raise self.read.refuse(last, f"{node.name} does not end with return", "return an expression")
+        for step in steps:
+            self.assign(step)
+        total, degree = self.expression(last.value)
+        return sum(n for n, _ in self.names.values()) + total, degree
+
+    def assign(self, node: ast.stmt) -> None:
+        """``name = expression``, or several of them."""
+        if not isinstance(node, ast.Assign) or len(node.targets) != 1:
+            raise self.read.refuse(node, _told(node), _instead(node))
+        target, value = node.targets[0], node.value
+        pairs = [(target, value)]
+        if isinstance(target, ast.Tuple):
+            if not isinstance(value, ast.Tuple) or len(value.elts) != len(target.elts):
+                raise self.read.refuse(node, "a value taken apart", "write a, b = v[0], v[1]")
+            pairs = list(zip(target.elts, value.elts, strict=True))
+        made = {}
+        for name, given in pairs:
+            if not isinstance(name, ast.Name) or name.id.startswith("_") or name.id in self.read.functions:
+                raise self.read.refuse(node, "an assignment to what is no name of its own", "write name = expression")
+            made[name.id] = self.expression(given)
+        self.names |= made
+
+    def expression(self, node: ast.expr) -> tuple[int, int]:
+        """An expression of the language."""
+        ways: dict[type[ast.expr], Callable[[Any], tuple[int, int]]] = {
+            ast.Name: self._name,
+            ast.Constant: self._constant,
+            ast.UnaryOp: self._sign,
+            ast.BinOp: self._operation,
+            ast.Attribute: self._operand,
+            ast.Call: self._call,
+            ast.Subscript: self._component,
+        }
+        handled = ways.get(type(node))
+        if handled is None:
+            raise self.read.refuse(node, _told(node), _instead(node))
+        size, degree = handled(node)
+        if size > WRITTEN_OUT:
+            raise self.read.refuse(node, f"more than {WRITTEN_OUT} operations, all calls written out", "say it shorter")
+        if degree > DEGREE:
+            raise self.read.refuse(node, f"a degree of more than {DEGREE}", "lower the powers")
+        return size, degree
+
+    def _name(self, node: ast.Name) -> tuple[int, int]:
+        if node.id in self.read.functions:
+            raise self.read.refuse(node, f"the function {node.id!r} is not called", f"write {node.id}(c)")
+        if node.id not in self.names:
+            remedy = nearest(node.id, [*self.names, *self.read.functions])
+            raise self.read.refuse(node, f"the name {node.id!r} is unknown", remedy)
+        return 1, self.names[node.id][1]
+
+    def _constant(self, node: ast.Constant) -> tuple[int, int]:
+        if isinstance(node.value, float):
+            raise self.read.refuse(node, f"the float {node.value!r}", f'write rational("{node.value!r}")')
+        if type(node.value) is not int:
+            raise self.read.refuse(node, f"the constant {node.value!r}", 'numbers are whole, or rational("1/2")')
+        if abs(node.value) >= 10**DIGITS:
+            raise self.read.refuse(node, f"a number of more than {DIGITS} digits", "write it as a product")
+        return 1, 1
+
+    def _sign(self, node: ast.UnaryOp) -> tuple[int, int]:
+        if not isinstance(node.op, (ast.USub, ast.UAdd)):
+            raise self.read.refuse(node, _told(node), _instead(node))
+        return self.expression(node.operand)
+
+    def _operation(self, node: ast.BinOp) -> tuple[int, int]:
+        if not isinstance(node.op, _OPERATORS):
+            raise self.read.refuse(node, f"the operation {type(node.op).__name__}", "the language has + - * / and **")
+        (m, a) = self.expression(node.left)
+        if isinstance(node.op, ast.Pow):
+            n = node.right.value if isinstance(node.right, ast.Constant) else None
+            if type(n) is not int or not 1 <= n <= POWER:
+                raise self.read.refuse(node, "the exponent of a power", f"write a whole number from 1 to {POWER}")
+            return m + n, a * n
+        (n_, b) = self.expression(node.right)
+        if isinstance(node.op, ast.Div) and _is_number(node.left) and _is_number(node.right):
+            told = ast.unparse(node)
+            raise self.read.refuse(node, f"{told} is a float in Python", f'write rational("{told.replace(" ", "")}")')
+        return m + n_ + 1, max(a, b) if isinstance(node.op, (ast.Add, ast.Sub)) else a + b
+
+    def _operand(self, node: ast.Attribute) -> tuple[int, int]:
+        size = self.expression(node.value)
+        if node.attr not in self.read.attributes:
+            known = sorted(self.read.attributes)
+            raise self.read.refuse(node, f"the argument has no {node.attr!r}", nearest(node.attr, known))
+        return size
+
+    def _call(self, node: ast.Call) -> tuple[int, int]:
+        if any(isinstance(arg, ast.Starred) for arg in node.args):
+            raise self.read.refuse(node, "a starred argument", "write the arguments one by one")
+        if isinstance(node.func, ast.Attribute) and node.func.attr == "d":
+            return self._derivative(node, node.func.value)
+        if not isinstance(node.func, ast.Name):
+            raise self.read.refuse(node, f"a call of {ast.unparse(node.func)[:40]}", "call functions by their names")
+        name = node.func.id
+        if name not in self.read.functions or name in self.names:
+            raise self.read.refuse(node, f"the function {name!r} is unknown here", self._above(name))
+        if name == "rational":
+            return self._rational(node)
+        if name == "formula":
+            raise self.read.refuse(node, "formula marks a function", "write @formula above it")
+        if node.keywords and not (name == "wronskian" and [k.arg for k in node.keywords] == ["order"]):
+            raise self.read.refuse(node, f"named arguments of {name}", "write the arguments one by one")
+        if name == "wronskian" and node.keywords and not _is_small(node.keywords[0].value):
+            raise self.read.refuse(node, "the order of a Wronskian", "write a small whole number")
+        found = [self.expression(arg) for arg in node.args]
+        size, degree = self.read.functions[name]
+        products = sum(d for _, d in found) or 1
+        return size + sum(n for n, _ in found) + 1, max(degree, 1) * products
+
+    def _above(self, name: str) -> str:
+        known = list(self.read.functions)
+        return f"functions stand above what calls them; {nearest(name, known)}" if known else "import it"
+
+    def _rational(self, node: ast.Call) -> tuple[int, int]:
+        value = node.args[0].value if len(node.args) == 1 and isinstance(node.args[0], ast.Constant) else None
+        good = (isinstance(value, str) and re.fullmatch(r"-?\d{1,99}([/.]\d{1,99})?", value)) or type(value) is int
+        if not good or node.keywords or (isinstance(value, str) and re.search(r"/0+$", value)):
+            raise self.read.refuse(node, "the argument of rational", 'write rational("1/2") or rational("0.25")')
+        return 1, 1
+
+    def _derivative(self, node: ast.Call, value: ast.expr) -> tuple[int, int]:
+        size, degree = self.expression(value)
+        if len(node.args) > 1 or not all(_is_small(arg) for arg in node.args):
+            raise self.read.refuse(node, "the order of a derivative", f"write .d(2), at most .d({ORDER})")
+        for k in node.keywords:
+            if k.arg != "by" or not (isinstance(k.value, ast.Constant) and k.value.value in PARAMETERS):
+                raise self.read.refuse(node, "the parameter of a derivative", 'write by="s" or by="s̄"')
+        return size + 1, degree + 1
+
+    def _component(self, node: ast.Subscript) -> tuple[int, int]:
+        found, index = self.expression(node.value), node.slice
+        bounds = [index] if not isinstance(index, ast.Slice) else [index.lower, index.upper, index.step]
+        if not all(each is None or _is_small(each) for each in bounds):
+            raise self.read.refuse(node, "the index of a component", "write v[0], v[1], … or v[0:2]")
+        return found
+
+
+def _is_number(node: ast.expr) -> bool:
+    return not any(isinstance(n, (ast.Name, ast.Attribute, ast.Call)) for n in ast.walk(node))
+
+
+def _is_small(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and type(node.value) is int and 0 <= node.value <= ORDER
+
+
+def _told(node: ast.AST) -> str:
+    """What it is that may not stand there, in the author's terms."""
+    if isinstance(node, _BRANCHES):
+        return "a formula branches"
+    if isinstance(node, _REPEATS):
+        return "a formula repeats"
+    if isinstance(node, (ast.Import, ast.ImportFrom)):
+        return ast.unparse(node)
+    if isinstance(node, (ast.Expr, ast.expr, ast.Assign)):
+        text = " ".join(ast.unparse(node).split())
+        return f"{text[:60]}{'…' if len(text) > 60 else ''} is no expression of the language"
+    return f"{type(node).__name__} is no statement of a formula"
+
+
+def _instead(node: ast.AST) -> str:
+    if isinstance(node, _BRANCHES):
+        return "it is one expression, the same for every curve; cases are claims of their own"
+    if isinstance(node, _REPEATS):
+        return "write the terms one by one"
+    if isinstance(node, (ast.Import, ast.ImportFrom)):
+        return 'write "from exactspline import formula, det, …"'
+    return f"formulas are made of operands, + - * /, .d(k), det, dot, … and calls of formulas; {TRUST}"

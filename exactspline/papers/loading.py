@@ -1,0 +1,107 @@
+"""Formulas loaded from files that are no modules of this package."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping
+from functools import wraps
+from importlib.resources.abc import Traversable
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType, TracebackType
+from typing import Any
+
+from exactspline.errors import ExactSplineError, FormulaError
+from exactspline.language.formula import Formula
+from exactspline.papers.formula_check import CHARACTERS, formulas_of
+
+#: What gives the formulas that others may import, by ``paper.module:name``.
+Importable = Callable[[], Mapping[str, Formula]]
+
+
+def checked_formulas(file: Traversable, importable: Importable, *, plain: bool = False) -> dict[str, Formula]:
+    """The formulas of a file, read before they run (see `exactspline.papers.formula_check`).
+
+    Raises `FormulaError` with file and line.
+    """
+    place = str(file)
+    try:
+        with file.open("rb") as stream:
+            text = stream.read(4 * CHARACTERS + 1).decode("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise FormulaError(f"cannot be read: {error}", where=place, remedy="write a text file in UTF-8") from None
+    known: Mapping[str, Formula] = importable() if "exactspline.papers." in text else {}
+    return {name: guarded(each, place) for name, each in formulas_of(text, place, known, plain=plain).items()}
+
+
+def trusted_formulas(file: Traversable) -> dict[str, Formula]:
+    """The formulas of a file that is run as it stands.
+
+    Raises `FormulaError` for whatever goes wrong in it.
+    """
+    place = str(file)
+    module = run_file(Path(place))
+    found = [f for f in vars(module).values() if isinstance(f, Formula) and f.__module__ == module.__name__]
+    return {f.name: guarded(f, place) for f in found}
+
+
+def run_file(file: Path) -> ModuleType:
+    """A file of Python run as a module of its own, which is not kept.
+
+    Raises `FormulaError` for whatever goes wrong in it.
+    """
+    spec = spec_from_file_location(f"paper_{file.stem}", file)
+    if spec is None or spec.loader is None or not file.is_file():
+        raise FormulaError("there is no such file", where=str(file), remedy="write file.py:function")
+    module = module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except ExactSplineError:
+        raise
+    except (Exception, SystemExit) as error:
+        raise told(error, str(file)) from None
+    return module
+
+
+def guarded(formula: Formula, file: str) -> Formula:
+    """The formula, whose errors name the file and the line at which they arise."""
+    function = formula.function
+
+    @wraps(function)
+    def value(c: object) -> Any:
+        try:
+            return function(c)
+        except ExactSplineError as error:
+            if error.where.startswith(file):
+                raise
+            line = _line(sys.exc_info()[2], file)
+            raise error.at(f"{file}, line {line}, {formula.name}: ".removesuffix(": ")) from None
+        except (TypeError, AttributeError, IndexError, ValueError, ArithmeticError, RecursionError) as error:
+            raise told(error, file, formula.name) from None
+
+    formula.function = value
+    return formula
+
+
+def told(error: BaseException, file: str, name: str = "") -> FormulaError:
+    """What went wrong in a file, in its author's terms."""
+    line = _line(error.__traceback__, file)
+    problem = f"{type(error).__name__}: {' '.join(str(error).split())}"
+    remedies: dict[type[BaseException], Callable[[], str]] = {
+        AttributeError: lambda: "name operands that the argument has",
+        TypeError: lambda: "scalars and vectors: write dot, cross or det for products of vectors",
+        IndexError: lambda: "components are counted from 0",
+    }
+    remedy = remedies.get(type(error), lambda: "a formula is a function of one argument c")()
+    where = ", ".join(filter(None, (file, f"line {line}" if line else "", name)))
+    return FormulaError(problem, where=where, remedy=remedy)
+
+
+def _line(trace: TracebackType | None, file: str) -> int:
+    """The line of a file in which an error arose."""
+    line = 0
+    while trace is not None:
+        if trace.tb_frame.f_code.co_filename == file:
+            line = trace.tb_lineno
+        trace = trace.tb_next
+    return line

@@ -1,0 +1,48 @@
+"""A new paper: a small one that works, copied into a folder of anybody."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib import resources
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from exactspline.errors import ClaimError
+
+#: The folder that is copied.
+TEMPLATE = "new_paper"
+#: What its Python ends in, which is no module here.
+TEXT = ".txt"
+
+
+def write_new_paper(folder: str | Path) -> list[Path]:
+    """Write the small paper into a folder; the files that were written.
+
+    >>> import tempfile
+    >>> [path.name for path in write_new_paper(Path(tempfile.mkdtemp()) / "mine")]
+    ['README.md', 'claims.toml', 'arch.json', 'formulas.py']
+
+    Raises `ClaimError` for a folder that is not empty, or cannot be written.
+    """
+    place = Path(folder)
+    if place.exists() and (not place.is_dir() or any(place.iterdir())):
+        raise ClaimError("is not empty", where=str(folder), remedy="name a new folder")
+    template = resources.files(__package__).joinpath(TEMPLATE)
+    written = []
+    try:
+        for name, file in sorted(_files(template)):
+            path = place.joinpath(*name.removesuffix(TEXT).split("/"))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(file.read_bytes())
+            written.append(path)
+    except OSError as error:
+        raise ClaimError(f"cannot be written: {error.strerror}", where=str(folder), remedy="name another") from None
+    return written
+
+
+def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
+    for each in folder.iterdir():
+        if each.is_dir() and not each.name.startswith("__"):
+            yield from _files(each, f"{path}{each.name}/")
+        elif each.is_file():
+            yield path + each.name, each

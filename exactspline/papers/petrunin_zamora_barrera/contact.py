@@ -1,0 +1,43 @@
+"""What is laid along a curve: lines, planes, circles and spheres, told of the point at s̄ for the one at s."""
+
+from exactspline.language.formula import formula
+from exactspline.language.vector import cross, dot, norm2
+from exactspline.papers.petrunin_zamora_barrera.plane import towards_the_centre
+from exactspline.papers.petrunin_zamora_barrera.space import (
+    binormal_by_arc_length,
+    sphere_offset_along_binormal,
+    towards_the_circle,
+)
+
+
+@formula("ch. Curvature, § Tangents", on="pair")
+def off_the_tangent_line(c):
+    """``γ′ × (γ(s̄) − γ)``."""
+    return cross(c.first.gamma.d(1), c.second.gamma - c.first.gamma)
+
+
+@formula("ch. Torsion, § Frenet frame", on="pair")
+def off_the_osculating_plane(c):
+    """``⟨B, γ(s̄) − γ⟩`` times ``|γ′|κ``."""
+    return dot(binormal_by_arc_length(c.first), c.second.gamma - c.first.gamma)
+
+
+@formula("ch. Signed curvature, § Osculating circline", on="plane pair")
+def off_the_osculating_circle(c):
+    """``|γ(s̄) − ω|² − |γ − ω|²`` for the centre ω of curvature: ``|v|² − 2 v·(ω − γ)`` with ``v = γ(s̄) − γ``."""
+    way = c.second.gamma - c.first.gamma
+    return norm2(way) - 2 * dot(way, towards_the_centre(c.first))
+
+
+@formula("ch. Torsion, § Spherical curves", on="pair")
+def off_the_printed_sphere(c):
+    """``|γ(s̄) − p|² − |γ − p|²`` for the centre that is printed."""
+    way = c.second.gamma - c.first.gamma
+    return norm2(way) - 2 * dot(way, towards_the_circle(c.first) + sphere_offset_along_binormal(c.first))
+
+
+@formula("ch. Torsion, § Spherical curves", on="pair")
+def off_the_osculating_sphere(c):
+    """The same for the centre with the other sign."""
+    way = c.second.gamma - c.first.gamma
+    return norm2(way) - 2 * dot(way, towards_the_circle(c.first) - sphere_offset_along_binormal(c.first))

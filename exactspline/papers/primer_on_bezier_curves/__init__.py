@@ -1,0 +1,1 @@
+"""Pomax, *A Primer on Bézier Curves*: formulas, claims, and the words they rest on."""

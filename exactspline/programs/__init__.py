@@ -1,0 +1,13 @@
+"""Formulas as straight-line programs: traced once for a kind of argument and run segment by segment on integers.
+
+>>> from exactspline.papers import find
+>>> from exactspline.splines.examples import example
+>>> curve = example("rational_cubic")
+>>> on_segments = program_for(find("g2"), curve)
+>>> on_segments(curve) == find("g2")(curve), on_segments.count("mul")
+(True, 31)
+"""
+
+from exactspline.programs.program import Program, evaluated, program_for
+
+__all__ = ["Program", "evaluated", "program_for"]

@@ -1,0 +1,126 @@
+"""Instructions as a Python function that runs over all segments, without a wrapper around any polynomial."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import fmpz, fmpz_poly
+
+from exactspline.programs.denominators import Denominator, common_multiple
+from exactspline.programs.instructions import UNIT, ZERO, Instruction
+from exactspline.splines.bernstein import U_PLUS_V, raiser
+
+#: A multiplier of a segment: the quotient of two denominators, or a power of the denominator of its width.
+Multiplier = tuple[Denominator, Denominator] | int
+#: From the polynomials of the operands, their denominators group by group, and the widths (numerator, denominator) of
+#: the segments to the polynomials and the denominators of every output, segment by segment.
+Run = Callable[
+    [Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]], Sequence[tuple[fmpz, fmpz]]], list[tuple[Any, ...]]
+]
+
+
+def compiled(
+    listed: Sequence[Instruction],
+    outputs: Sequence[tuple[int, Denominator]],
+    operands: int,
+    groups: Sequence[int],
+    multipliers: Sequence[Multiplier],
+) -> Run:
+    """The function of a program: from every segment the polynomials of the outputs, then their denominators.
+
+    >>> from exactspline.programs.denominators import OfOperand
+    >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
+    >>> below = Denominator.of(OfOperand(0))
+    >>> run = compiled([*load, Instruction("mul", (0, 1))], [(2, below * below)], 2, [0], [])
+    >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [[fmpz(5)]], [(fmpz(1), fmpz(1))])
+    [(3*x^2 + 5*x + 2, 25)]
+    """
+    constants: dict[str, Any] = {
+        "one": fmpz_poly([1]),
+        "nothing": fmpz_poly([]),
+        "u_plus_v": U_PLUS_V,
+        "fmpz": fmpz,
+        "common_multiple": common_multiple,
+    }
+    used = needed(listed, [i for i, _ in outputs])
+    lines = [f"m{k} = {_multiplier(multiplier)}" for k, multiplier in enumerate(multipliers)]
+    lines += [f"t{i} = {_text(one, constants)}" for i, one in enumerate(listed) if i in used and one.name != "load"]
+    loaded = {one.numbers[0]: f"t{i}" for i, one in enumerate(listed) if one.name == "load" and i in used}
+    names = [loaded.get(k, f"unused{k}") for k in range(operands)] + [f"below{group}" for group in groups]
+    below = {}
+    for k, denominator in enumerate(dict.fromkeys(denominator for _, denominator in outputs)):
+        below[denominator] = f"d{k}"
+        lines.append(f"d{k} = {denominator.text}")
+    values = [_name(i) if i != ZERO else "nothing" for i, _ in outputs] + [below[d] for _, d in outputs]
+    defaults = ", ".join(f"{name}={name}" for name in constants)
+    source = "\n".join(
+        [
+            f"def run(operands, denominators, widths, {defaults}):",
+            "    found = []",
+            f"    for {', '.join(names)}, (top, bottom) in zip(*operands, *denominators, widths):",
+            *[f"        {line}" for line in lines],
+            f"        found.append(({', '.join(values)},))",
+            "    return found",
+        ]
+    )
+    exec(compile(source, "<straight-line program>", "exec"), constants)
+    run: Run = constants["run"]
+    return run
+
+
+def _multiplier(multiplier: Multiplier) -> str:
+    """A multiplier as Python computes it."""
+    if isinstance(multiplier, int):
+        return f"bottom ** {multiplier}"
+    whole, part = multiplier
+    return f"({whole.text}) // ({part.text})"
+
+
+def needed(listed: Sequence[Instruction], outputs: Sequence[int]) -> set[int]:
+    """The instructions on which the outputs depend."""
+    used = {i for i in outputs if i >= 0}
+    for i in range(len(listed) - 1, -1, -1):
+        if i in used:
+            used.update(a for a in listed[i].arguments if a >= 0)
+    return used
+
+
+def _name(a: int) -> str:
+    return "one" if a == UNIT else f"t{a}"
+
+
+def _text(instruction: Instruction, constants: dict[str, Any]) -> str:
+    """One operation as Python writes it; whole numbers are made once and bound by name."""
+    name, arguments, numbers = instruction
+    a = _name(arguments[0])
+    if name == "mul":
+        return f"{a} * {_name(arguments[1])}"
+    if name == "sum":
+        (m, n), b = numbers, _name(arguments[1])
+        if m < 0 < n:
+            return f"{_multiple(b, n, constants)} - {_multiple(a, -m, constants)}"
+        return f"{_multiple(a, m, constants)} {'+' if n > 0 else '-'} {_multiple(b, abs(n), constants)}"
+    if name == "raise":
+        return f"{a} * {_bound('r', numbers[0], constants, raiser(numbers[0]))}"
+    if name == "derive":
+        return f"{a}.derivative() * u_plus_v - {_multiple(a, numbers[0], constants)}"
+    if name == "du":
+        return f"{_multiple(a, numbers[0], constants)} - {a}.derivative().left_shift(1)"
+    if name == "dv":
+        return f"{a}.derivative()"
+    if name == "scale":
+        return _multiple(a, numbers[0], constants)
+    return f"{a} * m{numbers[0]}"
+
+
+def _multiple(a: str, m: int, constants: dict[str, Any]) -> str:
+    if m in (1, -1):
+        return a if m == 1 else f"-{a}"
+    return f"{_bound('n' if m > 0 else 'minus', abs(m), constants, fmpz(m))} * {a}"
+
+
+def _bound(letter: str, number: int, constants: dict[str, Any], value: Any) -> str:
+    name = f"{letter}{number}"
+    constants[name] = value
+    return name

@@ -1,0 +1,250 @@
+"""The operand of the program reading: what an operation makes is written down, and what is known of it beforehand."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import gcd
+from typing import Any
+
+from exactspline.errors import FormulaError
+from exactspline.exact import rational
+from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
+from exactspline.programs.compiled import Multiplier
+from exactspline.programs.denominators import ONE, Denominator, OfOperand, WidthNumerator
+from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
+from exactspline.programs.instructions import ZERO, Instructions
+from exactspline.splines.knots import SMOOTH
+
+
+class Recorder:
+    """What is written down while a formula is traced: instructions, and multipliers that only segments know."""
+
+    def __init__(self, *, unit_widths: bool) -> None:
+        self.instructions = Instructions()
+        self.multipliers: list[Multiplier] = []
+        self.unit_widths = unit_widths
+
+    def multiplier(self, kind: Multiplier) -> int:
+        """The number of a multiplier."""
+        if kind not in self.multipliers:
+            self.multipliers.append(kind)
+        return self.multipliers.index(kind)
+
+
+class Term(Operand):
+    """``number · bᵏ (u + v)ᵉ · node / below``, with b the denominator of the segment's width.
+
+    `orders` are, operand by operand, the orders of the derivatives it was made from (−1: none), the constants last:
+    continuity drops by them.
+    """
+
+    __slots__ = ("below", "degree", "node", "number", "orders", "provenance", "raised", "recorder", "widths")
+
+    def __init__(
+        self,
+        recorder: Recorder,
+        node: int,
+        degree: int,
+        orders: tuple[int, ...],
+        below: Denominator,
+        provenance: Provenance,
+        number: int = 1,
+        widths: int = 0,
+        raised: int = 0,
+    ) -> None:
+        self.recorder, self.node, self.degree, self.orders, self.below = recorder, node, degree, orders, below
+        self.provenance, self.number, self.widths, self.raised = provenance, number, widths, raised
+
+    @classmethod
+    def operand(cls, recorder: Recorder, k: int, count: int, degree: int, group: int, provenance: Provenance) -> Term:
+        """The k-th of so many operands, with the denominators of a group of them."""
+        orders = tuple(0 if i == k else -1 for i in range(count + 1))
+        below = Denominator.of(OfOperand(group))
+        node = recorder.instructions.load(k, degree) if degree >= 0 else ZERO
+        return cls(recorder, node, degree, orders, below, provenance)
+
+    def constant(self, value: Constant) -> Term:
+        """An exact constant."""
+        q = rational(value)
+        orders = (*[-1] * (len(self.orders) - 1), 0)
+        number, below = int(q.numerator), Denominator(int(q.denominator))
+        node = ONE_POLYNOMIAL if number else ZERO
+        return Term(self.recorder, node, 0, orders, below, (MULTIPLE, UNIT, q), number)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve of the kind; others may, which nobody knows beforehand.
+
+        Raises `FormulaError` for these.
+        """
+        if self.node == ZERO:
+            return True
+        raise FormulaError("whether a term of a program vanishes", remedy="run the program and ask what it returns")
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both were made in the same way."""
+        return isinstance(other, Term) and same(self.provenance, other.provenance)
+
+    def __hash__(self) -> int:
+        return hash((self.node, self.degree))
+
+    def _with(self, **changed: Any) -> Term:
+        fields = {name: getattr(self, name) for name in Term.__slots__} | changed
+        return Term(**fields)
+
+    # ---- sums
+
+    def __add__(self, other: Any) -> Any:
+        right = self.beside(other)
+        return NotImplemented if right is None else self._sum(right, 1, SUM)
+
+    def __sub__(self, other: Any) -> Any:
+        right = self.beside(other)
+        return NotImplemented if right is None else self._sum(right, -1, DIFFERENCE)
+
+    def _sum(self, other: Term, sign: int, name: int) -> Term:
+        degree, below = max(self.degree, other.degree), self.below.common(other.below)
+        a, b = self._over(below, degree), other._over(below, degree)._with_number(sign)
+        orders = tuple(map(max, self.orders, other.orders))
+        provenance = (name, self.provenance, other.provenance)
+        if ZERO in (a.node, b.node):
+            return (b if a.node == ZERO else a)._with(orders=orders, provenance=provenance)
+        raised, widths = min(a.raised, b.raised), min(a.widths, b.widths)
+        first, second = a._down_to(raised, widths), b._down_to(raised, widths)
+        if first.node == second.node:
+            number = first.number + second.number
+            node = first.node if number else ZERO
+            return first._with(node=node, number=number or 1, orders=orders, provenance=provenance)
+        if first.node > second.node:
+            first, second = second, first
+        common = gcd(first.number, second.number) * (1 if first.number > 0 else -1)
+        node = self.recorder.instructions.sum(first.node, first.number // common, second.node, second.number // common)
+        return first._with(node=node, number=common, orders=orders, provenance=provenance)
+
+    def _with_number(self, factor: int) -> Term:
+        return self if factor == 1 else self._with(number=self.number * factor)
+
+    def _over(self, below: Denominator, degree: int) -> Term:
+        """Over a multiple of the denominator, of a degree at least as high."""
+        if self.node == ZERO:
+            return self._with(below=below, degree=degree, raised=0)
+        node, number = self.node, self.number
+        if below.powers == self.below.powers:
+            number *= below.constant // self.below.constant
+        else:
+            node = self.recorder.instructions.lifted(node, self.recorder.multiplier((below, self.below)))
+        raised = self.raised + degree - self.degree
+        return self._with(node=node, number=number, below=below, degree=degree, raised=raised)
+
+    def _down_to(self, raised: int, widths: int) -> Term:
+        """With so many powers of ``u + v`` and of the width's denominator apart, the others multiplied in."""
+        code = self.recorder.instructions
+        node = code.raised(self.node, self.raised - raised)
+        if self.widths > widths:
+            node = code.lifted(node, self.recorder.multiplier(self.widths - widths))
+        return self._with(node=node, raised=raised, widths=widths)
+
+    # ---- products
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, CONSTANTS):
+            return self.scaled(other)
+        if not isinstance(other, Term):
+            return NotImplemented
+        nothing = ZERO in (self.node, other.node)
+        return Term(
+            self.recorder,
+            ZERO if nothing else self.recorder.instructions.times(self.node, other.node),
+            self.degree + other.degree,
+            tuple(map(max, self.orders, other.orders)),
+            self.below * other.below,
+            (PRODUCT, self.provenance, other.provenance),
+            self.number * other.number,
+            self.widths + other.widths,
+            self.raised + other.raised,
+        )
+
+    def scaled(self, constant: Constant) -> Term:
+        """The term times an exact constant."""
+        q = rational(constant)
+        number = self.number * int(q.numerator)
+        return self._with(
+            node=self.node if number else ZERO,
+            number=number or 1,
+            below=self.below * Denominator(int(q.denominator)),
+            provenance=(MULTIPLE, self.provenance, constant if type(constant) is int else q),
+        )
+
+    # ---- derivatives and degrees
+
+    def d(self, order: int = 1, *, by: str | None = None) -> Term:
+        """The derivative of an order."""
+        self.only_parameter(by)
+        result = self
+        for _ in range(order):
+            result = result._derived()
+        return result
+
+    def _derived(self) -> Term:
+        orders = tuple(k + 1 if k >= 0 else k for k in self.orders)
+        provenance = (DERIVATIVE, self.provenance)
+        if self.degree <= 0:
+            gone = self._with(node=ZERO, degree=self.degree - 1, raised=0, widths=0, below=ONE, number=1)
+            return gone._with(orders=orders, provenance=provenance)
+        node, raised = ZERO, 0
+        if self.node != ZERO and self.degree > self.raised:
+            node, raised = self.recorder.instructions.derived("derive", self.node), self.raised
+        unit = self.recorder.unit_widths
+        below = self.below if unit else self.below * Denominator.of(WidthNumerator())
+        widths = self.widths + (not unit)
+        derived = self._with(node=node, raised=raised, degree=self.degree - 1, below=below, widths=widths)
+        return derived._with(orders=orders, provenance=provenance)
+
+    def elevated_to(self, other: Term) -> Term:
+        """The same term, at least of the degree of another."""
+        if self.degree >= other.degree:
+            return self
+        raised = 0 if self.node == ZERO else self.raised + other.degree - self.degree
+        return self._with(degree=other.degree, raised=raised)
+
+    def partials(self, degree: int, order: int) -> list[Term]:
+        """``∂u^(order−i) ∂vⁱ`` for i = 0 … order, of the term as a form of a degree at least its own."""
+        level = [self._over(self.below, degree)]
+        for _ in range(order):
+            level = [level[0]._partial("du"), *[term._partial("dv") for term in level]]
+        return level
+
+    def _partial(self, name: str) -> Term:
+        term = self if self.node == ZERO else self._down_to(0, self.widths)
+        node = ZERO if term.node == ZERO else term.recorder.instructions.derived(name, term.node)
+        return term._with(node=node, degree=self.degree - 1)
+
+    def per_width(self, weight: int, dropped: int) -> Term:
+        """The term over so many powers of the segment's width, that many times less continuous."""
+        orders = tuple(k + dropped if k >= 0 else k for k in self.orders)
+        if self.recorder.unit_widths:
+            return self._with(orders=orders)
+        below = self.below * Denominator(1, ((WidthNumerator(), weight),))
+        return self._with(below=below, widths=self.widths + weight, orders=orders)
+
+    def over(self, below: Denominator) -> Term:
+        """The term over one more denominator."""
+        return self._with(below=self.below * below)
+
+    # ---- what comes out
+
+    def output(self) -> int:
+        """The instruction that makes the polynomial over `below`."""
+        if self.node == ZERO:
+            return ZERO
+        code = self.recorder.instructions
+        return code.scaled(self._down_to(0, 0).node, self.number)
+
+    def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
+        """The continuity at the inner breakpoints, from that of the operands."""
+        if not inner:
+            return ()
+        known = [*operands, (SMOOTH,) * inner]
+        dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, self.orders, strict=True) if k >= 0]
+        return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])

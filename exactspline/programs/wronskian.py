@@ -1,0 +1,45 @@
+"""The lowest Wronskian of a vector (see `exactspline.splines.wronskian`) as a program."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import factorial, prod
+from typing import Any
+
+from exactspline.language.formula import Formula
+from exactspline.language.vector import Vector, det
+from exactspline.programs.denominators import Denominator
+from exactspline.programs.term import Term
+from exactspline.splines import wronskian
+
+
+def lowest_wronskian(vector: Vector[Term]) -> Term:
+    """The Wronskian of terms at its true degree: the determinant of partial derivatives over a constant.
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.programs.program import operands_of
+    >>> from exactspline.splines.examples import example
+    >>> lift = find("projective_lift")
+    >>> given = operands_of(lift.kind, example("rational_cubic"))
+    >>> given.value(wronskian_of(lift)).degree, given.value(find("f2")).degree
+    (3, 6)
+    """
+    r, n = len(vector) - 1, max(term.degree for term in vector)
+    if n < r:
+        return vector[0].constant(0)
+    columns = [term.partials(n, r) for term in vector]
+    value: Term = det(*[Vector(*[column[i] for column in columns]) for i in range(r + 1)])
+    constant = prod(factorial(n - i) // factorial(n - r) for i in range(r + 1))
+    return value.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
+
+
+@cache
+def wronskian_of(lift: Formula) -> Formula:
+    """The lowest Wronskian of what a formula returns, as a formula that programs and splines can read."""
+
+    def lowest(c: Any) -> Any:
+        vector = lift(c)
+        return lowest_wronskian(vector) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(vector)
+
+    lowest.__name__ = f"lowest Wronskian of {lift.name}"
+    return Formula(lowest, lift.source, lift.kind, "")

@@ -1,0 +1,71 @@
+"""The same curve in another parameter t: with ``ρ = ds/dt`` the derivative of everything is ``d/dt = ρ d/ds``.
+
+ρ is a function of its own, so that what holds here holds of every change of parameter.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactspline.language.operand import Constant, FieldOperand
+
+
+class InOtherParameter(FieldOperand):
+    """An operand of a reading that can divide, differentiated by another parameter.
+
+    >>> from exactspline.language.kinds import kind_of
+    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> c = RationalJetReading(2).argument(kind_of("plane with rho"), 2)
+    >>> InOtherParameter(c.p[0], c.rho).d(2).value == c.p[0].d(2) * c.rho * c.rho
+    True
+    """
+
+    __slots__ = ("speed", "value")
+    degree = provenance = 0
+
+    def __init__(self, value: Any, speed: Any) -> None:
+        self.value, self.speed = value, speed
+
+    def _made(self, value: Any) -> InOtherParameter:
+        return InOtherParameter(value, self.speed)
+
+    def constant(self, value: Constant) -> InOtherParameter:
+        """An exact constant."""
+        return self._made(self.value.constant(value))
+
+    def __add__(self, other: Any) -> Any:
+        right = self.beside(other)
+        return NotImplemented if right is None else self._made(self.value + right.value)
+
+    def __mul__(self, other: Any) -> Any:
+        right = self.beside(other)
+        return NotImplemented if right is None else self._made(self.value * right.value)
+
+    def reciprocal(self) -> InOtherParameter:
+        """``1 / a``."""
+        return self._made(self.value.reciprocal())
+
+    def scaled(self, constant: Constant) -> InOtherParameter:
+        """The operand times an exact constant."""
+        return self._made(self.value.scaled(constant))
+
+    def elevated_to(self, other: object) -> InOtherParameter:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1, *, by: str | None = None) -> InOtherParameter:
+        """The derivative by the other parameter."""
+        value = self.value
+        for _ in range(order):
+            value = value.d(1, by=by) * self.speed
+        return self._made(value)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it vanishes on every curve."""
+        return bool(self.value.is_zero)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, InOtherParameter) and bool(self.value == other.value)
+
+    __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable

@@ -1,0 +1,174 @@
+"""Zeros of many forms at once, in doubles whose errors are bounded: isolated where that is certain.
+
+Every form is a row of coefficients in the scaled Bernstein basis with bounds of their errors. A sign counts where the
+coefficient is larger than its bound; Descartes' rule is asked for the largest number of sign changes that the certain
+signs allow. Rows for which that never says 0 or 1 are left to exact arithmetic. Derivation: docs/certified-filter.md.
+
+This is the one module of roots that loads numpy.
+"""
+
+from __future__ import annotations
+
+from math import comb
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+ROUNDING, UNDERFLOW = 2.0**-52, 2.0**-1022
+#: Where pieces are split: not in the middle, where the zeros of symmetric curves are; ten times it is exact.
+SPLIT, DEPTH = 15 / 32, 9
+#: Steps towards a zero without proof.
+STEPS = 12
+#: Half widths in which a zero is looked for, after Newton's method, the narrowest first.
+WIDTHS = (2.0**-44, 2.0**-38, 2.0**-30, 2.0**-20, 2.0**-10)
+
+
+class Rows(NamedTuple):
+    """Bézier ordinates, one row a form, and bounds of their errors."""
+
+    values: Floats
+    errors: Floats
+
+
+class Isolated(NamedTuple):
+    """Simple zeros: the row, an interval of [0, 1] with that zero and no other strictly inside, the sign before it."""
+
+    row: Integers
+    low: Floats
+    high: Floats
+    before: Integers
+
+    def where(self, holds: Flags) -> Isolated:
+        """Those of the zeros for which something holds."""
+        return Isolated(self.row[holds], self.low[holds], self.high[holds], self.before[holds])
+
+
+def ordinates(values: Floats, errors: Floats) -> Rows:
+    """The Bézier ordinates of coefficients in the scaled basis."""
+    n = values.shape[1] - 1
+    scale = np.array([float(comb(n, i)) for i in range(n + 1)])
+    with np.errstate(all="ignore"):
+        found = values / scale
+        return Rows(found, errors / scale * (1 + 8 * ROUNDING) + 2 * ROUNDING * np.abs(found) + UNDERFLOW)
+
+
+def isolated(rows: Rows) -> tuple[Isolated, Flags]:
+    """The zeros inside (0, 1) of the forms that are certain, in order, and which forms are not.
+
+    >>> found, open_ = isolated(Rows(np.array([[1.0, -2, 1], [1, 2, 1], [0, 1, 2]]), np.full((3, 3), 1e-9)))
+    >>> found.row.tolist(), found.before.tolist(), open_.tolist()
+    ([0, 0], [1, -1], [False, False, True])
+    """
+    values, errors = rows
+    undecided = np.zeros(len(values), dtype=bool)
+    index, low, width = np.arange(len(values)), np.zeros(len(values)), np.ones(len(values))
+    parts: list[tuple[NDArray[np.generic], ...]] = []
+    for level in range(DEPTH + 1):
+        signs = np.where(values > errors, 1, np.where(values < -errors, -1, 0))
+        blind = (signs[:, 0] == 0) | (signs[:, -1] == 0)
+        most = _most_changes(signs)
+        one = (most == 1) & ~blind
+        parts.append((index[one], low[one], low[one] + width[one], signs[one, 0]))
+        undecided[index[blind]] = True
+        again = (most > 1) & ~undecided[index]
+        if level == DEPTH or not again.any():
+            undecided[index[again]] = True
+            break
+        index, low, width = index[again], low[again], width[again]
+        left, right = _split(Rows(values[again], errors[again]))
+        values, errors = (np.concatenate(pair) for pair in zip(left, right, strict=True))
+        index = np.concatenate([index, index])
+        low = np.concatenate([low, low + width * SPLIT])
+        width = np.concatenate([width * SPLIT, width * (1 - SPLIT)])
+    row, start, end, before = (np.concatenate(column) for column in zip(*parts, strict=True))
+    order = np.lexsort((start, row))
+    found = Isolated(row[order], start[order], end[order], before[order])
+    return found.where(~undecided[found.row]), undecided
+
+
+def _most_changes(signs: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The most sign changes that a row can have, whatever the signs that are not certain."""
+    ends_up, ends_down = (np.where(signs[:, 0] == s, -1000, 0) for s in (-1, 1))
+    for column in signs.T[1:]:
+        up, down = np.maximum(ends_up, ends_down + 1), np.maximum(ends_down, ends_up + 1)
+        ends_up, ends_down = np.where(column < 0, -1000, up), np.where(column > 0, -1000, down)
+    return np.maximum(ends_up, ends_down)
+
+
+def _split(rows: Rows) -> tuple[Rows, Rows]:
+    """The forms left and right of `SPLIT`, by de Casteljau's algorithm."""
+    (value, error), n = rows, rows.values.shape[1] - 1
+    left, right = [(value[:, 0], error[:, 0])], [(value[:, -1], error[:, -1])]
+    with np.errstate(all="ignore"):
+        for _ in range(n):
+            first, second = (1 - SPLIT) * value[:, :-1], SPLIT * value[:, 1:]
+            value = first + second
+            carried = (1 - SPLIT) * error[:, :-1] + SPLIT * error[:, 1:]
+            own = 3 * ROUNDING * (np.abs(first) + np.abs(second))
+            error = (carried + own) * (1 + 8 * ROUNDING) + 8 * UNDERFLOW
+            left.append((value[:, 0], error[:, 0]))
+            right.append((value[:, -1], error[:, -1]))
+    return _stacked(left), _stacked(right[::-1])
+
+
+def _stacked(columns: list[tuple[Floats, Floats]]) -> Rows:
+    values, errors = zip(*columns, strict=True)
+    return Rows(np.stack(values, axis=1), np.stack(errors, axis=1))
+
+
+def values_at(rows: Rows, index: Integers, t: Floats) -> tuple[Floats, Floats]:
+    """The values of forms at parameters in [0, 1], and bounds of their errors."""
+    b = rows.values[index]
+    n = b.shape[1] - 1
+    with np.errstate(all="ignore"):
+        largest, error = np.abs(b).max(axis=1), rows.errors[index].max(axis=1)
+        u, v = (1 - t)[:, None], t[:, None]
+        for _ in range(n):
+            b = u * b[:, :-1] + v * b[:, 1:]
+        bound = error * (1 + 8 * n * ROUNDING) + 4 * (n + 1) * ROUNDING * largest + 8 * (n + 1) * UNDERFLOW
+    return b[:, 0], bound
+
+
+def narrowed(rows: Rows, found: Isolated) -> Isolated:
+    """The same zeros in narrower intervals, as far as signs at their ends are certain."""
+    index, low, high, before = found
+    if not len(index):
+        return found
+    x = _approximated(rows, found)
+    new_low, new_high, open_ = low.copy(), high.copy(), np.ones(len(index), dtype=bool)
+    for half in WIDTHS:
+        some = np.flatnonzero(open_)
+        if not len(some):
+            break
+        a, b = np.maximum(low[some], x[some] - half), np.minimum(high[some], x[some] + half)
+        (left, left_error), (right, right_error) = (values_at(rows, index[some], t) for t in (a, b))
+        s = before[some]
+        proved = (s * left > left_error) & (s * right < -right_error) & (a < b)
+        new_low[some[proved]], new_high[some[proved]] = a[proved], b[proved]
+        open_[some[proved]] = False
+    return Isolated(index, new_low, new_high, before)
+
+
+def _approximated(rows: Rows, found: Isolated) -> Floats:
+    """Numbers near the zeros, without proof, by the Illinois method: secants between ends that move in; the value at an
+    end that stays twice is halved.
+    """
+    index, low, high, before = found
+    (at_low, _), (at_high, _) = (values_at(rows, index, t) for t in (low, high))
+    x, was_left = (low + high) / 2, np.zeros(len(index), dtype=bool)
+    with np.errstate(all="ignore"):
+        for step in range(STEPS):
+            secant = low + (high - low) * (at_low / (at_low - at_high))
+            x = np.where((secant > low) & (secant < high), secant, (low + high) / 2)
+            value, _ = values_at(rows, index, x)
+            left = value * before > 0
+            again = (left == was_left) & (step > 0)
+            at_high = np.where(left, np.where(again, at_high / 2, at_high), value)
+            at_low = np.where(left, value, np.where(again, at_low / 2, at_low))
+            low, high, was_left = np.where(left, x, low), np.where(left, high, x), left
+    return x

@@ -1,0 +1,37 @@
+"""What a user gives: degrees, sides and control points, read exactly or refused with the place at fault."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from exactspline.errors import DomainError, NumberError, ShapeError, shown
+from exactspline.exact import Number, mpq, rational
+from exactspline.language.choices import Side, choice
+
+#: Largest degree accepted from outside; computed splines may go beyond it.
+MAX_DEGREE = 1000
+
+
+def checked_degree(degree: object) -> int:
+    """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
+    if type(degree) is not int or degree < 0:
+        raise ShapeError(f"{shown(degree)} is no degree", where="degree", remedy="an integer ≥ 0")
+    if degree > MAX_DEGREE:
+        raise ShapeError(f"degree {shown(degree)}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
+    return degree
+
+
+def checked_side(side: Side | str) -> bool:
+    """Whether the side is the left one; `DomainError` unless it is ``left`` or ``right``."""
+    return side is not Side.RIGHT and choice(Side, side, "side", raised=DomainError) is Side.LEFT
+
+
+def exact_points(points: Iterable[Number]) -> tuple[mpq, ...]:
+    """Control points as exact numbers, an error naming the one at fault."""
+    exact = []
+    for i, b in enumerate(points):
+        try:
+            exact.append(rational(b))
+        except NumberError as error:
+            raise error.at(f"control_points[{i}]") from None
+    return tuple(exact)

@@ -1,0 +1,242 @@
+"""The algorithms of the classroom as tables of fractions: de Boor's triangle, knot insertion, degree elevation, the
+product of two functions. What a spline does with them inside (`exactspline.splines.bernstein`) is faster; here every
+intermediate point can be read, drawn and checked.
+
+Sources: C. de Boor, On calculating with B-splines, J. Approx. Theory 6 (1972) 50-62; M. G. Cox, The numerical
+evaluation of B-splines, IMA J. Appl. Math. 10 (1972) 134-149; W. Boehm, Inserting new knots into B-spline curves, CAD
+12 (1980) 199-201.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import comb
+
+from exactspline.errors import DomainError, KnotError, ShapeError
+from exactspline.exact import Number, mpq, rational, text
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.control_points import Point, lifted, projected
+from exactspline.splines.knots import KnotVector
+from exactspline.splines.nurbs import Nurbs
+
+#: Coordinates in a row: of a function its value, of a polynomial curve its point, of a rational one ``(w x, …, w)``.
+Row = tuple[mpq, ...]
+
+
+@dataclass(frozen=True)
+class Triangle:
+    """Columns of points; each column from the second on is computed from neighbours of the one before.
+
+    Downwards (de Boor, insertion) a column has one point less than the one before:
+    ``columns[r][k] = (1 − s) columns[r−1][k] + s columns[r−1][k+1]`` with ``s = ratios[r−1][k]``. In elevation it has
+    one more: ``columns[r][k] = s columns[r−1][k−1] + (1 − s) columns[r−1][k]``, and s is 0 at the first, 1 at the last.
+    """
+
+    #: ``de Boor``, ``insertion`` or ``elevation``.
+    method: str
+    degree: int
+    #: The span or the segment that the points belong to.
+    span: tuple[mpq, mpq]
+    #: The index of the first point of the first column among the control points; −1 for Bézier points of a segment.
+    first: int
+    columns: tuple[tuple[Row, ...], ...]
+    ratios: tuple[tuple[mpq, ...], ...]
+    #: Whether the last coordinate is a weight.
+    rational: bool
+    #: The parameter; None in elevation.
+    parameter: mpq | None = None
+    #: What is made: the knots and the control points (rows) of the result, where it is a spline.
+    knots: KnotVector | None = None
+    made: tuple[Row, ...] = ()
+
+    @property
+    def tip(self) -> Point:
+        """The point at the parameter, in Cartesian coordinates: the only one of the last column of de Boor's triangle.
+
+        Raises `ShapeError` where there is more than one.
+        """
+        if len(self.columns[-1]) != 1:
+            raise ShapeError(f"{len(self.columns[-1])} points in the last column", remedy="take de Boor's triangle")
+        return self.cartesian(self.columns[-1][0])
+
+    def cartesian(self, row: Row) -> Point:
+        """A row as a control point: divided by its weight where it has one (a `Direction` where that is 0)."""
+        return projected(row) if self.rational else row
+
+
+@dataclass(frozen=True)
+class ProductTable:
+    """The product of two functions on one segment: in Bézier points multiplied by binomial coefficients it is the
+    product of two polynomials, the sums of the diagonals of a table.
+    """
+
+    span: tuple[mpq, mpq]
+    #: The scaled Bézier points ``C(n, i) bᵢ`` of both factors.
+    left: tuple[mpq, ...]
+    right: tuple[mpq, ...]
+
+    @property
+    def table(self) -> tuple[tuple[mpq, ...], ...]:
+        """``left[i]·right[k]`` in row i and column k."""
+        return tuple(tuple(a * b for b in self.right) for a in self.left)
+
+    @property
+    def sums(self) -> tuple[mpq, ...]:
+        """The sums of the diagonals i + k = m."""
+        degree = len(self.left) + len(self.right) - 2
+        rows = list(enumerate(self.table))
+        return tuple(
+            sum((row[m - i] for i, row in rows if 0 <= m - i < len(self.right)), mpq(0)) for m in range(degree + 1)
+        )
+
+    @property
+    def points(self) -> tuple[mpq, ...]:
+        """The Bézier points of the product: the sums divided by the binomial coefficients of its degree."""
+        sums = self.sums
+        return tuple(total / comb(len(sums) - 1, m) for m, total in enumerate(sums))
+
+
+def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
+    """De Boor's triangle at a parameter; its tip is the point of the curve there (at a jump the one from the right).
+
+    >>> triangle = de_boor_triangle(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 4, 8, 2]), "1/2")
+    >>> triangle.columns[1], triangle.ratios, triangle.tip
+    (((mpq(2,1),), (mpq(5,1),)), ((mpq(1,2), mpq(1,4)), (mpq(1,2),)), (mpq(7,2),))
+
+    Raises `DomainError` outside the domain.
+    """
+    parameter, knots, degree = rational(t), curve.knots, curve.degree
+    low, high = knots.domain(degree)
+    if not low <= parameter <= high:
+        raise DomainError(
+            f"the parameter {text(parameter)} is outside the domain [{text(low)}, {text(high)}]",
+            remedy="stay inside",
+            parameter=parameter,
+            domain=(low, high),
+        )
+    return _downwards(curve, parameter, "de Boor", degree)
+
+
+def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Triangle:
+    """Boehm's insertion of a knot: so many columns of de Boor's triangle. Their edges are the new control points
+    (`Triangle.made`, over `Triangle.knots`), those that are not between them stay.
+
+    >>> triangle = insertion_triangle(BSpline.bezier([0, 2, 4, 0]), "1/2")
+    >>> [row[0] for row in triangle.made] == list(BSpline.bezier([0, 2, 4, 0]).insert_knot("1/2").control_points)
+    True
+
+    Raises `DomainError` unless the parameter is inside the domain, `KnotError` where its multiplicity would exceed the
+    degree.
+    """
+    parameter, knots, degree = rational(t), curve.knots, curve.degree
+    low, high = knots.domain(degree)
+    if not low < parameter < high:
+        raise DomainError(
+            f"{text(parameter)} is not inside the domain ({text(low)}, {text(high)})",
+            remedy="inner parameters only",
+            parameter=parameter,
+        )
+    present = knots.multiplicity(parameter)
+    if type(times) is not int or times < 1 or present + times > degree:
+        raise KnotError(
+            f"{times} knots to insert at {text(parameter)}, which has the multiplicity {present}",
+            remedy=f"insert at least one, and up to the multiplicity {degree}, which is the degree",
+            knot=parameter,
+        )
+    return _downwards(curve, parameter, "insertion", times)
+
+
+def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, ...]:
+    """The Bézier points of every segment, and in the columns that follow those of degree n + 1, n + 2, …
+
+    >>> (triangle,) = elevation_triangles(BSpline.bezier([0, 3]), 2)
+    >>> [[str(row[0]) for row in column] for column in triangle.columns]
+    [['0', '3'], ['0', '3/2', '3'], ['0', '1', '2', '3']]
+    >>> triangle.columns[-1] == tuple((b,) for b in BSpline.bezier([0, 3]).elevate_degree(2).control_points)
+    True
+
+    Raises `ShapeError` for a number of steps below 1.
+    """
+    if type(by) is not int or by < 1:
+        raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 1")
+    splines, has_weight = _splines(curve)
+    breaks = curve.breakpoints
+    return tuple(
+        _upwards(tuple(zip(*[f.segments[i] for f in splines], strict=True)), (a, b), by, has_weight)
+        for i, (a, b) in enumerate(pairwise(breaks))
+    )
+
+
+def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
+    """The multiplication of two functions, a table for every segment of the product.
+
+    >>> t = BSpline.identity(0, 1)
+    >>> (table,) = product_tables(t, t)
+    >>> table.sums, table.points == (t * t).control_points
+    ((mpq(0,1), mpq(0,1), mpq(1,1)), True)
+
+    Raises `DomainError` when their domains differ.
+    """
+    mesh = left.mesh.union(right.mesh)
+
+    def scaled(f: BSpline, a: mpq, b: mpq) -> tuple[mpq, ...]:
+        (points,) = f.restrict(a, b).segments
+        return tuple(comb(f.degree, i) * x for i, x in enumerate(points))
+
+    spans = pairwise(mesh.breaks)
+    return tuple(ProductTable((a, b), scaled(left, a, b), scaled(right, a, b)) for a, b in spans)
+
+
+def _splines(curve: Nurbs | BSpline) -> tuple[list[BSpline], bool]:
+    if isinstance(curve, BSpline):
+        return [curve], False
+    return ([*curve.p] if curve.polynomial else [*curve.p, curve.w]), not curve.polynomial
+
+
+def _rows(curve: Nurbs | BSpline) -> tuple[tuple[Row, ...], bool]:
+    """The control points as the algorithms combine them, and whether the last coordinate is a weight."""
+    if isinstance(curve, BSpline):
+        return tuple((x,) for x in curve.control_points), False
+    if curve.polynomial:
+        return tuple(tuple(point) for point in curve.control_points), False
+    pairs = zip(curve.control_points, curve.weights, strict=True)
+    return tuple((*lifted(point, w), w) for point, w in pairs), True
+
+
+def _downwards(curve: Nurbs | BSpline, t: mpq, method: str, steps: int) -> Triangle:
+    n, knots = curve.degree, curve.knots
+    rows, has_weight = _rows(curve)
+    # the last span that begins at or before the parameter and is not empty: at the end of the domain the last one
+    j = max(i for i in range(n, len(rows)) if knots[i] <= t and knots[i] < knots[i + 1])
+    columns, ratios = [rows[j - n : j + 1]], []
+    for r in range(1, steps + 1):
+        shares = tuple((t - knots[i]) / (knots[i + n + 1 - r] - knots[i]) for i in range(j - n + r, j + 1))
+        above = columns[-1]
+        columns.append(tuple(_between(s, a, b) for s, a, b in zip(shares, above[:-1], above[1:], strict=True)))
+        ratios.append(shares)
+    made: tuple[Row, ...] = ()
+    if method == "insertion":
+        upper, lower = [c[0] for c in columns[1:-1]], [c[-1] for c in columns[-2:0:-1]]
+        made = (*rows[: j - n + 1], *upper, *columns[-1], *lower, *rows[j:])
+    finer = knots.insert(t, steps) if made else None
+    span = (knots[j], knots[j + 1])
+    return Triangle(method, n, span, j - n, tuple(columns), tuple(ratios), has_weight, t, finer, made)
+
+
+def _upwards(points: tuple[Row, ...], span: tuple[mpq, mpq], by: int, has_weight: bool) -> Triangle:
+    columns, ratios = [points], []
+    for _ in range(by):
+        above = columns[-1]
+        size = len(above)
+        shares = tuple(mpq(k, size) for k in range(size + 1))
+        # the first and the last have no neighbour on one side, and take nothing of it
+        pairs = zip((above[0], *above), (*above, above[-1]), strict=True)
+        columns.append(tuple(_between(1 - s, a, b) for s, (a, b) in zip(shares, pairs, strict=True)))
+        ratios.append(shares)
+    return Triangle("elevation", len(points) - 1, span, -1, tuple(columns), tuple(ratios), has_weight)
+
+
+def _between(s: mpq, a: Sequence[mpq], b: Sequence[mpq]) -> Row:
+    return tuple((1 - s) * x + s * y for x, y in zip(a, b, strict=True))

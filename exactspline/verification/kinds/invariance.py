@@ -1,0 +1,296 @@
+"""Claims that a formula does not change, or changes by a power of something, when the curve is written otherwise or
+moved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cache
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.exact import mpq
+from exactspline.language.accompanied import Accompanied
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import PARAMETERS, Curve, T
+from exactspline.language.formula import Formula
+from exactspline.language.kind import Symbol
+from exactspline.language.kinds import CurveKind, Kind, kind_of
+from exactspline.language.parts import split
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.other_parameter import InOtherParameter
+from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.composition import composed
+from exactspline.symbolic.factorization import find_factor
+from exactspline.symbolic.motions import MAPS, Map
+from exactspline.verification.claim import Claim, formula_name, one_of, read
+from exactspline.verification.curve_check import where_it_differs
+from exactspline.verification.evaluation import Evaluation, Handed
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+
+REPARAMETRIZATION, COMMON_FACTOR, MOEBIUS = "reparametrization", "common factor", "Möbius map"
+
+
+class Group(StrEnum):
+    """What a curve is subjected to."""
+
+    REPARAMETRIZATION = REPARAMETRIZATION
+    COMMON_FACTOR = COMMON_FACTOR
+    TRANSLATION = "translation"
+    ROTATION = "rotation"
+    MOTION = "motion"
+    REFLECTION = "reflection"
+    SCALING = "scaling"
+    SIMILARITY = "similarity"
+    AFFINE = "affine map"
+    PROJECTIVE = "projective map"
+    MOEBIUS = MOEBIUS
+
+
+class Nature(StrEnum):
+    """What the value of a formula is: a number (or numbers), a vector or a point that moves with the curve."""
+
+    SCALAR = "scalar"
+    VECTOR = "vector"
+    POINT = "point"
+
+
+#: By what a value is multiplied is told where the sides have fewer terms than this.
+SHORT = 400
+#: No weight is larger.
+LARGEST_WEIGHT = 200
+#: What the weight is a power of.
+UNITS = {
+    Group.REPARAMETRIZATION: "ds/dt",
+    Group.COMMON_FACTOR: "the factor",
+    Group.REFLECTION: "−1",
+    Group.SCALING: "the scale",
+    Group.SIMILARITY: "the scale",
+    Group.AFFINE: "the determinant",
+    Group.PROJECTIVE: "the determinant",
+    Group.MOEBIUS: "the local scale",
+}
+#: The maps by which a group is generated.
+GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
+
+
+def whole_number(claim: Claim, name: str, value: object) -> int:
+    """A weight: it may be negative."""
+    if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
+        raise ClaimError(f"{value!r} is no weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
+    return value
+
+
+@dataclass(frozen=True, kw_only=True)
+class Invariance(Claim):
+    """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of what the group
+    has for a unit, and moves along where its ``nature`` is that of a vector or of a point.
+
+    The group ``under`` is one of changes of the curve: a *reparametrization* (unit ds/dt), a *common factor* of
+    numerators and denominator (unit that factor), a translation, a rotation, a motion (no unit), a reflection (unit
+    −1), a scaling or a similarity (unit the scale), an affine or a projective map (unit the determinant), a Möbius map
+    (unit the local scale).
+    """
+
+    kind: ClassVar[str] = "invariance"
+
+    formula: str = field(metadata=read(formula_name))
+    under: Group = field(metadata=read(one_of(Group)))
+    weight: int = field(default=0, metadata=read(whole_number))
+    nature: Nature = field(default=Nature.SCALAR, metadata=read(one_of(Nature)))
+
+    def validate(self) -> None:
+        """Refuse what says nothing: a weight without a unit, constants whose image nobody states."""
+        kind = kind_of(self.curve)
+        if type(kind) is not CurveKind:
+            raise ClaimError(f"invariance of {self.curve!r} is not decided", where="curve", remedy="name a curve")
+        if self.weight and self.under not in UNITS:
+            raise ClaimError(f"a {self.under} has no unit", where="weight", remedy="leave the weight out")
+        if kind.constants and self.under not in (Group.REPARAMETRIZATION, Group.COMMON_FACTOR):
+            raise ClaimError("what becomes of the constants?", where="curve", remedy="claim it of a curve alone")
+        if self.nature != Nature.SCALAR and self.under in (Group.REPARAMETRIZATION, Group.COMMON_FACTOR):
+            raise ClaimError(f"a {self.under} moves nothing", where="nature", remedy='write "scalar"')
+        if self.nature == Nature.VECTOR and self.under in (Group.PROJECTIVE, Group.MOEBIUS):
+            raise ClaimError(f"a {self.under} is not linear", where="nature", remedy='write "point" or "scalar"')
+
+    @property
+    def claims(self) -> str:
+        """The weight, with what it is a power of."""
+        unit = UNITS.get(self.under)
+        return f"weight {self.weight} in {unit}".replace("-", "−") if unit else "no change"
+
+    @property
+    def latex(self) -> str:
+        """The name, the group, the weight."""
+        return rf"{self.symbol(self.formula)}\;	ext{{under {_a(self.under)}: {self.claims}}}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """By substitution in the jets, with indeterminates for the constants of the group."""
+        formula = self.find(self.formula)
+        for name in GENERATED.get(self.under, (str(self.under),)):
+            finding = self._under(formula, name, dimension, polynomial)
+            if finding.verdict != PROVED:
+                return finding
+        return finding
+
+    def _under(self, formula: Formula, name: str, dimension: int, polynomial: bool) -> Finding:
+        curve = RationalJetReading(order_of(formula, dimension)).argument(
+            _wider(formula.kind, name, dimension), dimension, polynomial=polynomial
+        )
+        moved, expected = self._sides(formula, name, curve, vars(curve))
+        if all(x.is_zero for x in (*moved, *expected)):
+            return vacuous(self.claims)
+        if len(moved) == len(expected) and all(a == b for a, b in zip(moved, expected, strict=True)):
+            return Finding(PROVED, self.claims, self.claims)
+        told = f"under {_a(name)} the sides are not proportional"
+        short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
+        if (
+            short
+            and any(not x.is_zero for x in expected)
+            and (factor := find_factor(Vector(*moved), Vector(*expected)))
+        ):
+            told = f"under {_a(name)} it is {factor} times what is claimed"
+        return Finding(REFUTED, self.claims, told, witness=self.refuted_on_examples().witness or told)
+
+    def beside(self, own: Evaluation) -> str:
+        """A claim of all curves is tried on the first segment."""
+        return ", first segment"
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """On the first segment of the curve, which is reparametrized by a quadratic polynomial, or moved by numbers."""
+        assert isinstance(argument, Curve)
+        a, b = argument.w.breakpoints[:2]
+        curve, formula = argument.mapped(lambda f: f.restrict(a, b)), self.find(self.formula)
+        for name in GENERATED.get(self.under, (str(self.under),)):
+            names = MAPS[name].constants(curve.dimension) if name in MAPS else ()
+            left, right = self._sides(formula, name, curve, dict(zip(names, NUMBERS, strict=False)))
+            if all(x.is_zero for x in (*left, *right)):
+                return vacuous(self.claims)
+            for x, y in zip(left, right, strict=True):
+                difference = split(x - y)[0][0]
+                if not difference.is_zero:
+                    told = f"under {_a(name)} the sides differ {where_it_differs(difference)}"
+                    return Finding(REFUTED, self.claims, "not so", witness=told)
+        return Finding(VERIFIED, self.claims, self.claims)
+
+    def _sides(self, formula: Formula, name: str, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
+        """The components of the value on the changed curve, and what they are claimed to be."""
+        if name == REPARAMETRIZATION:
+            return self._in_other_parameter(formula, curve, k)
+        if name == COMMON_FACTOR:
+            factor = k["rho"] if "rho" in k else _line(curve.w)
+            plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
+            beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
+            changed = Accompanied(plain, beside) if beside else plain
+            return _components(formula(changed)), _times(_components(formula(curve)), factor, self.weight)
+        made = MAPS[name]
+        value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1))
+        unit = made.unit(curve.p, curve.w, k) if made.unit else None
+        return _components(formula(_moved(curve, made, k))), _times(value, unit, self.weight)
+
+    def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
+        """Indeterminate curves are differentiated by any other parameter, splines composed with a quadratic one."""
+        if "rho" in k:
+            rho = k["rho"]
+            changed = curve.mapped(lambda x: InOtherParameter(x, rho))
+            moved = [x.value for x in _components(formula(changed))]
+            return moved, _times(_components(formula(curve)), rho, self.weight)
+        inner = _quadratic(curve.w.domain)
+        changed = curve.mapped(lambda f: composed(f, inner))
+        value = [_composed(x, inner) for x in _components(formula(curve))]
+        return _components(formula(changed)), _times(value, inner.d(1), self.weight)
+
+    def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
+        """The value, moved along where it is a vector or a point."""
+        if self.nature == Nature.SCALAR:
+            return value
+        if self.nature == Nature.VECTOR:
+            return list(made.of_vector(Vector(*value), one, k))
+        return _image(Vector(*value), made, k, one)
+
+
+#: What the constants of a group are on one curve: values without a meaning, with which no determinant vanishes.
+NUMBERS = tuple(mpq(p, q) for p, q in zip(range(3, 80, 7), (2, 5, 3, 7, 11, 4, 13, 9, 17, 6, 19), strict=True))
+NUMBERS += tuple(mpq(-p, q) for p, q in ((5, 3), (31, 7), (2, 9), (43, 8), (3, 25), (1, 6), (7, 5), (13, 2), (4, 9)))
+
+
+class _Wider(CurveKind):
+    """The kind of a formula, with the constants of a group and with a function ``rho`` of its own."""
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """Those of a curve, and ρ."""
+        return (*super().symbols(dimension, polynomial=polynomial), Symbol("rho", "ρ", PARAMETERS[0]))
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The curve, with the constants and with ρ beside it."""
+        made = {s.name: operand(s) for s in self.symbols(dimension, polynomial=polynomial)}
+        plain = CurveKind(self.name, self.dimensions, with_point=self.with_point)
+        curve: Any = plain.argument(dimension, lambda s: made[s.name], one, polynomial=polynomial)
+        return Accompanied(curve, {name: made[name] for name in (*self.constants, "rho")})
+
+
+@cache
+def _wider(kind: Kind, name: str, dimension: int) -> _Wider:
+    """The kind in which a formula is compared with its value on the changed curve."""
+    assert isinstance(kind, CurveKind)
+    constants = MAPS[name].constants(dimension) if name in MAPS else ()
+    both = (*kind.constants, *constants)
+    return _Wider(f"{kind.name}, changed", kind.dimensions, with_point=kind.with_point, constants=both)
+
+
+def _a(name: str) -> str:
+    """A name with its article."""
+    return f"an {name}" if name[0] in "ai" else f"a {name}"
+
+
+def _components(value: Any) -> list[Any]:
+    """The components of a value, each of them a quotient where the value is one."""
+    if isinstance(value, RuledSurface):
+        value = value.joined
+    return [value[i] for i in range(len(value))] if value.is_vector else [value]
+
+
+def _times(value: list[Any], unit: Any, weight: int) -> list[Any]:
+    if unit is None or not weight:
+        return value
+    power = unit ** abs(weight)
+    return [x * power if weight > 0 else x / power for x in value]
+
+
+def _moved(curve: Any, made: Map, k: Mapping[str, Any]) -> Curve[Any]:
+    """The curve under a map, and its point with it."""
+    p, w = made.image(curve.p, curve.w, k)
+    point = None if curve.point is None else Vector(*_image(curve.point, made, k, curve.w.constant(1)))
+    return Curve(p, w, polynomial=curve.polynomial and made.affine, point=point)
+
+
+def _image(point: Vector[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
+    top, below = made.image(point, one, k)
+    return list(top) if made.affine else [x / below for x in top]
+
+
+def _line(w: BSpline) -> BSpline:
+    """A positive function that is no constant."""
+    a, _ = w.domain
+    rising: BSpline = BSpline.identity(*w.domain) * 2 + (5 - 2 * a)
+    return rising
+
+
+def _quadratic(domain: tuple[mpq, mpq]) -> BSpline:
+    """A change of parameter of an interval onto itself."""
+    a, b = domain
+    return BSpline.bezier([a, a + (b - a) / 3, b], a, b)
+
+
+def _composed(value: Any, inner: BSpline) -> Any:
+    if isinstance(value, Rational):
+        return composed(value.scalar, inner) / composed(value.denominator, inner)
+    return composed(value, inner)

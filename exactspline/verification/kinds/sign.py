@@ -1,0 +1,164 @@
+"""Claims of signs: for all curves by a sum of squares, on one curve by Bernstein coefficients."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any, ClassVar
+
+from exactspline.errors import ClaimError
+from exactspline.exact import mpq, text
+from exactspline.language.parts import split
+from exactspline.readings.jet import Jet
+from exactspline.splines.bernstein import is_nonnegative
+from exactspline.splines.bspline import BSpline
+from exactspline.symbolic.assumptions import zero_free
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
+from exactspline.verification.claim_factor import factor_of_text, factor_parts
+from exactspline.verification.evaluation import Evaluation, Handed, zero_of
+from exactspline.verification.kinds.identity import stated_factor
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.vocabulary import ArgumentKind
+
+
+class Sign(StrEnum):
+    """What is claimed of a value."""
+
+    NONNEGATIVE = "≥ 0"
+    POSITIVE = "> 0"
+    NONPOSITIVE = "≤ 0"
+    NEGATIVE = "< 0"
+
+    @property
+    def direction(self) -> int:
+        """By what the value is multiplied that it be ≥ 0."""
+        return 1 if self in (Sign.NONNEGATIVE, Sign.POSITIVE) else -1
+
+    @property
+    def strict(self) -> bool:
+        """Whether zero is excluded."""
+        return self in (Sign.POSITIVE, Sign.NEGATIVE)
+
+
+def positive_factor(claim: Claim, name: str, value: str) -> str:
+    """A factor that is positive on every curve: a positive number, and even powers."""
+    for part, exponent in factor_parts(value):
+        if part[0] == "-" or (part[0].isalpha() and exponent % 2):
+            raise ClaimError(f"the factor {value!r} has no sign", where=part, remedy="positive numbers and even powers")
+    return stated_factor(claim, name, value)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SignClaim(Claim):
+    """The value of ``formula`` has a ``sign`` wherever it exists: on all curves because, up to that sign, it is
+    ``factor`` times the sum of the ``squares`` (of a vector the squared length).
+    """
+
+    kind: ClassVar[str] = "sign"
+
+    formula: str = field(metadata=read(formula_name))
+    sign: Sign = field(default=Sign.NONNEGATIVE, metadata=read(one_of(Sign)))
+    squares: tuple[str, ...] = field(default=(), metadata=read(formula_names))
+    factor: str = field(default="1", metadata=read(positive_factor))
+
+    def validate(self) -> None:
+        """Refuse two curves, Table 1, and a formula that is its own square."""
+        if self.of_pair or self.curve == ArgumentKind.TABLE:
+            raise ClaimError(f"signs of {self.curve!r} are not decided", where="curve", remedy="name a curve")
+        if self.factor != "1" and not self.squares:
+            raise ClaimError("a factor of no squares", where="factor", remedy="name the squares")
+
+    @property
+    def claims(self) -> str:
+        """The sign."""
+        return str(self.sign)
+
+    @property
+    def latex(self) -> str:
+        """The formula and its sign."""
+        sign = self.claims.replace("≥", r"\ge").replace("≤", r"\le")
+        return f"{self.symbol(self.formula)} {sign}"
+
+    def decide(self, dimension: int, polynomial: bool) -> Finding:
+        """The sum of squares is the value up to the factor, as differential polynomials."""
+        formula, squares = self.find(self.formula), [self.find(name) for name in self.squares]
+        named = [
+            self.find(name) for name, _ in factor_parts(self.factor) if name[0].isalpha() and name not in ("w", "W")
+        ]
+        c: Any = jets_for((formula, *squares, *named), dimension, polynomial=polynomial)
+        value = formula(c)
+        if value.is_vector:
+            raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
+        if value.is_zero:
+            return vacuous(self.claims)
+        told = "not the sum of these squares" if squares else "no squares are named"
+        if squares:
+            total = value.constant(0)
+            for square in squares:
+                for x in split(square(c))[0]:
+                    total = total + x * x
+            top, bottom = factor_of_text(self.factor, c, self.find)
+            if value * bottom * self.sign.direction == total * top:
+                if not self.sign.strict:
+                    return Finding(
+                        PROVED, self.claims, f"a sum of {len(squares)} squares" if squares[1:] else "a square"
+                    )
+                return self._strict([square(c) for square in squares])
+        refuted = self.refuted_on_examples()
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
+
+    def _strict(self, squares: list[Any]) -> Finding:
+        """One of the squares has no zero by what is assumed: neither it nor a factor."""
+        constant = not any(name[0].isalpha() for name, _ in factor_parts(self.factor))
+        for value in squares:
+            used = _zero_free(value, self.assumes)
+            if used is not None and constant:
+                return Finding(PROVED, self.claims, "a sum of squares, one without a zero", assumptions=used)
+        refuted = self.refuted_on_examples()
+        told = "by what is assumed every square may vanish"
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
+
+    def examine(self, argument: Handed, own: Evaluation) -> Finding:
+        """Segment by segment: no root at which the sign changes, and a value of that sign."""
+        (p, *others), below = split(self.find(self.formula)(argument))
+        if others:
+            raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
+        value = p * self.sign.direction
+        value = value if below is None else value * below
+        if p.is_zero:
+            return vacuous(self.claims, "0")
+        for i, c in enumerate(value.polynomials):
+            if not is_nonnegative(c, value.degree):
+                place = _negative(value, i)
+                return Finding(REFUTED, self.claims, "the other sign", witness=f"at the parameter {text(place)}")
+        if self.sign.strict and (zero := zero_of(p)):
+            return Finding(REFUTED, self.claims, "zero", witness=f"zero {zero}")
+        return Finding(VERIFIED, self.claims, self.claims)
+
+
+def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
+    """The assumptions by which a value (of a vector: its squared length) has no zero; None where they do not say so."""
+    parts = split(value)[0]
+    square = parts[0] * parts[0]
+    for x in parts[1:]:
+        square = square + x * x
+    used = []
+    for p, _ in square.top.factor()[1]:
+        reason = zero_free(Jet(square.ring, p), assumed)
+        if reason is None:
+            return None
+        used.append(reason.name)
+    return tuple(dict.fromkeys(used))
+
+
+def _negative(f: BSpline, i: int) -> mpq:
+    """A parameter of a segment at which a spline that is somewhere negative on it is so."""
+    a, b = f.breakpoints[i : i + 2]
+    n = f.degree + 2
+    while True:
+        for k in range(1, n):
+            t: mpq = a + (b - a) * mpq(k, n)
+            if f(t) < 0:
+                return t
+        n *= 2

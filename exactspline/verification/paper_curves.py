@@ -1,0 +1,46 @@
+"""The curves on which the claims of a paper are tried: the examples of the library, and its own."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.papers import Paper
+from exactspline.splines.curve_files import curve_from_text
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.nurbs import Nurbs
+
+
+@cache
+def own_curves(source: Paper) -> dict[str, Nurbs]:
+    """The curves in the folder of a paper, by the names of their files.
+
+    Raises `CurveFileError` with the file.
+    """
+    found = {}
+    for file in source.curve_files():
+        if file.name.endswith(".json"):
+            name = file.name.removesuffix(".json")
+            try:
+                found[name] = curve_from_text(file.read_text(encoding="utf-8"), name)
+            except ExactSplineError as error:
+                raise error.at(f"{source.name}/curves/{file.name}") from None
+    return found
+
+
+def curve_names(source: Paper) -> list[str]:
+    """The names of its own curves, then those of the examples."""
+    return [*dict.fromkeys([*own_curves(source), *example_names()])]
+
+
+def curve_named(source: Paper, name: str) -> Nurbs:
+    """A curve of the paper or an example by its name.
+
+    Raises `ClaimError` with the nearest names.
+    """
+    own = own_curves(source)
+    if name in own:
+        return own[name]
+    if name not in example_names():
+        raise ClaimError(f"no example curve is called {name!r}", remedy=nearest(name, curve_names(source)))
+    return example(name)
