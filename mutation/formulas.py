@@ -126,7 +126,8 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
     """The verdict on every mutant: ``killed``, ``equivalent``, ``survived``, ``timeout``, or ``broken`` (the comparison
     with the original failed).
     """
-    claims = list(all_claims())
+    places = {(mutant.module, mutant.function) for mutant in chosen}
+    claims = speaking(sorted({name for place in places for name in calling(place)}))
     times: dict[int, float] = {}
     for i, result in forked(range(len(claims)), lambda i: _baseline(claims[i]), seconds, jobs):
         if result["verdict"] == "ok" and all(result["as_recorded"]):
