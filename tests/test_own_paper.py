@@ -228,6 +228,7 @@ ESCAPES = [
             "return c.w.ring",
             "return c.w.degree",
             "return c.p.d.__self__",
+            "c = c.w\nreturn c.p",
             "return c.p.d.__func__(c.p)",
             "return (lambda: 1)()",
             "return [x for x in c.p]",
@@ -320,6 +321,23 @@ def test_nothing_but_formulas_passes(text):
         formulas_of(text, "theirs.py", {})
     assert caught.value.where.startswith("theirs.py")
     assert caught.value.remedy
+
+
+@pytest.mark.parametrize("name", ["ring", "mapped", "operands", "calls", "beside", "made", "p", "x", "__class__", "ρ"])
+def test_a_constant_opens_no_other_door(name):
+    """Its name could be that of something inside."""
+    with pytest.raises(FormulaError):
+        formulas_of(formula(f"return c.{name}", f"plane with {name}"), "f.py", {})
+
+
+@pytest.mark.parametrize("body", ["return c.w.context", "return c.p[0].context", "x = c.w\nreturn x.context"])
+def test_constants_are_those_of_the_argument(body):
+    with pytest.raises(FormulaError, match="has no 'context'"):
+        formulas_of(formula(body, "plane with context"), "f.py", {})
+    helper = "def h(x):\n    return x.context\n"
+    with pytest.raises(FormulaError, match="has no 'context'"):
+        formulas_of(formula("return h(c.w)", "plane with context", helper), "f.py", {})
+    assert formulas_of(formula("return c.context", "plane with context"), "f.py", {})
 
 
 def test_what_is_a_formula_passes():
