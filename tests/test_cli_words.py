@@ -44,6 +44,9 @@ DOCUMENTS = {
     "glossary": ["glossary", "--json"],
     "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
     "questions": ["oracle", "--list", "--json"],
+    "topics": ["exercise", "--json"],
+    "exercise": ["exercise", "all", "--solutions", "--json"],
+    "check-answer": ["check-answer", "cubic_s", "--reference", "cubic_s", "--json"],
     "triangle": "triangle rational_cubic --at 1/3 --insert 1/2 --elevate 2 --product x,w --json".split(),
     "sweep": ["sweep", "six_segment_cubic", "planar_in_space", "--json"],
 }
