@@ -1,4 +1,4 @@
-"""Types: what may be Any in a public signature, why types are ignored, what a checker sees at the front door."""
+"""Types: no Any in a public signature, why types are ignored, what a checker sees at the front door."""
 
 from __future__ import annotations
 
@@ -13,11 +13,6 @@ from tests.precision import precision
 
 ROOT = Path(exactspline.__file__).parent
 CHECKOUT = ROOT.parent
-
-#: Folders that speak to what has no types.
-UNTYPED = {"batch/grade/": "asks other libraries, some in other processes and languages, and reads their JSON"}
-#: Public signatures with Any, each with its reason: there is none.
-ALLOWED: dict[str, str] = {}
 
 
 def modules() -> list[Path]:
@@ -65,12 +60,8 @@ def loose_signatures() -> set[str]:
     return found
 
 
-def test_no_public_signature_has_any_without_a_reason():
-    assert loose_signatures() - set(ALLOWED) == set()
-
-
-def test_no_reason_outlives_its_signature():
-    assert set(ALLOWED) - loose_signatures() == set()
+def test_no_public_signature_has_any():
+    assert loose_signatures() == set()
 
 
 def test_any_is_seen_wherever_it_stands_in_a_signature():
