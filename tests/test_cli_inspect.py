@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.inspection import Approach
 from exactspline.geometry.kinds import JointKind
 from tests.test_shared_curves import FILES, read_curve
 
@@ -101,3 +102,10 @@ def test_every_corner_of_a_glyph_has_a_row(file, monkeypatch):
         turns = cosine < 0 or cosine**2 * 10**10 < squares * (10**10 - 1)
         if turns or (joint.angle is not None and joint.angle.sine**2 * 10**8 > 1):
             assert (joint.angle is not None) == turns
+
+
+def test_an_unknown_approach_is_told_all_that_there_are():
+    found = run("inspect", "circle", "--approach", "sqaring")
+    words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()
+    assert words == [*Approach, "all"]
+    assert [run("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)
