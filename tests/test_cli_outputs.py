@@ -41,7 +41,7 @@ def test_null_is_no_list(tmp_path, field):
     file.write_text(json.dumps(CURVE | {field: None}))
     done = run("inspect", file)
     assert done.returncode == 2
-    assert "is no list" in done.stderr
+    assert "is not a list" in done.stderr
     file.write_text(json.dumps(CURVE | {"weights": None}))
     assert run("inspect", file).returncode == 0
 

@@ -78,7 +78,7 @@ def test_a_ruled_surface_is_a_tensor_product(name, curve, variant):
 
 
 def test_bounds_must_be_an_interval():
-    with pytest.raises(DomainError, match="no interval"):
+    with pytest.raises(DomainError, match="not an interval"):
         as_tensor_product(ruled_surface("tangent_developable", example("twisted_cubic")), 1, 1)
 
 
@@ -111,7 +111,7 @@ def test_what_is_no_surface_is_refused():
         is_developable(ruled_surface("rectifying_developable", example("space_line")))
     with pytest.raises(ShapeError, match="generator vanishes"):
         is_developable(ruled_surface("binormal_scroll", example("space_line")))
-    with pytest.raises(ShapeError, match="no ruled surface"):
+    with pytest.raises(ShapeError, match="not a ruled surface"):
         ruled_surface("focal_curve", example("twisted_cubic"))
     with pytest.raises(ShapeError, match="in space"):
         ruled_surface("tangent_developable", example("circle"))

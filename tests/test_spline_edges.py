@@ -105,9 +105,9 @@ def test_parameters_outside_and_domains_that_differ():
             f.insert_knot(t)
     with pytest.raises(KnotError):
         f.insert_knot("1/2", 0)
-    with pytest.raises(DomainError, match="is no part of"):
+    with pytest.raises(DomainError, match="is not part of"):
         f.restrict(0, 2)
-    with pytest.raises(DomainError, match="is no part of"):
+    with pytest.raises(DomainError, match="is not part of"):
         f.restrict("1/2", "1/2")
 
 

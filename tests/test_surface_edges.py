@@ -132,7 +132,7 @@ def test_parameters_outside_and_domains_that_differ():
     for direction in range(2):
         with pytest.raises(DomainError, match="not inside"):
             f.insert_knot(direction, 1)
-    with pytest.raises(DomainError, match="is no part of"):
+    with pytest.raises(DomainError, match="is not part of"):
         f.restrict((0, 1), (0, 2))
 
 

@@ -1,7 +1,7 @@
 """One curve, one analysis: everything that is told of a curve is read from one lazy object that belongs to it.
 
 `analyse` makes it at the first call and keeps it with the curve. Each fact is computed when it is first asked for and
-then kept; it may be asked for from several threads. An analysis is no part of the curve's value: it is not copied,
+then kept; it may be asked for from several threads. An analysis is not part of the curve's value: it is not copied,
 pickled or compared.
 """
 

@@ -135,7 +135,7 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
     factor = _factor(form, first, dimension)
     if factor is None or not factor.names <= {"w"} or factor.constant < 0:
         raise FormulaError(
-            f"the form {form!r} of {construction} is no power of w away from the first",
+            f"the form {form!r} of {construction} is not a power of w away from the first",
             remedy="its sign is another one",
         )
     return next((e for _, e in factor.powers), 0)

@@ -32,7 +32,7 @@ def curvature_sign(curve: Nurbs, root: Root, side: Side | str = Side.RIGHT) -> i
 
 
 def curvature_value(curve: Nurbs, root: Root, digits: int, side: Side | str = Side.RIGHT) -> mpf:
-    """κ at a root as an mpmath number that is relatively off by less than ``10^−digits``; exactly 0 where κ = 0.
+    """κ at a root as an mpmath number that is off by a relative error below ``10^−digits``; exactly 0 where κ = 0.
 
     >>> from exactspline import curvature_extrema, load
     >>> curvature_value(load("ellipse"), curvature_extrema(load("ellipse"))[0].root, 10)
@@ -44,7 +44,7 @@ def curvature_value(curve: Nurbs, root: Root, digits: int, side: Side | str = Si
 
 
 def torsion_value(curve: Nurbs, root: Root, digits: int, side: Side | str = Side.RIGHT) -> mpf:
-    """τ at a root (where κ = 0 its limit) as an mpmath number that is relatively off by less than ``10^−digits``;
+    """τ at a root (where κ = 0 its limit) as an mpmath number that is off by a relative error below ``10^−digits``;
     exactly 0 where τ = 0.
 
     >>> from exactspline import load

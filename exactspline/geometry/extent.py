@@ -22,13 +22,13 @@ def slope(curve: Nurbs, axis: int) -> BSpline:
 
 
 def slope_zeros(curve: Nurbs, axis: int) -> ZeroSet:
-    """Its zeros."""
+    """The zeros of that spline."""
     return zeros(slope(curve, axis), periodic=curve.closed)
 
 
 def turning_points(curve: Nurbs, axis: int) -> list[Feature]:
     """Where a coordinate goes from up to down (``maximum``) or back (``minimum``), at a single parameter: where type
-    designers put points. Stretches on which it stays the same are no points.
+    designers put points. Intervals on which it stays the same are not among them.
 
     >>> from exactspline import example
     >>> [(f.kind.value, f.root.exact) for f in turning_points(example("circle"), 1)]

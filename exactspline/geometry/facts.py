@@ -337,11 +337,11 @@ class Facts:
         return position < len(self._singular_roots) and self._singular_roots[position] == root
 
     def regular(self, found: ZeroSet) -> list[tuple[Root, bool]]:
-        """The roots and the changes of sign by a jump of a zero set that are no singular points (see `located`)."""
+        """The roots and the changes of sign by a jump of a zero set that are not singular points (see `located`)."""
         return self.regular_pairs(located(found))
 
     def regular_pairs(self, found: list[tuple[Root, bool]]) -> list[tuple[Root, bool]]:
-        """What is no singular point, out of roots in order."""
+        """What is not a singular point, out of roots in order."""
         singular = among([root for root, _ in found], self._singular_roots)
         return [pair for pair, here in zip(found, singular, strict=True) if not here]
 

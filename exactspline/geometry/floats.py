@@ -42,7 +42,7 @@ def floats(
     >>> floats(inflections(curve)), floats(curve.control_points[1]), floats(mpq(1, 10), "up") - 0.1
     ([0.5], [1.0, 2.0], 0.0)
 
-    Raises `NumberError` for what is no exact number, `OverflowError` beyond the largest double.
+    Raises `NumberError` for what is not an exact number, `OverflowError` beyond the largest double.
     """
     if isinstance(values, Feature):
         return Real.of(values.root).double(rounding)

@@ -89,7 +89,7 @@ def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floa
     for name, array in (("points", p), ("weights", w)):
         if array is not None and not np.isfinite(array).all():
             row = int(np.argwhere(~np.isfinite(array))[0][0])
-            raise NumberError("what is no finite number", where=f"{name}[{row}]", remedy="write finite numbers")
+            raise NumberError("is not a finite number", where=f"{name}[{row}]", remedy="write finite numbers")
     return p, w
 
 

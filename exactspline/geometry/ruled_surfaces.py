@@ -33,8 +33,8 @@ V = TypeVar("V", bound=Vector[Any] | Operand)
 
 @dataclass(frozen=True)
 class RulingRelation:
-    """How the ruling parameters ζ and λ of one surface written twice belong together: ``ζ = shift(s) + scale(s) λ``,
-    both in lowest terms.
+    """How the ruling parameters ζ and λ of one surface, written in two ways, are related:
+    ``ζ = shift(s) + scale(s) λ``, both in lowest terms.
     """
 
     shift: Rational[BSpline]
@@ -55,12 +55,12 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     >>> [ruled_surface("tangent_developable", curve, variant).degree for variant in ("naive", "paper", "minimal")]
     [9, 5, 4]
 
-    Raises `ShapeError` for a curve that is not in space, and where the construction is no ruled surface;
+    Raises `ShapeError` for a curve that is not in space, and where the construction is not a ruled surface;
     `ReductionError` where it does not exist on a whole segment.
     """
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
-        raise ShapeError(f"{name} is no ruled surface", remedy="choose a developable, a scroll or the focal surface")
+        raise ShapeError(f"{name} is not a ruled surface", remedy="choose a developable, a scroll or the focal surface")
     found: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
     return found
 
@@ -98,7 +98,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     """
     low, high = rational(a), rational(b)
     if not low < high:
-        raise DomainError(f"[{text(low)}, {text(high)}] is no interval of ruling parameters", remedy="give a < b")
+        raise DomainError(f"[{text(low)}, {text(high)}] is not an interval of ruling parameters", remedy="give a < b")
     meshes = split(surface.directrix)[0][0].mesh, Mesh([low, high])
     ruling = lifted(BSpline.identity(low, high), meshes, 1)
     found = _lifted(surface.directrix, meshes) + _lifted(surface.generator, meshes) * ruling

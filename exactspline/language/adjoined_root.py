@@ -18,7 +18,7 @@ from exactspline.language.vector import cross, norm2
 
 
 class Adjoined(FieldOperand):
-    """``plain + rooted · σ``; `square` is S, an operand of the reading below that is no square there.
+    """``plain + rooted · σ``; `square` is S, an operand of the reading below that is not a square there.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.rational_jet import RationalJetReading
     >>> c = RationalJetReading(2).argument(CURVE, 2)
@@ -103,7 +103,7 @@ class Adjoined(FieldOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether both parts are zero: σ is no element of the reading below."""
+        """Whether both parts are zero: σ is not an element of the reading below."""
         return bool(self.plain.is_zero and self.rooted.is_zero)
 
     def __eq__(self, other: object) -> bool:
@@ -121,7 +121,7 @@ def root_of(square: Operand) -> Adjoined:
     Raises `FormulaError` for 0, whose root would be one.
     """
     if square.is_zero:
-        raise FormulaError("the root of what vanishes", remedy="adjoin roots of what is no square")
+        raise FormulaError("the root of zero", remedy="adjoin roots of operands that are not squares")
     return Adjoined(square.constant(0), square.constant(1), square)
 
 

@@ -58,7 +58,7 @@ class Kind(ABC):
         """What formulas may name of such an argument, and whether it is a vector."""
 
     def rules(self, dimension: int) -> dict[str, Rule]:
-        """The derivatives of the operands that are no functions of their own, by name."""
+        """The derivatives of the operands that are not functions of their own, by name."""
         return {}
 
     @property

@@ -273,7 +273,9 @@ def _constants(text: str) -> Sequence[str]:
     for name in found:
         plain = name.isidentifier() and name.isascii() and len(name) <= LETTERS and not hasattr(Accompanied, name)
         if not plain or name.startswith(("_", "axis_")) or name in RESERVED:
-            raise FormulaError(f"{name!r} is no name of a constant", remedy="write for example 'plane with delta, r'")
+            raise FormulaError(
+                f"{name!r} is not the name of a constant", remedy="write for example 'plane with delta, r'"
+            )
     return found
 
 

@@ -98,7 +98,7 @@ class Operand(Displayed, ABC):
     __slots__ = ()
     #: Whether it is a vector (some readings have one class for both).
     is_vector: bool = False
-    #: The parameter of an operand that has but one.
+    #: The parameter of an operand that has only one.
     parameter: ClassVar[str] = "s"
 
     @property
@@ -259,7 +259,7 @@ class OwnVectors(OwnProducts, OwnJoining):
 
 
 class PartlyOrdered(ABC):
-    """A degree that is no single number: two of them have a maximum, which may be neither."""
+    """A degree that is not a single number: two of them have a maximum, which may be neither."""
 
     __slots__ = ()
 

@@ -238,7 +238,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(self.numerator, self.product * Product(factor))
 
     def dividing(self, numerator: Operand | Vector[Operand]) -> Rational[T]:
-        """`numerator`, an operand or a vector that is no quotient, divided by this."""
+        """`numerator`, an operand or a vector that is not a quotient, divided by this."""
         return Rational(numerator * self.denominator, self.scalar)
 
     def times_vector(self, vector: Vector[Operand]) -> Rational[T]:

@@ -48,7 +48,7 @@ class Jump:
 
 @dataclass(frozen=True)
 class ZeroInterval:
-    """A stretch on which the spline vanishes, with its sign before and behind (None where the domain ends).
+    """An interval on which the spline vanishes, with its sign before and behind (None where the domain ends).
 
     `parts` are its intervals in the domain in the order of the run: one, or on a periodic spline two where it crosses
     the seam, up to the end of the domain and on from its start. It begins at `low` and ends at `high`, which is the

@@ -46,8 +46,8 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
 
 
 def _typical(inner: BSpline, outer: BSpline, low: mpq, high: mpq) -> mpq:
-    """A value of the inner spline on (low, high) that is no knot of the outer one, where it has any: it may touch knots
-    there but crosses none.
+    """A value of the inner spline on (low, high) that is not a knot of the outer one, where it has any: it may touch
+    knots there but crosses none.
     """
     values = [inner(low + (high - low) * mpq(k, inner.degree + 4)) for k in range(1, inner.degree + 4)]
     return next((x for x in values if x not in outer.mesh.breaks), values[0])
@@ -99,7 +99,7 @@ def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
                             f"{text(b)}]"
                         ),
                         remedy=(
-                            "the composition is no spline with rational knots; split the outer spline there "
+                            "the composition is not a spline with rational knots; split the outer spline there "
                             "or approximate the inner one"
                         ),
                         knot=knot,

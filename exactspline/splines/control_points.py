@@ -19,7 +19,7 @@ class Direction(tuple[mpq, ...]):
     >>> half_circle("1/2"), half_circle.weights
     ((mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(0,1), mpq(1,1)))
 
-    Raises `NumberError` when a coordinate is no exact number.
+    Raises `NumberError` when a coordinate is not an exact number.
     """
 
     __slots__ = ()
@@ -66,7 +66,7 @@ def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Poin
     for i, row in enumerate(rows):
         if isinstance(row, str) or not isinstance(row, Iterable):
             raise ShapeError(
-                f"{shown(row)} is no point", where=f"control_points[{i}]", remedy="write a list of coordinates"
+                f"{shown(row)} is not a point", where=f"control_points[{i}]", remedy="write a list of coordinates"
             )
         points.append(row if isinstance(row, Direction) else exact_row(row, f"control_points[{i}]"))
     if not points:

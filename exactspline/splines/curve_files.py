@@ -69,7 +69,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     data = _parsed(text)
     if not isinstance(data, dict):
         raise CurveFileError(
-            "the JSON text is no object", remedy='write {"degree": …, "knots": […], "control_points": […]}'
+            "the JSON text is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}'
         )
     if "pieces" in data:
         data = _one_piece(data)
@@ -88,7 +88,7 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         )
     for field in ("knots", "control_points", "weights"):
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
-            raise CurveFileError("is no list", where=field, remedy="write a JSON list")
+            raise CurveFileError("is not a list", where=field, remedy="write a JSON list")
     points, weights = _points(data["control_points"]), data.get("weights")
     return Nurbs(
         _degree(data["degree"]),
@@ -108,7 +108,7 @@ def _points(rows: list[Any]) -> list[Any]:
         if isinstance(row, dict):
             if set(row) != {"vector"} or not isinstance(row["vector"], list):
                 raise CurveFileError(
-                    "is no control point",
+                    "is not a control point",
                     where=f"control_points[{i}]",
                     remedy='write [x, y], or {"vector": [x, y]} for a direction',
                 )
@@ -150,7 +150,7 @@ def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
     """
     if piece["kind"] not in ("polynomial", "rational"):
         raise CurveFileError(
-            f"a piece of the kind {piece['kind']!r} is no curve", where="kind", remedy="copy one that is a curve"
+            f"a piece of the kind {piece['kind']!r} is not a curve", where="kind", remedy="copy one that is a curve"
         )
     rational_piece = piece["kind"] == "rational"
     field = "homogeneous_control_points" if rational_piece else "control_points"
@@ -158,11 +158,11 @@ def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
         if needed not in piece:
             raise CurveFileError(f"the field {needed!r} is missing", remedy="copy the whole piece")
     if not isinstance(piece["knots"], list):
-        raise CurveFileError("is no list", where="knots", remedy="write a JSON list")
+        raise CurveFileError("is not a list", where="knots", remedy="write a JSON list")
     net = piece[field]
     if not isinstance(net, list) or not net or not all(isinstance(row, list) and row for row in net):
         raise CurveFileError(
-            "is no list of points",
+            "is not a list of points",
             where=field,
             remedy="write (w x, w y, …, w) for each" if rational_piece else "write (x, y, …) for each",
         )
@@ -179,7 +179,7 @@ def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
     """Where a piece begins and ends: said by ``low`` and ``high``, or else by ``interval``, or else by its knots."""
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
-        raise CurveFileError("is no interval", where="interval", remedy="write [low, high]")
+        raise CurveFileError("is not an interval", where="interval", remedy="write [low, high]")
     low, high = interval or domain
     return _end(piece.get("low"), "low", low), _end(piece.get("high"), "high", high)
 

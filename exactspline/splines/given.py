@@ -15,7 +15,7 @@ MAX_DEGREE = 1000
 def checked_degree(degree: object) -> int:
     """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
     if type(degree) is not int or degree < 0:
-        raise ShapeError(f"{shown(degree)} is no degree", where="degree", remedy="an integer ≥ 0")
+        raise ShapeError(f"{shown(degree)} is not a degree", where="degree", remedy="an integer ≥ 0")
     if degree > MAX_DEGREE:
         raise ShapeError(f"degree {shown(degree)}", where="degree", remedy=f"at most {MAX_DEGREE} is accepted")
     return degree

@@ -32,7 +32,7 @@ class KnotVector(Immutable):
     >>> k.multiplicity(0), k.breakpoints, k | KnotVector(["1/2", "1/2", "3/4"])
     (2, (mpq(0,1), mpq(1,2), mpq(1,1)), KnotVector(0, 0, 1/2, 1/2, 3/4, 1, 1))
 
-    Raises `KnotError` when knots decrease and `NumberError` when one is no exact number.
+    Raises `KnotError` when knots decrease and `NumberError` when one is not an exact number.
     """
 
     __slots__ = ("knots",)
@@ -91,7 +91,7 @@ class KnotVector(Immutable):
         return tuple(len(list(same)) for _, same in groupby(self.knots))
 
     def __or__(self, other: KnotVector) -> KnotVector:
-        """Union: every knot as often as in the vector that has it more often."""
+        """Union: every knot with the higher of its two multiplicities."""
         both = sorted({*self.knots, *other.knots})
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 

@@ -222,7 +222,7 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
     """The same scalar, vector or quotient in the lowest degree that holds on all segments.
 
     A quotient is reduced segment by segment: each keeps a factor of its own, so that numerator and denominator are only
-    C⁻¹ although their quotient is as continuous as it was. What is no quotient loses powers of u + v and keeps its
+    C⁻¹ although their quotient is as continuous as it was. What is not a quotient loses powers of u + v and keeps its
     continuity.
 
     >>> from exactspline.splines.examples import example

@@ -160,7 +160,7 @@ def restricted(f: BSpline, a: mpq, b: mpq) -> BSpline:
     low, high = f.domain
     if not low <= a < b <= high:
         raise DomainError(
-            f"[{text(a)}, {text(b)}] is no part of the domain [{text(low)}, {text(high)}]",
+            f"[{text(a)}, {text(b)}] is not part of the domain [{text(low)}, {text(high)}]",
             remedy="give a < b inside the domain",
             domain=f.domain,
         )

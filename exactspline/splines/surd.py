@@ -18,7 +18,7 @@ _EXACT = (int, Fraction, type(mpz()), type(mpq()))
 
 @total_ordering
 class Surd(Immutable):
-    """An irrational number ``a√b``, with rational a ≠ 0 and an integer b > 1 that is no square.
+    """An irrational number ``a√b``, with rational a ≠ 0 and an integer b > 1 that is not a square.
 
     Made by `square_root`. Compares exactly with numbers of its kind and with rational ones, and is hashed accordingly;
     products and quotients with rational numbers are exact.
@@ -36,7 +36,7 @@ class Surd(Immutable):
         a, b = mpq(coefficient), int(radicand)
         if a == 0 or b <= 1 or is_square(b):
             raise NumberError(
-                f"{text(a)}√{b} is no irrational number", remedy="use square_root, which tells them apart"
+                f"{text(a)}√{b} is not an irrational number", remedy="use square_root, which tells them apart"
             )
         fill(self, coefficient=a, radicand=b)
 
@@ -155,7 +155,7 @@ def parts(number: mpq | Surd) -> tuple[mpq, int]:
 
 
 def significant(number: mpq | Surd, digits: int) -> mpf:
-    """A number as an mpmath number that is relatively off by less than ``10^−digits``.
+    """A number as an mpmath number that is off by a relative error below ``10^−digits``.
 
     >>> round(float(significant(square_root(mpq(2)), 20)), 6)
     1.414214

@@ -21,7 +21,9 @@ Points = tuple[tuple[mpq, ...], ...]
 def checked_degrees(degrees: object) -> Degrees:
     """Two degrees as given by a user; `ShapeError` for anything else."""
     if not isinstance(degrees, (tuple, list)) or len(degrees) != 2:
-        raise ShapeError(f"{shown(degrees)} are no two degrees", where="degrees", remedy="give one for s and one for t")
+        raise ShapeError(
+            f"{shown(degrees)} are not two degrees", where="degrees", remedy="give one for s and one for t"
+        )
     checked = []
     for i, degree in enumerate(degrees):
         try:
@@ -44,7 +46,7 @@ def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector
 def checked_net(net: object, rows: int, columns: int) -> list[tuple[mpq, ...]]:
     """Control points as given by a user: so many rows along s of so many points along t."""
     if not isinstance(net, Iterable):
-        raise ShapeError(f"{shown(net)} is no net", where="control_points", remedy="give the control points in rows")
+        raise ShapeError(f"{shown(net)} is not a net", where="control_points", remedy="give the control points in rows")
     found = [_checked_row(row, f"control_points[{i}]", columns) for i, row in enumerate(net)]
     if len(found) != rows:
         raise ShapeError(
@@ -58,7 +60,7 @@ def checked_net(net: object, rows: int, columns: int) -> list[tuple[mpq, ...]]:
 def _checked_row(row: Any, where: str, columns: int) -> tuple[mpq, ...]:
     if not isinstance(row, Iterable):
         raise ShapeError(
-            f"{shown(row)} is no row of control points", where=where, remedy="give the control points in rows"
+            f"{shown(row)} is not a row of control points", where=where, remedy="give the control points in rows"
         )
     try:
         points = exact_points(row)

@@ -150,7 +150,7 @@ def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bo
     """
     shown = what if isinstance(what, str) else what.name
     if kind.parts or (isinstance(what, Formula) and not all(is_polynomial(what, n) for n in kind.dimensions)):
-        raise ClaimError(f"{shown!r} is no polynomial in one curve", where="assumes", remedy="name one")
+        raise ClaimError(f"{shown!r} is not a polynomial in one curve", where="assumes", remedy="name one")
 
     def polynomial(c: Any) -> Any:
         if isinstance(what, str):

@@ -1,4 +1,4 @@
-"""Where a curve has no tangent (a cusp, or a segment that is one point) its normal plane is no condition.
+"""Where a curve has no tangent (a cusp, or a segment that is one point) its normal plane imposes no condition.
 
 There are lines over the other curve, and planes where that runs through the point or has no tangent either.
 """

@@ -103,7 +103,7 @@ def lifted(p: fmpz_poly, variable: int) -> fmpz_mpoly:
 
 
 def in_one(p: fmpz_mpoly, variable: int) -> fmpz_poly:
-    """A polynomial in both parameters that has but one of them."""
+    """A polynomial in both parameters in which only one of them occurs."""
     found = {int(powers[variable]): x for powers, x in p.terms()}
     return fmpz_poly([found.get(k, 0) for k in range(max(found, default=-1) + 1)])
 

@@ -131,7 +131,7 @@ def curve_bisector(
         if c.dimension != 3:
             raise ShapeError(
                 f"a curve in R{c.dimension}",
-                remedy="the bisector of two plane curves is no rational curve; use curves in space",
+                remedy="the bisector of two plane curves is not a rational curve; use curves in space",
             )
     patches, missing = _surface(first, second, chosen)
     return CurveBisector(chosen, patches, missing, (first, second))
