@@ -97,6 +97,7 @@ if TYPE_CHECKING:
     from exactspline.language.vector import wronskian as wronskian
     from exactspline.papers import find as find
     from exactspline.papers import load_paper as load_paper
+    from exactspline.papers import paper as paper
     from exactspline.readings.degree import DegreeReading as DegreeReading
     from exactspline.readings.degree import parse as parse_degree  # noqa: F401
     from exactspline.readings.jet import JetReading as JetReading
@@ -127,11 +128,13 @@ if TYPE_CHECKING:
     from exactspline.splines.triangles import product_tables as product_tables
     from exactspline.symbolic.factorization import jets_for as jets_for
     from exactspline.verification.claims import all_claims as all_claims
+    from exactspline.verification.claims import claims_of as claims_of
     from exactspline.verification.claims import select as select_claims  # noqa: F401
     from exactspline.verification.curve_check import spline_table as table_1_splines  # noqa: F401
     from exactspline.verification.errata import errata as errata
     from exactspline.verification.generic_proof import degree_table as table_1_degrees  # noqa: F401
     from exactspline.verification.generic_proof import factor_of as factor_of
+    from exactspline.verification.ledger import proved as proved
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
     from exactspline.verification.questions import degree as degree
@@ -217,6 +220,7 @@ _HOMES = {
     "dot": "language.vector:dot",
     "find": "papers:find",
     "load_paper": "papers:load_paper",
+    "paper": "papers:paper",
     "formula": "language.formula:formula",
     "generalized_cross": "language.vector:generalized_cross",
     "join": "language.vector:join",
@@ -239,6 +243,7 @@ _HOMES = {
     "REFUTED": "verification.verdict:REFUTED",
     "VERIFIED": "verification.verdict:VERIFIED",
     "all_claims": "verification.claims:all_claims",
+    "claims_of": "verification.claims:claims_of",
     "control_point_count": "splines.lowest_terms:control_point_count",
     "degree_table": "display.tables:degree_table",
     "errata": "verification.errata:errata",
@@ -249,6 +254,7 @@ _HOMES = {
     "parse_degree": "readings.degree:parse",
     "degree": "verification.questions:degree",
     "prove": "verification.questions:prove",
+    "proved": "verification.ledger:proved",
     "reduction": "verification.questions:reduction",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",

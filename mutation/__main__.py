@@ -1,8 +1,9 @@
 """``./run mutate``: the mutants of this seed, their verdicts as JSON lines, and a score.
 
 A run that was interrupted goes on where it stopped; what was changed since is judged anew. Survivors that are known and
-explained stand in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` engines are
-judged by the tests on record in ``witnesses.json`` alone, in a minute: the exit code is 1 below the target.
+explained stand in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` a sample of
+what was noticed in engines is judged again by the tests that noticed it, on record in ``witnesses.json``: the exit code
+is 1 below the target.
 """
 
 from __future__ import annotations
@@ -53,12 +54,6 @@ def explained() -> dict[str, str]:
     return {entry["mutant"]: entry["because"] for entry in found}
 
 
-def stable(name: str) -> str:
-    """A mutant without its line and column, which change with every edit above it."""
-    file, function, _, _, rest = name.split(":", 4)
-    return f"{file}:{function}:{rest}"
-
-
 def arguments() -> argparse.Namespace:
     """What is asked for."""
     parser = argparse.ArgumentParser(
@@ -75,7 +70,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--file", default="", help="only mutants of files whose names contain this")
     parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
     parser.add_argument("--results", type=Path, default=RESULTS)
-    parser.add_argument("--witnesses", action="store_true", help="engines by the tests on record, nothing kept")
+    parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
+    parser.add_argument("--table", action="store_true", help="only tell what is judged so far, module by module")
     parser.add_argument("--record", action="store_true", help="write witnesses.json from the verdicts so far")
     return parser.parse_args()
 
@@ -92,10 +88,12 @@ def main() -> int:
         if not options.witnesses:
             with options.results.open("a", encoding="utf-8") as stream:
                 stream.write(json.dumps(known[key(mutant)], ensure_ascii=False) + "\n")
-        return monotonic() < end
+        return bool(monotonic() < end)
 
     if options.record:
         return record(known)
+    if options.table:
+        return table(known)
     chosen: list[Mutant] = []
     if options.only != "engines":
         chosen += judge_formulas(options, known, told)
@@ -125,13 +123,14 @@ def judge_engines(
     from mutation import engines
 
     everything = engines.all_mutants()
+    if options.witnesses:
+        witnesses = engines.Witnesses()
+        chosen = _drawn([m for m in everything if m.stable in witnesses.recorded], options, 60)
+        engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
+        return chosen
     chosen = _drawn(everything, options, 500)
     todo = [m for m in chosen if key(m) not in known]
     if not todo:
-        return chosen
-    if options.witnesses:
-        witnesses = engines.Witnesses()
-        engines.judged(engines.Judge(todo, witnesses, options.budget, options.jobs), told, witnesses.files(todo))
         return chosen
     if not MAP.is_file():
         print("which tests execute what: the suite runs once under coverage", flush=True)
@@ -153,8 +152,26 @@ def record(known: Known) -> int:
 
     found = engines.recorded((m, known[key(m)]) for m in engines.all_mutants() if key(m) in known)
     engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
-    print(f"{len(found)} functions with their tests in {engines.WITNESSES.relative_to(ROOT)}")
+    print(f"{len(found)} mutants with the test that notices each in {engines.WITNESSES.relative_to(ROOT)}")
     return 0
+
+
+def table(known: Known) -> int:
+    """What is judged of all functions as they stand now, module by module, whatever was drawn."""
+    from mutation import engines, formulas
+
+    judged = [m for m in (*formulas.all_mutants(), *engines.all_mutants()) if key(m) in known]
+    by_room: dict[str, list[Mutant]] = {}
+    for mutant in judged:
+        by_room.setdefault("/".join(Path(mutant.file).parts[1:3]), []).append(mutant)
+    why = explained()
+    for room, mutants in sorted(by_room.items()):
+        counts = Counter(known[key(m)]["verdict"] for m in mutants)
+        told = sum(known[key(m)]["verdict"] == "survived" and m.stable in why for m in mutants)
+        print(
+            f"{room}: {len(mutants)} judged, {counts['killed']} killed, {counts['survived']} survived, {told} explained"
+        )
+    return report(judged, known, by_score=True)
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
@@ -171,12 +188,12 @@ def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
         if not mine:
             continue
         counts = Counter(known[key(m)]["verdict"] for m in mine)
-        told = sum(known[key(m)]["verdict"] == "survived" and stable(m.name) in why for m in mine)
+        told = sum(known[key(m)]["verdict"] == "survived" and m.stable in why for m in mine)
         real = len(mine) - counts["equivalent"] - told
         words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
         scores.append(100 * counts["killed"] / real if real else 100.0)
         print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {scores[-1]:.1f} %")
-    left = [m for m in judged if known[key(m)]["verdict"] not in HARMLESS and stable(m.name) not in why]
+    left = [m for m in judged if known[key(m)]["verdict"] not in HARMLESS and m.stable not in why]
     for m in left:
         print(f"{known[key(m)]['verdict']}: {m.name} ({known[key(m)].get('by', '')})")
     if len(judged) < len(chosen):

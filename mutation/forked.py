@@ -24,7 +24,8 @@ def forked(
     """The result of `work` for every task, in the order in which they are done; ``{"verdict": "timeout"}`` where it
     takes longer than so many seconds.
     """
-    waiting, running = iter(tasks), {}
+    waiting = iter(tasks)
+    running: dict[int, tuple[Task, Any, float]] = {}
     more = True
     while more or running:
         while more and len(running) < jobs:

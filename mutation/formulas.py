@@ -18,8 +18,9 @@ from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.examples import example
+from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import factor_parts
-from exactspline.verification.claims import Claim, all_claims
+from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.identity import Identity
 from exactspline.verification.ledger import proved, tasks
 from exactspline.verification.verdict import Row

@@ -71,6 +71,11 @@ class Mutant:
         return f"{self.file}:{self.function}:{self.line}:{self.column}: {self.says} [{self.kind}]"
 
     @property
+    def stable(self) -> str:
+        """The same without line and column, which change with every edit above it."""
+        return f"{self.file}:{self.function}: {self.says} [{self.kind}]"
+
+    @property
     def module(self) -> str:
         """The module it changes."""
         return self.file.removesuffix(".py").replace("/", ".").removesuffix(".__init__")

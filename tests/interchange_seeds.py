@@ -24,6 +24,13 @@ SVG = b"""<?xml version="1.0"?>
 """
 
 
+GLIF = b"""<?xml version="1.0"?><glyph name="a" format="2"><outline><component base="b"/>
+<contour><point x="0" y="0.1" type="line"/><point x="10.3" y="0" type="line"/><point x="10" y="5"/>
+<point x="5" y="10"/><point x="0" y="10" type="curve"/></contour><contour><point x="0" y="0"/><point x="4" y="0"/>
+<point x="4" y="4"/></contour><contour><point x="1" y="1" type="move"/><point x="2" y="2"/>
+<point x="3" y="2" type="qcurve"/></contour></outline></glyph>"""
+
+
 def dxf(words: str) -> bytes:
     """Group codes and values, by blanks, as the lines of a DXF file."""
     return "".join(f"{word}\n" for word in f"0 SECTION 2 ENTITIES {words} 0 ENDSEC 0 EOF".split()).encode()
@@ -42,7 +49,11 @@ STEP = b"""ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,
 #5=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.,1.),
 .UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,0.5,1.))REPRESENTATION_ITEM('r'));
 #6=POLYLINE('',(#1,#2,#3));#7=LINE('',#1,#2);#8=QUASI_UNIFORM_CURVE('',1,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.);
-#9=UNIFORM_CURVE('',2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.);\nENDSEC;\nEND-ISO-10303-21;\n"""
+#9=UNIFORM_CURVE('',2,(#1,#2,#3),.UNSPECIFIED.,.F.,.F.);
+#10=DIRECTION('',(0.,0.,1.));#11=AXIS2_PLACEMENT_3D('',#1,#10,$);#12=CIRCLE('',#11,2.5);#13=CARTESIAN_POINT('',(2.5,0.,0.));
+#14=CARTESIAN_POINT('',(0.,2.5,0.));#15=VERTEX_POINT('',#13);#16=VERTEX_POINT('',#14);#17=EDGE_CURVE('',#15,#16,#12,.T.);
+#18=VECTOR('',#10,1.);#19=LINE('',#1,#18);#20=VERTEX_POINT('',#1);#21=EDGE_CURVE('',#20,#20,#22,.F.);
+#22=SURFACE_CURVE('',#19,(#9),.CURVE_3D.);#23=ELLIPSE('',#11,2.,1.);\nENDSEC;\nEND-ISO-10303-21;\n"""
 BREP = b"""DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nCurve2ds 3
 7 1 1  2 3 4  0 0 1  2 0 1  1 2 0.5 \n 0 1 1 1 2 1 3 1\n1 0 0 1 0\n2 1 2 1 0 0 1 2.5\nCurves 3
 6 0 2 0 0 0  1 0 0  1 1 1\n8 0.25 0.75\n7 0 0  1 2 2  0 0 0  1 1 1\n 0 2 1 2\n3 0 0 0 0 0 1 1 0 0 0 1 0 3 2\nPolygon3D 0
@@ -157,4 +168,8 @@ def seeds() -> dict[str, list[bytes]]:
     for name, data in by_hand.items():
         written[name].append(data)
     written["json"].append(encoded(CURVES, "json")[0])
-    return written | {"svg": [SVG, encoded([CUBIC], "svg")[0]], "cptw": [b"0,-1,1\n-0.7,-0.7,0.7\n-1,0,1"]}
+    return written | {
+        "glif": [GLIF],
+        "svg": [SVG, encoded([CUBIC], "svg")[0]],
+        "cptw": [b"0,-1,1\n-0.7,-0.7,0.7\n-1,0,1"],
+    }

@@ -13,6 +13,14 @@ from exactspline.geometry import facts as facts_module
 from exactspline.geometry import space_features
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Construction
+from exactspline.geometry.features import (
+    corners,
+    curvature_extrema,
+    inflections,
+    joints,
+    singular_points,
+    straight_pieces,
+)
 from exactspline.geometry.inspection import compare_approaches, inspect_curve, solved
 from exactspline.geometry.joints import Ends
 from exactspline.roots import isolation as isolation_module
@@ -51,8 +59,9 @@ class Counted:
         self.patch.setattr(owner, name, counting)
 
 
-#: Forms whose zeros are found: κ, κ′ and γ′ in the plane; τ, κ′, γ′ × γ″, γ′, and τ in lowest terms in space.
-FORMS = {2: 3, 3: 5}
+#: Forms whose zeros are found: κ and κ′ in the plane; τ, κ′, γ′ × γ″, and τ in lowest terms in space. That γ′ has no
+#: zero between knots is seen from its signs.
+FORMS = {2: 2, 3: 4}
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
@@ -66,7 +75,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
             first = Counter(counted.calls)
             assert first["zeros"] == FORMS[dimension]
             assert first["on"] == 2
-            assert first["common_factor"] == dimension - 1
+            assert first["common_factor"] == dimension - 2
             assert first["geometric_order"] == segments - 1
             assert first["jet"] == 2 * (segments - 1)
             assert first["isolate"] <= FORMS[dimension] * segments
@@ -134,7 +143,27 @@ def test_eight_threads_find_one_analysis():
     curve = spline(60, 3)
     with ThreadPoolExecutor(8) as pool:
         found = list(pool.map(lambda _: inspect_curve(curve), range(16)))
-    assert all(one.critical is found[0].critical and one.torsion is found[0].torsion for one in found)
+    assert all(one.critical == found[0].critical and one.torsion == found[0].torsion for one in found)
+    assert all(a is b for one in found for a, b in zip(one.critical, found[0].critical, strict=True))
     alone = inspect_curve(spline(60, 3))
     for name in ("singular_points", "inflections", "critical", "torsion"):
         assert [(f.kind, f.root) for f in getattr(found[0], name)] == [(f.kind, f.root) for f in getattr(alone, name)]
+
+
+@pytest.mark.parametrize("name", ["cusp", "six_segment_cubic", "rational_space_cubic", "straight_between_arcs"])
+def test_what_is_handed_out_is_nobody_elses(name):
+    """No list whose change would change the analysis that is kept with the curve."""
+    found = analyse(example(name))
+    plane_lacks = (
+        () if found.in_space else ("torsion_zeros", "bending", "reduced_torsion", "torsion_numerator", "binormal")
+    )
+    names = [n for n in dir(found) if not n.startswith("_") and n not in plane_lacks]
+    for n in names:
+        value = getattr(found, n)
+        if isinstance(value, (list, dict, set)):
+            value.clear()
+            assert getattr(found, n) is not value, n
+    again = Nurbs(*[getattr(found.curve, n) for n in ("degree", "knots", "control_points", "weights")])
+    for ask in (inflections, singular_points, curvature_extrema, joints, corners, straight_pieces):
+        ask(found.curve).clear()
+        assert ask(found.curve) == ask(again)

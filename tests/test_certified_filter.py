@@ -158,7 +158,7 @@ def expected(points, weights):
 
 
 def same_as_exact(points, weights=None):
-    """Hold every answer against the exact one: how many curves there are, and how many were left to exact arithmetic."""
+    """Hold every answer against the exact one: how many curves there are, and how many went to exact arithmetic."""
     found = features_of_many(points, weights)
     for k in range(len(points)):
         own = found.curve == k

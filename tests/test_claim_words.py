@@ -28,8 +28,7 @@ def misspelled(table):
         for i, each in enumerate(values):
             changed = copy.deepcopy(table.entry)
             if isinstance(each, int):
-                # a weight and an order of contact may be 0
-                wrong = "q" if field in ("weight", "order") else 0
+                wrong = f"{each}q"
             else:
                 place = {"id": 1, "factor": len(each) - 1, "claimed": len(each) - 1}.get(field, len(each))
                 wrong = each[:place] + "q" + each[place:]

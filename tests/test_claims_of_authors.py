@@ -135,11 +135,18 @@ def test_the_weight_is_the_one_there_is(name, under, weight):
         ("D1_squared", "Möbius map", 2),
         ("D1_squared", "common factor", 2),
         ("p_squared", "translation", 0),
+        ("across", "reflection", 0),
     ],
 )
 def test_what_changes_is_not_invariant(claim, monkeypatch):
-    monkeypatch.setitem(OWN, "p_squared", formula("a test", on="plane")(p_squared))
+    for f in (p_squared, across):
+        monkeypatch.setitem(OWN, f.__name__, formula("a test", on="plane")(f))
     assert_verdict(invariance(*claim), REFUTED)
+
+
+def across(c):
+    """x′², which a reflection in the y-axis does not change, and one in another line does."""
+    return c.gamma.d(1)[0] ** 2
 
 
 def p_squared(c):

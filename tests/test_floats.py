@@ -137,7 +137,7 @@ def test_values_are_correctly_rounded(question):
     with mp.workprec(BITS + 20):
         while held < COUNT:
             curve = random_curve(chance, 3 if question == "torsion" else chance.choice((2, 3)), chance.random() < 0.5)
-            for t in parameters(chance, curve, 20):
+            for t in parameters(chance, curve, 20 if COUNT < 1000 else 400):
                 way = chance.choice(list(WAYS))
                 try:
                     found, expected = QUESTIONS[question](curve, t, way)

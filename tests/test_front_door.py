@@ -193,6 +193,7 @@ def test_the_plot_of_a_curve_hands_on_what_its_service_takes():
 #: drawing libraries, and what a user names on the command line.
 IMPORT_BY_STRING = {
     "__init__.py",
+    "batch/grade/adapters/__init__.py",
     "cli/reduce.py",
     "display/plot/canvas.py",
     "display/plot/html.py",

@@ -4,7 +4,6 @@ little memory.
 
 import contextlib
 import random
-import re
 import time
 import tracemalloc
 
@@ -15,19 +14,12 @@ from hypothesis import strategies as st
 from exactspline.errors import ExactSplineError
 from exactspline.interchange import read
 from exactspline.interchange.files import encoded
+from tests.fuzz_readers import NASTY, WORD
 from tests.interchange_seeds import CURVES, cff, seeds, truetype
 
 #: Seconds that a small file may take.
 SOON = 2
 MEMORY = 200 << 20
-
-NASTY = [
-    *b"0 -1 1e999999999 1e400 -1e-400 99999999 999999999999999999 nan inf 1/0 - 0x1p99999 1.5.5 1e 100 7 2 50".split(),
-    *b"[ ]]]]]]]]] \" ' /* &a; #1 1H, 999999H NaN ; , \0 \xff\xfe".split(),
-    *(b"(" * 200, b"{" * 99, b"<g>" * 99, b"1" * 3000, b"<!DOCTYPE x [<!ENTITY a '&b;'>]>"),
-    *("٣".encode(), "é".encode(), b"\r\n", b"\n", b" "),
-]
-_WORD = re.compile(rb"[\w.+-]+")
 
 
 @st.composite
@@ -37,7 +29,7 @@ def mutated(draw, originals):
     for _ in range(draw(st.integers(0, 4))):
         kind = draw(st.sampled_from(["word", "word", "word", "byte", "cut", "double", "insert", "truncate"]))
         if kind == "word":
-            words = list(_WORD.finditer(data))
+            words = list(WORD.finditer(data))
             if words:
                 word = words[draw(st.integers(0, len(words) - 1))]
                 data = data[: word.start()] + draw(st.sampled_from(NASTY)) + data[word.end() :]

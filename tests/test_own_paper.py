@@ -205,6 +205,8 @@ ESCAPES = [
     LANGUAGE + "@formula('x', on=open('x'))\ndef f(c): return c.w",
     LANGUAGE + "@formula(print(1))\ndef f(c): return c.w",
     LANGUAGE + "@formula(*'x')\ndef f(c): return c.w",
+    LANGUAGE + "@formula('\\x1b[2J')\ndef f(c): return c.w",
+    LANGUAGE + "@formula('x', symbol='<script>')\ndef f(c): return c.w",
     LANGUAGE + "@det\ndef f(c): return c.w",
     LANGUAGE + "@formula('x')\n@formula('x')\ndef f(c): return c.w",
     LANGUAGE + "@formula('x')\ndef f(c, d=print(1)): return c.w",
@@ -352,6 +354,13 @@ def test_formulas_cannot_reach_the_built_in_names():
     assert found.function.__globals__["__builtins__"] == {}
 
 
+def test_links_lead_nowhere(tmp_path):
+    folder = write_new_paper(tmp_path / "mine")[0].parent
+    (folder / "curves" / "round").symlink_to(folder)
+    (folder / "passwords").symlink_to("/etc/passwd")
+    assert set(load_paper(folder).digests()) == {"README.md", "claims.toml", "curves/arch.json", "formulas.py"}
+
+
 # ---- errors for authors
 
 
@@ -413,6 +422,10 @@ def test_what_says_nothing_is_vacuous(tmp_path):
         ({"key": "2-left"}, "does not begin with the id"),
         ({"statement": 7}, "7 is no text"),
         ({"expected": "TRUE"}, "is unknown"),
+        ({"statement": "\\u001b[2J"}, "cannot be printed"),
+        ({"kind": "identity", "right": "turning_by_normal", "factor": "speed_squared^99999999"}, "too large"),
+        ({"kind": "invariance", "left": None, "formula": "turning", "under": "scaling", "weight": 10**9}, "no weight"),
+        ({"kind": "degree", "left": None, "formula": "turning", "claimed": "6d", "least_d": 10**9}, "no number"),
     ],
 )
 def test_words_that_nobody_knows(change, told, tmp_path):
@@ -420,7 +433,8 @@ def test_words_that_nobody_knows(change, told, tmp_path):
     with (made / "formulas.py").open("a") as file:
         file.write('\n\n@formula("e", on="plane")\ndef nothing(c):\n    return c.w - c.w\n')
     entry = {"id": "9", "kind": "vanishing", "statement": "0", "curve": "plane", "left": "turning"} | change
-    (made / "claims.toml").write_text("[[claim]]\n" + "".join(f"{k} = {text_of(v)}\n" for k, v in entry.items()))
+    lines = [f"{k} = {text_of(v)}" for k, v in entry.items() if v is not None]
+    (made / "claims.toml").write_text("\n".join(["[[claim]]", *lines]).replace("\\\\u", "\\u"))
     done = run("prove", "--paper", made)
     assert isinstance(done.exception, ExactSplineError)
     assert re.match(r"mine′*/claims\.toml, claim 1", str(done.exception))

@@ -20,7 +20,7 @@ from exactspline.programs.program import operands_of
 from exactspline.splines.examples import example
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
-ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind]
+ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]
 CURVES = ["ellipse", "rational_cubic_spline", "unclamped", "jump", "space_quartic", "rational_space_cubic_spline"]
 
 

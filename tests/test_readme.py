@@ -11,7 +11,7 @@ import pytest
 from rich.cells import cell_len
 
 from exactspline.display.code import code_lines
-from exactspline.papers import papers
+from exactspline.papers import default_papers
 from exactspline.verification.claims import all_claims
 from exactspline.verification.errata import errata, remarks
 
@@ -31,7 +31,9 @@ def test_the_readme_names_every_command():
     from exactspline.cli import app
 
     text = README.read_text(encoding="utf-8")
-    assert all(f"`exactspline {command.callback.__name__}" in text for command in app.registered_commands)
+    assert all(
+        f"`exactspline {command.callback.__name__.replace('_', '-')}" in text for command in app.registered_commands
+    )
 
 
 def test_every_refuted_claim_of_a_paper_belongs_to_one_error_that_says_what_is_true():
@@ -46,7 +48,7 @@ def test_every_refuted_claim_of_a_paper_belongs_to_one_error_that_says_what_is_t
 def test_every_error_of_a_paper_is_listed_once_and_a_remark_is_none():
     listed = [entry.error for entry in errata()]
     remarked = [entry.error for entry in remarks()]
-    assert sorted([*listed, *remarked]) == sorted(name for source in papers() for name in source.errors)
+    assert sorted([*listed, *remarked]) == sorted(name for source in default_papers() for name in source.errors)
     assert "second-parameter" in remarked
 
 

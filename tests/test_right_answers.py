@@ -171,7 +171,7 @@ def test_standing_still_across_the_seam():
     assert [(f.kind, f.root.exact) for f in found.singular_points] == [("rest", 1), ("rest", 4)]
     point = analyse(Nurbs(1, [0, 0, 1, 2, 2], [(3, 4)] * 3))
     assert [str(piece) for piece in point.standing_pieces] == ["[0, 2]"]
-    assert point.singular_points == point.straight_pieces == point.corners == []
+    assert [*point.singular_points, *point.straight_pieces, *point.corners] == []
 
 
 def test_the_sign_of_the_curvature_at_roots_of_other_forms():

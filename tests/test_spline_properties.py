@@ -3,16 +3,18 @@ printed.
 """
 
 from itertools import pairwise
+from math import comb
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
+from exactspline.splines.blossom import forms_of
 from tests import oracles
-from tests.oracles import assert_function, rebuilt
+from tests.oracles import assert_function, polar, rebuilt
 from tests.strategies import DOMAINS, HUGE, JUMP, KINK, TINY, knot_vectors, numbers, splines, splines_on_one_domain
 
 # ---- what is printed is the function
@@ -323,3 +325,27 @@ def test_bezier_segments(f):
         assert (s(low), s(high)) == (f(low), f(high, "left"))
         for t in oracles.inner_parameters(s, f.degree + 1):
             assert s(t) == f(t)
+
+
+@settings(max_examples=60)
+@given(
+    st.integers(0, 9), st.integers(1, 6), st.sampled_from([3, 10**17]), st.booleans(), st.randoms(use_true_random=False)
+)
+def test_the_form_of_a_span_has_the_blossom_for_its_points(n, runs, denominator, is_clamped, numbers):
+    """Knots of any multiplicity, clamped or not: each form is in lowest terms, and its Bézier points are the polar form
+    at the ends of the span.
+    """
+    places = sorted({mpq(numbers.randint(0, 99 * denominator), denominator) for _ in range(runs + 1)} | {mpq(-1)})
+    multiplicities = [numbers.randint(1, n + 1) for _ in places]
+    if is_clamped or sum(multiplicities) < 2 * n + 2:
+        multiplicities[0] = multiplicities[-1] = n + 1
+    knots = [t for t, m in zip(places, multiplicities, strict=True) for _ in range(m)]
+    points = [mpq(numbers.randint(-9, 9), numbers.randint(1, denominator)) for _ in range(len(knots) - n - 1)]
+    spans = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1]]
+    assume(spans)
+    for j, (c, m) in zip(spans, forms_of(knots, n, points, spans), strict=True):
+        a, b = knots[j], knots[j + 1]
+        expected = [polar(knots, n, points, j, [a] * (n - k) + [b] * k) for k in range(n + 1)]
+        assert [mpq(int(c[k]), int(m) * comb(n, k)) for k in range(n + 1)] == expected
+        assert m > 0
+        assert c.content().gcd(m) == 1

@@ -6,12 +6,14 @@ from fractions import Fraction
 from random import Random
 
 import pytest
+from flint import Ordering, fmpz_mpoly_ctx, fmpz_poly
 from gmpy2 import mpq
 from mpmath import mp
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisector import trimmed as module
+from exactspline.geometry.bisector import conditions as module
+from exactspline.geometry.bisector.discriminants import discriminant, through
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.papers import find
 from exactspline.roots.root import Root
@@ -277,6 +279,7 @@ def test_certain_answers_in_front_change_nothing(curve, point, monkeypatch):
     result = trimmed_bisector(curve, point)
     monkeypatch.setattr(module, "possible_parts", lambda *_: [(mpq(0), mpq(1))])
     monkeypatch.setattr(module, "holds_certainly", lambda *_: False)
+    monkeypatch.setattr(module, "keeps_sign", lambda *_: False)
     exact = trimmed_bisector(curve, point)
     assert [(p.kind, p.low, p.high, p.foot) for p in result.pieces] == [
         (p.kind, p.low, p.high, p.foot) for p in exact.pieces
@@ -291,3 +294,36 @@ def test_a_curve_that_is_one_point_has_the_line_between(weights):
     assert (piece.low, piece.high) == (-1, 1)
     assert piece(0) == (3, 2)
     assert all((x - 2) ** 2 + y**2 == (x - 4) ** 2 + (y - 4) ** 2 for x, y in (piece(mpq(k, 7)) for k in range(-6, 7)))
+
+
+def test_discriminants_by_values_are_those_by_elimination():
+    context = fmpz_mpoly_ctx.get(("z", "u"), Ordering.lex)
+    z, u = context.gens()
+    numbers = Random(4)
+    for m in (2, 3, 5):
+        rows = [fmpz_poly([numbers.randint(-9, 9) for _ in range(4)]) for _ in range(m + 1)]
+        # a leading row with zeros among the small whole numbers
+        rows[-1] = fmpz_poly([0, 1]) * fmpz_poly([2, 1]) * fmpz_poly([-1, 1])
+        p = sum(
+            (x * z**i * u**j for j, row in enumerate(rows) for i, x in enumerate(row.coeffs())), context.constant(0)
+        )
+        wanted = p.discriminant(1)
+        found = discriminant(rows)
+        assert sum((x * z**i for i, x in enumerate(found.coeffs())), context.constant(0)) == wanted
+
+
+def test_a_polynomial_is_that_through_its_values():
+    p = fmpz_poly([3, -1, 0, 7, 2])
+    assert through([int(p(k)) for k in range(9)]) == p
+
+
+def test_an_arc_between_two_poles_beside_a_long_curve():
+    """Many segments, few pieces: what is left to elimination does not depend on how many segments there are."""
+    calls = []
+    numbers = Random(1)
+    curve = Nurbs(3, [0] * 4 + list(range(1, 30)) + [30] * 4, [(2 * i, numbers.randint(-9, 9)) for i in range(33)])
+    original = module._candidates
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "_candidates", lambda *a: calls.append(1) or original(*a))
+        assert len(trimmed_bisector(curve, (3, 20)).pieces) == 8
+    assert len(calls) < 30

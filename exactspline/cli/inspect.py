@@ -45,13 +45,26 @@ def inspect(
             help="Write a proof that these are all zeros (JSON; see exactspline.roots.checker).",
         ),
     ] = "",
+    emit_coq: Annotated[
+        str,
+        typer.Option(
+            "--emit-coq",
+            metavar="FILE",
+            help="Write a file for the proof assistant Coq: theorems that say where curvature and its derivative (in "
+            "space: torsion) vanish on this curve.",
+        ),
+    ] = "",
 ) -> None:
     """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
     to any number of digits.
     """
     from exactspline.splines.curve_files import write_json
 
+    if emit_coq and len(curve) > 1:
+        raise OptionsError("--emit-coq and several curves", remedy="write one file a curve")
     given, good = loaded(curve)
+    if emit_coq and given:
+        _emit(given[0], emit_coq)
     inspected = [_inspected(c, approach, digits, coordinates) for c in also_in_their_planes(given)]
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
@@ -66,6 +79,15 @@ def inspect(
     )
     if not good:
         raise typer.Exit(2)
+
+
+def _emit(curve: Any, path: str) -> None:
+    """The theorems about a curve, in a file."""
+    from exactspline.atomic_write import write_atomically
+    from exactspline.verification.coq.answers import theorem_of
+
+    text = theorem_of(curve)
+    write_atomically(path, lambda stream: stream.write(text.encode("utf-8")))
 
 
 def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) -> None:

@@ -60,7 +60,7 @@ def prove(
         typer.Option(
             "--judge",
             metavar="JUDGE",
-            help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (a column).",
+            help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (in a column).",
         ),
     ] = "",
     emit_coq: Annotated[

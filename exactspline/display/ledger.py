@@ -94,7 +94,7 @@ def ledger(
     name: str = "",
     kernel: Mapping[tuple[str, str], str] | None = None,
 ) -> Sheet:
-    """The rows of one curve (or of all curves), one a line; with `kernel`, what the kernel of Coq says of each claim."""
+    """The rows of one curve (or of all curves), one a line; with `kernel`, what the kernel of Coq says of claims."""
     asked = () if kernel is None else ("kernel",)
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
     made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)

@@ -29,7 +29,7 @@ class Analysis(SpaceFacts):
     >>> from exactspline.splines.examples import example
     >>> found = analyse(example("ellipse"))
     >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
-    (['maximum', 'minimum', 'maximum', 'minimum'], [], [])
+    (['maximum', 'minimum', 'maximum', 'minimum'], (), [])
     """
 
     @property
@@ -44,17 +44,16 @@ class Analysis(SpaceFacts):
         return "space_critical_curvature" if self.in_space else "critical_curvature"
 
     @Fact
-    def inflections(self) -> list[Feature]:
+    def inflections(self) -> tuple[Feature, ...]:
         """The zeros of the curvature at regular points."""
-        return space_features.flat_points(self) if self.in_space else plane_features.inflections(self)
+        return tuple(space_features.flat_points(self) if self.in_space else plane_features.inflections(self))
 
-    def critical_points(self, variant: Variant | str = Variant.MINIMAL) -> list[Feature]:
+    def critical_points(self, variant: Variant | str = Variant.MINIMAL) -> tuple[Feature, ...]:
         """The extrema of the curvature and the points where κ′ = 0 without one, from the form of a variant."""
 
-        def compute() -> list[Feature]:
+        def compute() -> tuple[Feature, ...]:
             module = space_features if self.in_space else plane_features
-            found: list[Feature] = module.critical_points(self, variant)
-            return found
+            return tuple(module.critical_points(self, variant))
 
         return self.once(("critical points", variant), compute)
 
@@ -64,11 +63,11 @@ class Analysis(SpaceFacts):
         return [f for f in self.critical_points() if f.kind is not FeatureKind.STATIONARY]
 
     @Fact
-    def torsion_zeros(self) -> list[Feature]:
+    def torsion_zeros(self) -> tuple[Feature, ...]:
         """The zeros of the torsion at regular points; `ShapeError` for a plane curve."""
         if not self.in_space:
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
-        return space_features.torsion_zeros(self)
+        return tuple(space_features.torsion_zeros(self))
 
     @property
     def corners(self) -> list[Joint]:
@@ -76,19 +75,19 @@ class Analysis(SpaceFacts):
         return [joint for joint in self.joints if joint.angle is not None]
 
     @Fact
-    def straight_pieces(self) -> list[CurvePiece]:
+    def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight."""
-        return space_features.straight_pieces(self) if self.in_space else plane_features.straight_pieces(self)
+        return tuple(space_features.straight_pieces(self) if self.in_space else plane_features.straight_pieces(self))
 
     @Fact
-    def constant_pieces(self) -> list[CurvePiece]:
+    def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant."""
-        return space_features.constant_pieces(self) if self.in_space else plane_features.constant_pieces(self)
+        return tuple(space_features.constant_pieces(self) if self.in_space else plane_features.constant_pieces(self))
 
     @Fact
-    def planar_pieces(self) -> list[tuple[CurvePiece, Plane]]:
+    def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
-        return planar_pieces(self.curve) if self.in_space else []
+        return tuple(planar_pieces(self.curve)) if self.in_space else ()
 
     @Fact
     def plane(self) -> Plane | None:

@@ -217,9 +217,9 @@ class Facts:
         return (b, a) if self.closed and t in (a, b) else (t, t)
 
     @Fact
-    def standing(self) -> list[bool]:
+    def standing(self) -> tuple[bool, ...]:
         """Segment by segment whether the curve stands still."""
-        return [not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)]
+        return tuple([not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)])
 
     @Fact
     def ends(self) -> Ends:
@@ -285,7 +285,7 @@ class Facts:
     # ---- singular points
 
     @Fact
-    def singular_points(self) -> list[Feature]:
+    def singular_points(self) -> tuple[Feature, ...]:
         """The parameters where γ′ = 0; of an interval on which the curve stands still its ends."""
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
@@ -298,7 +298,7 @@ class Facts:
             ends = zip((self.breaks[0], self.breaks[-1]), (Side.RIGHT, Side.LEFT), strict=True)
             stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
-        return sorted(inner + knots, key=lambda f: f.root)
+        return tuple(sorted(inner + knots, key=lambda f: f.root))
 
     @property
     def _moves_between_knots(self) -> bool:
@@ -355,10 +355,10 @@ class Facts:
         return pieces(self.breaks, runs(holds, joined if self.closed else [False, *joined]))
 
     @Fact
-    def standing_pieces(self) -> list[CurvePiece]:
+    def standing_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve stands still."""
         joined = [joint.kind is JointKind.STILL for joint in self.joints]
-        return pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined]))
+        return tuple(pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined])))
 
     def check_dimension(self) -> None:
         """`ShapeError` for a curve that is neither in the plane nor in space."""

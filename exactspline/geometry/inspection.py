@@ -69,15 +69,15 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
     found = analyse(curve)
     return Inspection(
         approach=chosen,
-        critical=found.critical_points(chosen.variant(curve)),
-        inflections=found.inflections,
-        singular_points=found.singular_points,
+        critical=list(found.critical_points(chosen.variant(curve))),
+        inflections=list(found.inflections),
+        singular_points=list(found.singular_points),
         joints=list(found.joints),
-        straight=found.straight_pieces,
-        constant=found.constant_pieces,
-        standing=found.standing_pieces,
-        torsion=found.torsion_zeros if found.in_space else [],
-        planar=found.planar_pieces,
+        straight=list(found.straight_pieces),
+        constant=list(found.constant_pieces),
+        standing=list(found.standing_pieces),
+        torsion=list(found.torsion_zeros) if found.in_space else [],
+        planar=list(found.planar_pieces),
         plane=found.plane,
     )
 

@@ -1,4 +1,4 @@
-"""Space curves, or stretches of them, that lie in a plane: the plane exactly, and in a coordinate plane the curve as a
+"""Space curves, or pieces of them, that lie in a plane: the plane exactly, and in a coordinate plane the curve as a
 plane curve.
 
 A curve p/w lies in the plane n·x = c exactly where n·p − c·w is identically zero: a linear relation between the Bézier

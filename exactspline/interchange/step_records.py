@@ -7,7 +7,10 @@ from collections.abc import Iterator
 from typing import TypeAlias
 
 from exactspline.errors import CurveFileError
+from exactspline.exact import mpq
+from exactspline.interchange.collector import Collector
 from exactspline.interchange.limits import Limits
+from exactspline.interchange.numbers import decimal
 
 #: A value: text of a number, reference, enumeration or string (with its quotes), or a list of values.
 Value: TypeAlias = "str | list[Value]"
@@ -16,6 +19,7 @@ Value: TypeAlias = "str | list[Value]"
 _NOISE = re.compile(r"/\*.*?(?:\*/|\Z)|'(?:[^']|'')*(?:'|\Z)|;", re.S)
 _INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
 _TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
+_REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
 _KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
 
 
@@ -80,3 +84,39 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
             raise CurveFileError("no list of keywords with arguments", remedy="write NAME(…)")
         found[keyword] = arguments
     return found
+
+
+class StepFile:
+    """The instances of a file, points looked up as they are needed."""
+
+    def __init__(self, text: str, found: Collector) -> None:
+        self.found, self.limits = found, found.limits
+        self.instances = instances(text, self.limits)
+        self.points: dict[str, list[mpq]] = {}
+
+    def point(self, reference: Value) -> list[mpq]:
+        """The coordinates of a CARTESIAN_POINT."""
+        key = str(reference)
+        if key not in self.points:
+            self.points[key] = self.numbers(self.named(reference, "CARTESIAN_POINT", 2)[1])
+        return self.points[key]
+
+    def named(self, reference: Value, keyword: str, count: int) -> list[Value]:
+        """The arguments, so many, of the instance of this kind that is referred to."""
+        if not isinstance(reference, str) or not _REFERENCE.fullmatch(reference):
+            raise CurveFileError(f"no reference to a {keyword}", remedy="write #12")
+        arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get(keyword, [])
+        if len(arguments) != count:
+            raise CurveFileError(f"is no {keyword} of {count} attributes", where=reference, remedy="name one")
+        return arguments
+
+    def numbers(self, values: Value) -> list[mpq]:
+        """A list of decimals."""
+        return [decimal(text, self.limits) for text in self.texts(values)]
+
+    def texts(self, values: Value) -> list[str]:
+        """A list of plain values."""
+        if not isinstance(values, list):
+            raise CurveFileError("a list is missing", remedy="write (…)")
+        self.found.count(len(values))
+        return [value if isinstance(value, str) else "" for value in values]

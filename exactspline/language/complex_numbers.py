@@ -6,7 +6,6 @@ The real part is ``a[0]``, the imaginary one ``a[1]``; ``perp(a)`` is ``i a`` an
 from __future__ import annotations
 
 from exactspline.language.parts import C
-from exactspline.language.rational import Rational
 from exactspline.language.vector import S, Vector, join, norm2
 
 
@@ -30,7 +29,7 @@ def conjugate(a: Vector[S]) -> Vector[S]:
     return join(a[0], -a[1])
 
 
-def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C] | Rational[C]:
+def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C]:
     """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
 
     >>> from exactspline.language.kinds import PLANE
@@ -39,5 +38,5 @@ def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C] | Rational[C]:
     >>> complex_quotient(complex_product(c.p, c.p.d(1)), c.p) == c.p.d(1)
     True
     """
-    quotient: Vector[C] | Rational[C] = complex_product(a, conjugate(b)) / norm2(b)
+    quotient: Vector[C] = complex_product(a, conjugate(b)) / norm2(b)
     return quotient

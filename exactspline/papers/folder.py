@@ -13,14 +13,31 @@ from hashlib import sha256
 from importlib import import_module
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict, cast
 
 from exactspline.errors import ClaimError, FormulaError, nearest
 from exactspline.language.formula import Formula
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
-#: What a folder may say of itself, with what it says if it is silent.
-FIELDS: dict[str, Any] = {
+
+class Told(TypedDict):
+    """What a folder says of itself."""
+
+    title: str
+    reference: str
+    formulas: list[str]
+    claims: list[str]
+    uses: list[str]
+    errors: dict[str, str]
+    sections: dict[str, str]
+    default: bool
+    order: int
+
+
+#: So many bytes of a table are read.
+CHARACTERS = 4_000_000
+#: What it says if it is silent.
+SILENT: Told = {
     "title": "",
     "reference": "",
     "formulas": ["formulas"],
@@ -121,7 +138,8 @@ class Paper:
     def construction_tables(self) -> dict[str, Table]:
         """Its constructions by name, as they stand in ``constructions.toml``."""
         file = "constructions.toml"
-        return {name: Table(f"{self.name}/{file}, {name}", entry) for name, entry in self._read(file).items()}
+        tables = self._read(file).items()
+        return {name: Table(f"{self.name}/{file}, {name}", each) for name, each in tables if isinstance(each, dict)}
 
     def curve_files(self) -> list[Traversable]:
         """The files of its own curves, in ``curves/``."""
@@ -130,15 +148,15 @@ class Paper:
 
     def digests(self) -> dict[str, str]:
         """The SHA-256 digests of its files by their names."""
-        return {name: sha256(f.read_bytes()).hexdigest() for name, f in sorted(_files(self.folder))}
+        return {name: _digest(file) for name, file in sorted(_files(self.folder), key=lambda named: named[0])}
 
-    def _read(self, file: str) -> dict[str, Any]:
+    def _read(self, file: str) -> dict[str, object]:
         return read_toml(self.folder.joinpath(*file.split("/")), f"{self.name}/{file}")
 
 
 def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
     for each in folder.iterdir():
-        if each.name.startswith((".", "__pycache__")):
+        if each.name.startswith((".", "__pycache__")) or (isinstance(each, Path) and each.is_symlink()):
             continue
         if each.is_dir():
             yield from _files(each, f"{path}{each.name}/")
@@ -146,7 +164,15 @@ def _files(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversab
             yield path + each.name, each
 
 
-def read_toml(file: Traversable, place: str) -> dict[str, Any]:
+def _digest(file: Traversable) -> str:
+    found = sha256()
+    with file.open("rb") as stream:
+        while part := stream.read(1 << 20):
+            found.update(part)
+    return found.hexdigest()
+
+
+def read_toml(file: Traversable, place: str) -> dict[str, object]:
     """A file of tables; empty where there is none.
 
     Raises `ClaimError` for what is no TOML, with the line.
@@ -154,12 +180,16 @@ def read_toml(file: Traversable, place: str) -> dict[str, Any]:
     if not file.is_file():
         return {}
     try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
+        with file.open("rb") as stream:
+            data = stream.read(CHARACTERS + 1)
+        if len(data) > CHARACTERS:
+            raise ClaimError("is too large", where=place, remedy=f"at most {CHARACTERS} bytes are read")
+        return tomllib.loads(data.decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ClaimError(f"no TOML: {error}", where=place, remedy="mend the file") from None
 
 
-def told_of(folder: Traversable, name: str) -> dict[str, Any]:
+def told_of(folder: Traversable, name: str) -> Told:
     """What a folder says of itself.
 
     Raises `ClaimError` for a word that says nothing, or of the wrong type.
@@ -170,16 +200,19 @@ def told_of(folder: Traversable, name: str) -> dict[str, Any]:
         file = "claims.toml"
         whole = read_toml(folder.joinpath(file), f"{name}/{file}")
         data = {key: value for key, value in whole.items() if key not in ("common", "claim")}
+    usual: dict[str, object] = {**SILENT}
     for key, value in data.items():
-        if key not in FIELDS:
-            raise ClaimError(f"a paper has no {key!r}", where=f"{name}/{file}", remedy=nearest(key, FIELDS))
+        if key not in usual:
+            raise ClaimError(f"a paper has no {key!r}", where=f"{name}/{file}", remedy=nearest(key, usual))
         texts = value if isinstance(value, list) else [*value.values()] if isinstance(value, dict) else []
-        if type(value) is not type(FIELDS[key]) or not all(isinstance(text, str) for text in texts):
-            raise ClaimError(f"{key} is {value!r}", where=f"{name}/{file}", remedy=f"write it like {FIELDS[key]!r}")
-    for path in (*data.get("formulas", []), *data.get("claims", [])):
+        good = all(isinstance(text, str) and text.isprintable() for text in [*texts, *[value] * isinstance(value, str)])
+        if type(value) is not type(usual[key]) or not good:
+            raise ClaimError(f"{key} is {value!r}", where=f"{name}/{file}", remedy=f"write it like {usual[key]!r}")
+    told = cast(Told, usual | data)
+    for path in (*told["formulas"], *told["claims"]):
         if any(part in ("", ".", "..") for part in path.split("/")):
             raise ClaimError(f"the file {path!r}", where=f"{name}/{file}", remedy="name files inside the folder")
-    return FIELDS | data
+    return told
 
 
 def paper_in(
@@ -214,7 +247,8 @@ def _heading(folder: Traversable) -> str:
     """The first heading of ``README.md``."""
     file = folder.joinpath("README.md")
     lines = file.read_bytes().decode("utf-8", "replace").splitlines() if file.is_file() else []
-    return next((line.lstrip("# ").strip() for line in lines if line.startswith("#")), "")
+    heading = next((line.lstrip("# ").strip() for line in lines if line.startswith("#")), "")
+    return "".join(letter for letter in heading if letter.isprintable())
 
 
 def folder_at(path: str | Path) -> Path:

@@ -199,6 +199,7 @@ def _decorated(node: ast.FunctionDef, read: Checked) -> str:
         and len(call.args) == 1
         and _is_text(call.args[0])
         and all(k.arg in ("on", "symbol") and _is_text(k.value) for k in call.keywords)
+        and all(_is_plain(each) for each in (*call.args, *[k.value for k in call.keywords]))
     )
     if not good or not isinstance(call, ast.Call):
         raise read.refuse(
@@ -213,6 +214,11 @@ def _decorated(node: ast.FunctionDef, read: Checked) -> str:
 
 def _is_text(node: ast.AST) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
+def _is_plain(node: ast.AST) -> bool:
+    """Whether a text can be printed anywhere: on a terminal, in a page, as LaTeX."""
+    return isinstance(node, ast.Constant) and str(node.value).isprintable() and not set("<>$") & set(str(node.value))
 
 
 class _Body:

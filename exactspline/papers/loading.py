@@ -8,12 +8,12 @@ from functools import wraps
 from importlib.resources.abc import Traversable
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import TracebackType
+from types import ModuleType, TracebackType
 from typing import Any
 
 from exactspline.errors import ExactSplineError, FormulaError
 from exactspline.language.formula import Formula
-from exactspline.papers.formula_check import formulas_of
+from exactspline.papers.formula_check import CHARACTERS, formulas_of
 
 #: What gives the formulas that others may import, by ``paper.module:name``.
 Importable = Callable[[], Mapping[str, Formula]]
@@ -26,7 +26,8 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
     """
     place = str(file)
     try:
-        text = file.read_text(encoding="utf-8")
+        with file.open("rb") as stream:
+            text = stream.read(4 * CHARACTERS + 1).decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise FormulaError(f"cannot be read: {error}", where=place, remedy="write a text file in UTF-8") from None
     known: Mapping[str, Formula] = importable() if "exactspline.papers." in text else {}
@@ -44,7 +45,7 @@ def trusted_formulas(file: Traversable) -> dict[str, Formula]:
     return {f.name: guarded(f, place) for f in found}
 
 
-def run_file(file: Path) -> Any:
+def run_file(file: Path) -> ModuleType:
     """A file of Python run as a module of its own, which is not kept.
 
     Raises `FormulaError` for whatever goes wrong in it.

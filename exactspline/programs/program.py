@@ -96,11 +96,13 @@ WORTH_IT = 12
 def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
     """The splines of an argument for formulas of a kind.
 
-    None where there is no program: of two curves, of adjoined roots, of splines over different breakpoints or made from
-    one another (then naive semantics sees more than the kind tells), and where the denominator of a polynomial curve is
-    not 1.
+    None where there is no program: of two curves, of adjoined roots or constants, of splines over different breakpoints
+    or made from one another (then naive semantics sees more than the kind tells), and where the denominator of a
+    polynomial curve is not 1.
     """
-    if type(kind) not in (CurveKind, TableKind):
+    if type(kind) not in (CurveKind, TableKind) or getattr(kind, "constants", ()):
+        return None
+    if getattr(kind, "with_point", False) and getattr(argument, "point", None) is None:
         return None
     polynomial = bool(getattr(argument, "polynomial", False))
     dimension = getattr(argument, "dimension", kind.dimensions[-1])

@@ -173,11 +173,16 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
 
 
 def is_square_class(c: fmpz_poly, n: int) -> bool:
-    """Whether a form of degree n is a constant times a square.
+    """Whether the function of a form of degree n is a constant times a square; powers of ``u + v``, which is 1, do not
+    count.
 
     >>> is_square_class(3 * fmpz_poly([1, 2, 1]), 2), is_square_class(fmpz_poly([1, 2, 1]), 3)
     (True, False)
+    >>> is_square_class(2 * fmpz_poly([1, 1]), 1)  # the constant 2
+    True
     """
+    c, times = divide_u_plus_v(c, n) if c else (c, 0)
+    n -= times
     return bool(c) and (n - c.degree()) % 2 == 0 and all(e % 2 == 0 for _, e in c.factor_squarefree()[1])
 
 

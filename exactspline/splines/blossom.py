@@ -3,33 +3,95 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from functools import reduce
+from itertools import accumulate
+from math import comb
 
-from exactspline.exact import mpq
-from exactspline.splines.bernstein import blossom
+from flint import fmpz, fmpz_poly
+
+from exactspline.exact import mpq, to_fmpz
+from exactspline.splines.bernstein import ONE, Form, blossom
+
+#: Numbers over one denominator.
+Row = tuple[list[fmpz], fmpz]
 
 
-def of_span(t: Sequence[mpq], n: int, d: Sequence[mpq], j: int) -> list[mpq]:
-    """Bézier points over the span [t_j, t_{j+1}] of the spline of degree n with knots t and control points d.
+def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -> Iterator[Form]:
+    """The forms over the spans [t_j, t_{j+1}] of the spline of degree n with knots t and control points d.
 
-    Two triangles of knot insertion: first the knots left of the span become its left end, then those right of it its
-    right end.
+    Knots are inserted until each has multiplicity n, from left to right: what remains on the other side of the right
+    end of one span is what the next span begins with. The numbers of a span are integers over one denominator, and
+    what that has in common with them is divided out once a span.
     """
-    a, b = t[j], t[j + 1]
-    e = list(d[j - n : j + 1])
+    row = _over_one(_at_left_end(t, n, d, spans[0]))
+    binomials = [fmpz(comb(n, i)) for i in range(n + 1)]
+    for j, following in zip(spans, [*spans[1:], None], strict=True):
+        widths, _ = _over_one([t[j + m] - t[j] for m in range(1, n + 1)])
+        points, ends, bottom = _inserted(row, widths)
+        polynomial, bottom_of_form = _primitive([x * y for x, y in zip(points, binomials, strict=True)], bottom)
+        yield polynomial, bottom_of_form
+        if following is not None:
+            row = _next_row([d[following - r] for r in range(min(following - j, n + 1))], ends, bottom)
+
+
+def _at_left_end(t: Sequence[mpq], n: int, d: Sequence[mpq], j: int) -> list[mpq]:
+    """The control points of the span [t_j, t_{j+1}] after its left end was inserted until it has multiplicity n."""
+    a, e = t[j], list(d[j - n : j + 1])
     left = [e[-1]]
     for r in range(n):
-        indices = range(j - n + r + 1, j + 1)
-        weights = [(a - t[i]) / (t[i + n - r] - t[i]) for i in indices]
+        weights = [(a - t[i]) / (t[i + n - r] - t[i]) for i in range(j - n + r + 1, j + 1)]
         e = [(1 - x) * p + x * q for x, p, q in zip(weights, e, e[1:], strict=False)]
         left.append(e[-1])
-    g = left[::-1]
-    points = [g[0]]
-    for s in range(n):
-        weights = [(b - a) / (t[j + k - s] - a) for k in range(s + 1, n + 1)]
-        g = [(1 - x) * p + x * q for x, p, q in zip(weights, g, g[1:], strict=False)]
+    return left[::-1]
+
+
+def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmpz]:
+    """The Bézier points of a span, and what is on the right of it, after its right end was inserted n times; over one
+    denominator. `widths` are the distances of the knots that follow from the left end, in any unit.
+    """
+    g, bottom = row
+    unit = fmpz_poly(widths).content()
+    widths = [w // unit for w in widths]
+    common = list(accumulate(widths, fmpz.lcm))
+    points, ends = [g[0]], [g[-1]]
+    for k in range(len(widths), 0, -1):
+        factors = [common[k - 1] // w for w in widths[:k]]
+        g = [
+            p * ((w - widths[0]) * f) + q * (widths[0] * f)
+            for w, f, p, q in zip(widths, factors, g, g[1:], strict=False)
+        ]
         points.append(g[0])
-    return points
+        ends.append(g[-1])
+    lift = ONE
+    for s, by in zip(range(len(widths), -1, -1), [*common, ONE], strict=True):
+        points[s], ends[s], lift = points[s] * lift, ends[s] * lift, lift * by
+    return points, ends, bottom * lift
+
+
+def _next_row(own: list[mpq], ends: list[fmpz], bottom: fmpz) -> Row:
+    """What the next span begins with: as many of its own control points as its left end is a knot, then what the span
+    before it left behind.
+    """
+    mine, below = _over_one(own)
+    common = bottom.lcm(below)
+    kept = ends[: max(len(ends) - len(mine), 0)]
+    joined = [x * (common // below) for x in mine] + [x * (common // bottom) for x in kept]
+    polynomial, least = _primitive(joined[::-1], common)
+    return [polynomial[i] for i in range(len(joined))], least
+
+
+def _over_one(values: Sequence[mpq]) -> Row:
+    below = [to_fmpz(x.denominator) for x in values]
+    bottom = reduce(fmpz.lcm, below, ONE)
+    return [to_fmpz(x.numerator) * (bottom // m) for x, m in zip(values, below, strict=True)], bottom
+
+
+def _primitive(numbers: list[fmpz], bottom: fmpz) -> Form:
+    """Numbers over a denominator, as coefficients, without what all have in common."""
+    polynomial = fmpz_poly(numbers)
+    common = polynomial.content().gcd(bottom)
+    return (polynomial, bottom) if common == 1 else (polynomial // common, bottom // common)
 
 
 def to_control_points(

@@ -22,17 +22,7 @@ from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.splines import blossom, refinement
-from exactspline.splines.bernstein import (
-    ONE,
-    Form,
-    bezier,
-    common_denominators,
-    derivative,
-    from_bezier,
-    raiser,
-    true_degree,
-    value,
-)
+from exactspline.splines.bernstein import ONE, Form, bezier, common_denominators, derivative, raiser, true_degree, value
 from exactspline.splines.forms import Forms, Polynomials
 from exactspline.splines.given import checked_degree, checked_side, exact_points
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
@@ -93,7 +83,7 @@ class BSpline(Immutable, _Parts, Operand):
                 remedy=f"there must be {len(vector) - degree - 1} (knots − degree − 1)",
             )
         mesh, continuity, spans = mesh_of(vector, degree)
-        forms = [from_bezier(blossom.of_span(vector.knots, degree, points, j)) for j in spans]
+        forms = list(blossom.forms_of(vector.knots, degree, points, spans))
         fill(
             self,
             degree=degree,

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
+from exactspline.language.operand import Operand
 from exactspline.language.vector import Vector, det, norm2
 
 Constants = Mapping[str, Any]
+M = TypeVar("M", bound=Operand)
 
 
 @dataclass(frozen=True)
@@ -29,11 +31,12 @@ class Map:
     affine: bool = True
     dimensions: tuple[int, ...] = (2, 3)
 
-    def of_vector(self, v: Vector[Any], one: Any, constants: Constants) -> Vector[Any]:
+    def of_vector(self, v: Vector[M], one: M, constants: Mapping[str, object]) -> Vector[M]:
         """What an affine map makes of a vector: the image of its end less that of the origin."""
         moved, _ = self.image(v, one, constants)
         origin, _ = self.image(v.mapped(lambda x: x.constant(0)), one, constants)
-        return moved - origin
+        difference: Vector[M] = moved - origin
+        return difference
 
 
 def _move(n: int) -> list[str]:
@@ -54,16 +57,16 @@ def _translated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]
 
 def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
     """By Cayley's parameters: a rotation about every axis, by every angle but half a turn, which are limits."""
-    rows = rotation(len(p), k)
+    rows = _rotation(len(p), k)
     return Vector(*[_combination(row, p) for row in rows]), w
 
 
-def rotation(n: int, k: Constants) -> list[list[Any]]:
+def _rotation(n: int, k: Constants) -> list[list[Any]]:
     """The rows of a rotation: of the tangent of half its angle in the plane, of a quaternion 1 + a i + b j + c k in
     space.
 
     >>> from exactspline.exact import mpq
-    >>> rotation(2, {"turn1": mpq(1, 2)})
+    >>> _rotation(2, {"turn1": mpq(1, 2)})
     [[mpq(3,5), mpq(-4,5)], [mpq(4,5), mpq(3,5)]]
     """
     if n == 2:
@@ -81,7 +84,8 @@ def rotation(n: int, k: Constants) -> list[list[Any]]:
 
 
 def _reflected(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
-    return Vector(-p[0], *p[1:]), w
+    """In whatever line or plane, and moved: every isometry that turns round."""
+    return _moved(Vector(-p[0], *p[1:]), w, k)
 
 
 def _scaled(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
@@ -134,7 +138,7 @@ MAPS = {
     "translation": Map(_move, _translated, None),
     "rotation": Map(_turn, _rotated, None),
     "motion": Map(lambda n: [*_turn(n), *_move(n)], _moved, None),
-    "reflection": Map(lambda n: [], _reflected, lambda p, w, k: w.constant(-1)),
+    "reflection": Map(lambda n: [*_turn(n), *_move(n)], _reflected, lambda p, w, k: w.constant(-1)),
     "scaling": Map(lambda n: ["scale"], _scaled, lambda p, w, k: k["scale"]),
     "similarity": Map(lambda n: ["scale", *_turn(n), *_move(n)], _similar, lambda p, w, k: k["scale"]),
     "affine map": Map(lambda n: [*_matrix(n), *_move(n)], _affine, _determinant(lambda n: n)),

@@ -132,12 +132,16 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
+#: No count that a claim states may be larger.
+LARGEST = 1000
+
+
 def count_from(least: int) -> Callable[[Claim, str, object], int]:
     """A whole number, at least so large."""
 
     def check(claim: Claim, name: str, value: object) -> int:
-        if not isinstance(value, int) or value < least:
-            raise ClaimError(f"{value!r} is no number ≥ {least}", where=name, remedy="write a whole number")
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= LARGEST:
+            raise ClaimError(f"{value!r} is no number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number")
         return value
 
     return check
@@ -196,6 +200,8 @@ class Claim(Displayed):
                 object.__setattr__(self, f.name, check(self, f.name, getattr(self, f.name)))
             elif not isinstance(getattr(self, f.name), str):
                 raise ClaimError(f"{getattr(self, f.name)!r} is no text", where=f.name, remedy="write a text")
+            elif not getattr(self, f.name).replace("\n", "").isprintable():
+                raise ClaimError("a text that cannot be printed", where=f.name, remedy="leave control characters out")
         self._validate_common()
         self.validate()
 
@@ -320,6 +326,10 @@ class Claim(Displayed):
     @abstractmethod
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """What holds on one curve, as the argument of its formulas."""
+
+    def beside(self, own: Evaluation) -> str:
+        """What is said of a check beside the name of the curve."""
+        return own.beside(self.curve)
 
     def missing(self, argument: Handed) -> str:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when

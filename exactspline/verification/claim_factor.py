@@ -15,6 +15,8 @@ from exactspline.papers import find as find_anywhere
 
 #: The names of the denominators, those of the curve and of the second one.
 WEIGHTS = ("w", "W")
+#: The longest exponent and the longest name or number.
+DIGITS, LETTERS = 4, 200
 
 
 def factor_parts(text: str) -> list[tuple[str, int]]:
@@ -34,6 +36,10 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
             )
         if not match[1][0].isalpha() and re.fullmatch(r"-?0+(/\d+)?|-?\d+/0+", match[1]):
             raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="leave zero out")
+        if len(match[2] or "") > DIGITS or len(match[1]) > LETTERS:
+            raise ClaimError(
+                f"the factor {text[:60]!r} is too large", where=part[:60], remedy="exponents have 4 digits"
+            )
         found.append((match[1], int(match[2] or 1)))
     if not found:
         raise ClaimError("the factor is empty", remedy='write "1"')

@@ -124,7 +124,12 @@ def _told(answer: str) -> str:
 def _coqc(place: Path, file: str) -> tuple[bool, str]:
     try:
         run = subprocess.run(
-            ["coqc", "-q", "-R", ".", ROOT, file], cwd=place, capture_output=True, text=True, timeout=SECONDS
+            ["coqc", "-q", "-R", ".", ROOT, file],
+            cwd=place,
+            capture_output=True,
+            text=True,
+            timeout=SECONDS,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         return False, ""

@@ -120,5 +120,5 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
     if finding.verdict == REFUTED:
         contradict(claim, proofs[claim][1], finding)
     is_example = claim.source_paper.default and name in example_names() and own.curve is example(name)
-    beside, seconds = own.beside(claim.curve), perf_counter() - start
+    beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -16,7 +16,7 @@ const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "a curve, the point Q and their bisector" });
 for (const layer of ["polygon", "curve", "bisector", "walk", "handles", "point"]) plane.layer(layer);
-let q = ["1", "2"];
+let q = ["7/4", "3/2"];
 let pieces = [];
 const editor = new Editor(plane, changed);
 let handle = null;

@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import zip_longest
 from math import comb
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.exact import mpq, mpz
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.vector import Vector
 from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    import sympy
 
 Constant = int | mpz | mpq | Fraction
 
@@ -61,7 +64,7 @@ def _in_powers(points: Sequence[Fraction]) -> list[Fraction]:
     return [comb(n, k) * sum((-1) ** (k - i) * comb(k, i) * points[i] for i in range(k + 1)) for k in range(n + 1)]
 
 
-def sympy_polys(c: Nurbs) -> list[list[Any]]:
+def sympy_polys(c: Nurbs) -> list[list[sympy.Poly]]:
     """The same as polynomials of sympy over the rational numbers."""
     import sympy
 

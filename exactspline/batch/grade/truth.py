@@ -86,13 +86,15 @@ def _curves(*curves: Nurbs) -> Data:
 
 def inserted(case: Case) -> Nurbs | None:
     """The curve with a knot more, where all its numbers are doubles: what a library is to remove a knot from."""
+    if case.parameter in case.curve.breakpoints:
+        return None
     finer = case.curve.insert_knot(case.parameter)
     numbers = [*finer.weights, *(x for point in finer.control_points for x in point)]
     return finer if all(from_float(double(x)) == x for x in numbers) else None
 
 
 def _remove(case: Case) -> Data | None:
-    return None if inserted(case) is None or case.parameter in case.curve.breakpoints else _curves(case.curve)
+    return None if inserted(case) is None else _curves(case.curve)
 
 
 def _box(case: Case) -> Data:

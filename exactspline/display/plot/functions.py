@@ -162,14 +162,14 @@ def draw_roots(
                 label=counted,
                 zorder=5,
             )
-    for i, (low, high) in enumerate(stretches(roots)):
+    for i, (low, high) in enumerate(zero_intervals(roots)):
         ends = [(low, mpq(0)), (high, mpq(0))]
         draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
 
 
-def stretches(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
+def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
     """The intervals on which all is zero, cut at the seam."""
-    return [part for stretch in getattr(roots, "intervals", []) for part in stretch.parts]
+    return [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
 
 
 def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
@@ -181,7 +181,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
     no other, the root a dot.
 
-    What is drawn is the interval at hand: `Root.refine` makes it narrower. Stretches on which the function vanishes are
+    What is drawn is the interval at hand: `Root.refine` makes it narrower. Intervals on which the function vanishes are
     thick bars at the bottom.
 
     >>> from exactspline.roots.zero_set import zeros
@@ -210,7 +210,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
-    for i, (low, high) in enumerate(stretches(roots)):
+    for i, (low, high) in enumerate(zero_intervals(roots)):
         ends = [(low, mpq(-1)), (high, mpq(-1))]
         draw(ax, ends, color=color, linewidth=6, label="_stretch" if i else "zero throughout")
     ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])

@@ -17,12 +17,12 @@ from exactspline.splines.bernstein import ONE, halves, restrict
 #: An interval of the local parameter.
 Part = tuple[mpq, mpq]
 #: Halvings of the parameter, and of both.
-DEPTH, DEPTH_OF_BOTH = 6, 10
+DEPTH, DEPTH_OF_BOTH = 10, 10
 
 
 def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Part]:
     """The parts of [0, 1] on which no family is certainly of the other sign than e at the beginning or in the middle
-    of its range, neighbours joined.
+    of its range, neighbours joined; parts with a zero of e only where all families could have one sign.
 
     >>> possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
     [(mpq(15,64), mpq(1,1))]
@@ -33,7 +33,9 @@ def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Part]
     while todo:
         low, high, depth, below, forms = todo.pop()
         sign = _sign(below, n)
-        if sign and any(_sign(form, n) == -sign for form in forms):
+        signs = {_sign(form, n) for form in forms}
+        # where e has a zero, forms of both signs leave nothing on either side of it
+        if -sign in signs if sign else {1, -1} <= signs:
             continue
         if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
             if found and found[-1][1] == low:
@@ -70,24 +72,33 @@ def _has_sign(form: fmpz_poly, sign: int) -> bool:
     return any(x * sign > 0 for x in form.coeffs())
 
 
-def holds_certainly(rows: Rows, e: fmpz_poly, n: int, part: Part) -> bool:
-    """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes."""
-    below = restrict((e, ONE), n, *part)[0]
-    sign = _sign(below, n)
-    if not sign:
-        return False
-    own = [restrict((row, ONE), n, *part) for row in rows]
+def holds_certainly(rows: Rows, e: fmpz_poly, n: int, part: Part, degree: int | None = None) -> bool:
+    """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes.
+
+    Its rows have the degree n of e, or one of their own.
+    """
+    sign = _sign(restrict((e, ONE), n, *part)[0], n)
+    return bool(sign) and keeps_sign(rows, n if degree is None else degree, part, sign)
+
+
+def keeps_sign(rows: Rows, m: int, part: Part, sign: int) -> bool:
+    """Whether a family of degree m in z has a sign, or is zero, all over a part; certainly, as above.
+
+    >>> keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, (mpq(0), mpq(1, 4)), 1)
+    True
+    """
+    own = [restrict((row, ONE), m, *part) for row in rows]
     common = ONE
-    for _, m in own:
-        common = common.lcm(m)
-    todo = [(0, [form * (common // m) for form, m in own])]
+    for _, below in own:
+        common = common.lcm(below)
+    todo = [(0, [form * (common // k) for form, k in own])]
     while todo:
         depth, boxes = todo.pop()
         if not any(_has_sign(row, -sign) for row in boxes):
             continue
-        corners = (row[k] for row in (boxes[0], boxes[-1]) for k in (0, n))
+        corners = (row[k] for row in (boxes[0], boxes[-1]) for k in (0, m))
         if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in corners):
             return False
-        (left, _), (right, _) = halved(boxes, n, 1 - depth % 2)
+        (left, _), (right, _) = halved(boxes, m, 1 - depth % 2)
         todo += [(depth + 1, left), (depth + 1, right)]
     return True

@@ -3,26 +3,24 @@ and Johnstone 1994).
 
 A point B is on it when the circle around B through the point Q has no point of the curve inside:
 ``‖γ(u) − Q‖² − 2 (B − Q)·(γ(u) − Q) ≥ 0`` for all u. For the untrimmed bisector B(s), and for the line of points as far
-from Q as from a corner of the curve, that is a family of polynomials in u; where its members are non-negative can only
-change at a parameter at which one of them has a double zero or a zero at an end, or at which B is infinite. These
-parameters are isolated, and one exact decision is made between each two.
+from Q as from a corner of the curve, that is a family of polynomials in u (see
+`exactspline.geometry.bisector.conditions`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import partial
 from itertools import pairwise
 from math import lcm
 from typing import Any
 
-from flint import fmpz, fmpz_mpoly, fmpz_poly
+from flint import fmpz_poly
 
 from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq, rational, text
-from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, possible_parts
+from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.features import joints, singular_points
@@ -30,20 +28,15 @@ from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, norm2, perp
+from exactspline.language.vector import Vector, perp
 from exactspline.papers import find
-from exactspline.roots.root import Root, between
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines import tensor_bernstein
-from exactspline.splines.bernstein import ONE, is_nonnegative
+from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import common_factor, lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly
-
-#: An exact parameter: rational, or a certified root.
-Parameter = mpq | Root
 
 
 class PieceKind(StrEnum):
@@ -129,7 +122,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
             raise ShapeError(f"the curve jumps at the parameter {text(joint.parameter)}", remedy="split it there")
     c = _around(curve, q)
     _refuse_point_on(c)
-    conditions = _Conditions(c)
+    conditions = Conditions(c)
     pieces, missing = [], []
     for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
         arc = _arc(c, i)
@@ -138,7 +131,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
             continue
         forms, value = arc
         moved = Rational(value.numerator + Vector(*[value.denominator * x for x in q]), value.denominator)
-        for low, high in conditions.kept(*forms, (a, b)):
+        for low, high in conditions.kept(*forms, (a, b), i):
             pieces.append(TrimmedPiece(PieceKind.ARC, low, high, moved))
     for kind, t in _corners(curve, missing):
         pieces += _line_pieces(conditions, c, q, kind, t)
@@ -181,173 +174,6 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
     return (forms, n), Rational(Vector(x, y), below)
 
 
-class _Conditions:
-    """``‖a(u)‖²`` and ``2 w(u) a(u)`` on all segments, for a = γw around the origin."""
-
-    def __init__(self, c: Curve[BSpline]) -> None:
-        square, twice = norm2(c.p), [x * c.w * 2 for x in c.p]
-        self.degree = square.degree
-        self.rows = []
-        for forms in zip(square.forms, *[x.elevated_to(square).forms for x in twice], strict=True):
-            common = ONE
-            for _, m in forms:
-                common = common.lcm(m)
-            self.rows.append([form * (common // m) for form, m in forms])
-
-    def kept(self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq]) -> list[tuple[Parameter, Parameter]]:
-        """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
-        split where B is infinite.
-
-        Parts of the segment on which one condition fails certainly are set aside first, and conditions that hold
-        certainly on the rest. At a border between both a condition fails, so that it is none of the latter.
-        """
-        x, y, e = forms
-        stride = tensor_bernstein.stride_for(n)
-        families = [
-            e * square.inflate(stride) - x * cx.inflate(stride) - y * cy.inflate(stride) for square, cx, cy in self.rows
-        ]
-        rows = [tensor_bernstein.rows(family, stride, self.degree) for family in families]
-        open_parts = possible_parts(rows, e, n)
-        if not open_parts:
-            return []
-        found: list[tuple[Parameter, Parameter]] = [segment]
-        for family, own in zip(families, rows, strict=True):
-            if _of_one_sign(e, family) or all(holds_certainly(own, e, n, part) for part in open_parts):
-                continue
-            candidates, holds = (
-                _candidates(as_mpoly(family, stride), segment),
-                partial(self._holds, own, e, n, segment),
-            )
-            found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
-            if not found:
-                break
-        return _on_parts(found, open_parts, segment)
-
-    def _holds(self, rows: list[fmpz_poly], e: fmpz_poly, n: int, segment: tuple[mpq, mpq], t: mpq) -> bool:
-        """Whether the member at an inner parameter is non-negative, exactly."""
-        a, b = segment
-        z = (t - a) / (b - t)
-        top, bottom = int(z.numerator), int(z.denominator)
-        powers = [top**k * bottom ** (n - k) for k in range(n + 1)]
-
-        def at(row: fmpz_poly) -> Any:
-            return sum((x * powers[k] for k, x in enumerate(row.coeffs())), 0)
-
-        member = fmpz_poly([at(row) for row in rows])
-        return is_nonnegative(member if at(e) > 0 else -member, self.degree)
-
-
-def _on_parts(
-    found: list[tuple[Parameter, Parameter]], parts: list[Part], segment: tuple[mpq, mpq]
-) -> list[tuple[Parameter, Parameter]]:
-    """The intervals that are not in a part that was set aside; none is in both."""
-    a, b = segment
-    kept = []
-    for low, high in found:
-        middle = (between(low, high) - a) / (b - a)
-        if any(first <= middle <= last for first, last in parts):
-            kept.append((low, high))
-    return kept
-
-
-def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
-    """Whether the coefficients alone show that the family is non-negative over e everywhere, and e without an inner
-    zero.
-    """
-    return any(all(x * sign >= 0 for f in (e, family) for x in f.coeffs()) for sign in (1, -1))
-
-
-def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """The inner parameters at which the number of sign changes of a member can differ from that of its neighbours."""
-    if not family:
-        return []
-    _, factors = family.factor_squarefree()
-    found: list[Root] = []
-    for p, multiplicity in factors:
-        if p.degrees()[1] == 0:
-            found += _roots(_in_z(p), segment)
-        elif multiplicity % 2:
-            found += _boundary_parameters(p, segment)
-    odd = [p for p, multiplicity in factors if multiplicity % 2 and p.degrees()[1] > 0]
-    for i, p in enumerate(odd):
-        for other in odd[:i]:
-            found += _roots(_in_z(p.resultant(other, 1)), segment)
-    return found
-
-
-def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """Where a square-free factor has a double zero, or one at an end: discriminant, first and last coefficient."""
-    z = CONTEXT.gens()[0]
-    rows: dict[int, fmpz_mpoly] = {}
-    for (i, j), x in p.terms():
-        rows.setdefault(int(j), CONTEXT.constant(0))
-        rows[int(j)] += x * z ** int(i)
-    ends = [rows[min(rows)], rows[max(rows)]]
-    discriminant = [p.discriminant(1)] if max(rows) > 1 else []
-    return [root for q in (*ends, *discriminant) for root in _roots(_in_z(q), segment)]
-
-
-def _in_z(p: fmpz_mpoly) -> fmpz_poly:
-    coefficients = [fmpz(0)] * (int(p.degrees()[0]) + 1) if p else []
-    for (i, _), x in p.terms():
-        coefficients[int(i)] = x
-    return fmpz_poly(coefficients)
-
-
-def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """The inner roots of a polynomial in the local z of a segment: of its square-free factors one by one, for
-    discriminants have many of them.
-    """
-    mesh = Mesh(list(segment))
-    factors = [p for p, _ in c.factor_squarefree()[1] if p.degree() > 0] if c else []
-    return [
-        root
-        for p in factors
-        for root in zeros(BSpline.from_forms(p.degree(), mesh, (), [(p, ONE)]))
-        if not root.at_knot
-    ]
-
-
-def _cells(
-    candidates: list[Root], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
-) -> list[tuple[Parameter, Parameter]]:
-    """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite
-    between them.
-    """
-    a, b = segment
-    found: list[tuple[Parameter, Parameter]] = []
-    ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
-    for low, high in pairwise(ends):
-        if holds(between(low, high)):
-            if found and found[-1][1] == low and not any(low == pole for pole in poles):
-                found[-1] = (found[-1][0], high)
-            else:
-                found.append((low, high))
-    return found
-
-
-def _distinct(roots: list[Root]) -> list[Root]:
-    distinct: list[Root] = []
-    for root in sorted(roots):
-        if not distinct or distinct[-1] != root:
-            distinct.append(root)
-    return distinct
-
-
-def _intersection(
-    one: list[tuple[Parameter, Parameter]], other: list[tuple[Parameter, Parameter]]
-) -> list[tuple[Parameter, Parameter]]:
-    """The common parts of two lists of intervals that are more than a point."""
-    found = []
-    for a, b in one:
-        for c, d in other:
-            low: Parameter = a if c <= a else c
-            high: Parameter = b if b <= d else d
-            if low < high:
-                found.append((low, high))
-    return found
-
-
 def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational
     ones are named as missing.
@@ -371,7 +197,7 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
 
 
 def _line_pieces(
-    conditions: _Conditions, c: Curve[BSpline], q: tuple[mpq, ...], kind: PieceKind, t: mpq
+    conditions: Conditions, c: Curve[BSpline], q: tuple[mpq, ...], kind: PieceKind, t: mpq
 ) -> list[TrimmedPiece]:
     """The kept part of the line of points as far from the origin as from the point of the curve at t."""
     w = c.w(t)

@@ -11,13 +11,15 @@ from exactspline.interchange.numbers import finite_double
 
 
 def exact(value: object) -> mpq:
-    """The exact value of an integer or a floating-point number of Python or numpy, of any width.
+    """The exact value of an integer or a float of Python or numpy, of any width, or an exact number.
 
     >>> exact(3), exact(0.5)
     (mpq(3,1), mpq(1,2))
 
     Raises `NumberError` for NaN, infinities, complex numbers and what is no number.
     """
+    if isinstance(value, type(mpq())):
+        return value
     if is_float(value):
         return from_float(value)
     try:

@@ -13,6 +13,7 @@ from exactspline.interchange.formats import (
     g2,
     geomdl_json,
     gismo,
+    glif,
     iges,
     irit,
     own_json,
@@ -25,6 +26,6 @@ from exactspline.interchange.records import Format
 FORMATS: tuple[Format, ...] = tuple(
     module.FORMAT
     for module in (
-        rhino, fonts, step, brep, svg, gismo, geomdl_json, own_json, dxf, iges, g2, irit, control_points
+        rhino, fonts, step, brep, svg, glif, gismo, geomdl_json, own_json, dxf, iges, g2, irit, control_points
     )
 )  # fmt: skip

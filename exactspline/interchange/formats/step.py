@@ -2,7 +2,8 @@
 quasi-uniform).
 
 Curves stand as they are in the file, in its units; placements of an assembly and the use by edges are not followed.
-Lines and conics are placed by direction vectors that seldom have rational length: they are named as skipped.
+Lines, circles and ellipses are read where an edge says from where to where, or, of closed ones, whole; exactly, so only
+where the axes have rational length and the vertices are exactly on the curve. What is not is named as skipped.
 """
 
 from __future__ import annotations
@@ -13,15 +14,15 @@ from collections.abc import Callable, Sequence
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.exact import mpq
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
+from exactspline.interchange.numbers import NumberText, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
-from exactspline.interchange.step_records import Value, instances, parts
+from exactspline.interchange.step_edges import EDGE, ELEMENTARY, Edges
+from exactspline.interchange.step_records import StepFile, Value, parts
 from exactspline.interchange.writing import cartesian
 
 SPLINE, WITH_KNOTS, RATIONAL = "B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS", "RATIONAL_B_SPLINE_CURVE"
 KINDS = (WITH_KNOTS, "BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE")
 SKIPPED = {
-    "LINE": "a line without ends", "CIRCLE": "its axes are normalized", "ELLIPSE": "its axes are normalized",
     "PARABOLA": "no ends", "HYPERBOLA": "no ends", "TRIMMED_CURVE": "the trimming is not followed",
     "COMPOSITE_CURVE": "its parts are read one by one", "OFFSET_CURVE_2D": "not rational",
     "OFFSET_CURVE_3D": "not rational", "B_SPLINE_SURFACE_WITH_KNOTS": "a surface", "B_SPLINE_SURFACE": "a surface",
@@ -36,41 +37,11 @@ def looks_like(head: bytes) -> bool:
     return head.lstrip().startswith(b"ISO-10303-21")
 
 
-class _File:
-    """The instances of a file, points looked up as they are needed."""
-
-    def __init__(self, source: Source, found: Collector) -> None:
-        self.found, self.limits = found, source.limits
-        self.instances = instances(source.text, source.limits)
-        self.points: dict[str, list[mpq]] = {}
-
-    def point(self, reference: Value) -> list[mpq]:
-        """The coordinates of a CARTESIAN_POINT."""
-        if not isinstance(reference, str) or not re.fullmatch(r"#\d{1,12}", reference, re.ASCII):
-            raise CurveFileError("no reference to a point", remedy="write #12")
-        if reference not in self.points:
-            arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get("CARTESIAN_POINT", [])
-            if len(arguments) != 2:
-                raise CurveFileError("is no CARTESIAN_POINT", where=reference, remedy="name a point")
-            self.points[reference] = self.numbers(arguments[1])
-        return self.points[reference]
-
-    def numbers(self, values: Value) -> list[mpq]:
-        """A list of decimals."""
-        return [decimal(text, self.limits) for text in self.texts(values)]
-
-    def texts(self, values: Value) -> list[str]:
-        """A list of plain values."""
-        if not isinstance(values, list):
-            raise CurveFileError("a list is missing", remedy="write (…)")
-        self.found.count(len(values))
-        return [value if isinstance(value, str) else "" for value in values]
-
-
 def read(source: Source) -> Reading:
     """The curves of a file, in the order of the file."""
     found = Collector("step", source)
-    file = _File(source, found)
+    file = StepFile(source.text, found)
+    edges = Edges(file)
     for number, text in file.instances.items():
         where = f"#{number}"
         match = _KEYWORD.match(text)
@@ -80,12 +51,17 @@ def read(source: Source) -> Reading:
                 _curve(file, parts(text, source.limits), where)
             except ExactSplineError as error:
                 found.skip(keyword, where, str(error))
+        elif keyword in ELEMENTARY or keyword == EDGE:
+            try:
+                edges.read(keyword, number, where)
+            except ExactSplineError as error:
+                found.skip(keyword, where, str(error))
         elif keyword in SKIPPED:
             found.skip(keyword, where, SKIPPED[keyword])
     return found.reading()
 
 
-def _curve(file: _File, entity: dict[str, list[Value]], where: str) -> None:
+def _curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
     kind = next((kind for kind in ("POLYLINE", *KINDS) if kind in entity), "")
     if kind == "POLYLINE":
         points = [file.point(reference) for reference in file.texts(_last(entity[kind]))]
@@ -119,7 +95,7 @@ def _name(arguments: list[Value], where: str) -> str:
     return text.strip("'").replace("''", "'") or where
 
 
-def _listed(file: _File, own: list[Value]) -> list[mpq]:
+def _listed(file: StepFile, own: list[Value]) -> list[mpq]:
     counts, values = [whole(text) for text in file.texts(own[0])], file.numbers(own[1])
     if len(counts) != len(values) or any(count < 0 for count in counts):
         raise CurveFileError(f"{len(counts)} multiplicities for {len(values)} knots", remedy="give one a knot")

@@ -16,6 +16,13 @@ def real_inversion(c):
     return conjugate(c.p) * c.w / norm2(c.p)
 
 
+@formula("In the plane, Möbius is a linear map", on="plane")
+def inversion_times_curve(c):
+    """``z · 1/z − 1``."""
+    product = complex_product(c.gamma, real_inversion(c))
+    return join(product[0] - 1, product[1])
+
+
 @formula("PH in one line", on=PAIR, symbol="P")
 def complex_numerator(c):
     """``P = x + iy``."""
@@ -26,6 +33,12 @@ def complex_numerator(c):
 def complex_denominator(c):
     """``Q = z + iw``."""
     return join(c.p[2], c.w)
+
+
+@formula("PH in one line", on=PAIR)
+def functions_squared(c):
+    """``|P|² + |Q|²``: the squares of four functions."""
+    return norm2(complex_numerator(c)) + norm2(complex_denominator(c))
 
 
 @formula("PH in one line", on=PAIR, symbol="M")
@@ -68,10 +81,31 @@ def inverted_wronskian(c):
 
 
 @formula("PH in one line", on=WITH_CONSTANTS)
+def affine_numerator(c):
+    """``(a + ib) P + (m + in) Q``."""
+    return complex_product(join(c.a, c.b), complex_numerator(c)) + complex_product(
+        join(c.m, c.n), complex_denominator(c)
+    )
+
+
+@formula("PH in one line", on=WITH_CONSTANTS)
+def affine_image(c):
+    """The map of the pair, as a quotient."""
+    return complex_quotient(affine_numerator(c), complex_denominator(c))
+
+
+@formula("PH in one line", on=WITH_CONSTANTS)
+def affine_image_of_point(c):
+    """``(a + ib) z + (m + in)`` for ``z = P/Q``."""
+    z = complex_quotient(complex_numerator(c), complex_denominator(c))
+    turned = complex_product(join(c.a, c.b), z)
+    return join(turned[0] + c.m, turned[1] + c.n)
+
+
+@formula("PH in one line", on=WITH_CONSTANTS)
 def affine_wronskian(c):
     """M of ``(a + ib) z + (m + in)``."""
-    q = complex_denominator(c)
-    p = complex_product(join(c.a, c.b), complex_numerator(c)) + complex_product(join(c.m, c.n), q)
+    p, q = affine_numerator(c), complex_denominator(c)
     return complex_product(p.d(1), q) - complex_product(p, q.d(1))
 
 

@@ -2,6 +2,7 @@
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, norm2
+from exactspline.papers.chen_riesenfeld_cohen_2007.plane import curvature_squared
 from exactspline.papers.primer_on_bezier_curves.control_points import (
     bezier_1,
     derivative_weight_1,
@@ -49,6 +50,12 @@ def cusps_on_both_sides(c):
     return c.delta**2 * det(b, a) ** 2 - norm2(a) ** 3
 
 
+@formula("Cusp finding", on="plane with delta")
+def cusps_by_curvature(c):
+    """``κ²δ² − 1``."""
+    return curvature_squared(c) * c.delta**2 - 1
+
+
 @formula("QuadBez.map_to_basic", on="plane")
 def basic_direction(c):
     """``(ddx, ddy)``: twice the middle control point less the others."""
@@ -71,6 +78,13 @@ def basic_start(c):
 def basic_end(c):
     """``u2/cross``: where it ends."""
     return dot(quadratic_3(c) - quadratic_2(c), basic_direction(c)) / basic_cross(c)
+
+
+@formula("the axis of a parabola", on="plane")
+def parabola_parameter(c):
+    """``γ′·γ″ / (2 [γ′ γ″])``: zero at the vertex, x for ``(x, x²)``."""
+    a, b = c.gamma.d(1), c.gamma.d(2)
+    return dot(a, b) / (2 * det(a, b))
 
 
 @formula("QuadBez.map_to_basic", on="plane")

@@ -87,6 +87,12 @@ def velocity_less_curvature(c):
     return root_velocity(c) * (1 - offset_curvature_printed(c) * c.delta)
 
 
+@formula("the parallel on the other side", on=KIND)
+def velocities_of_both_sides(c):
+    """``(1 − κδ) x′`` and the velocity of the parallel, less twice x′."""
+    return velocity_less_curvature(c) + offset_velocity(c) - 2 * root_velocity(c)
+
+
 @formula("Cusp finding", on=KIND)
 def velocity_plus_curvature(c):
     """``(1 + κδ) x′``."""
@@ -99,6 +105,12 @@ def offset_distance_squared(c):
     return norm2(offset_step(c))
 
 
+@formula("the parallel curve", on=KIND, symbol=r"\delta")
+def distance(c):
+    """``δ``."""
+    return c.delta
+
+
 @formula("the parallel curve", on=KIND)
 def distance_squared(c):
     """``δ²``."""
@@ -109,12 +121,6 @@ def distance_squared(c):
 def offset_step_on_velocity(c):
     """The scalar product of the step and x′."""
     return dot(offset_step(c), root_velocity(c))
-
-
-@formula("the parallel curve", on=KIND)
-def offset_tangent_turned(c):
-    """``[x′ (x + step)′]``: zero, since tangents of the parallel curve are parallel."""
-    return det(root_velocity(c), offset_velocity(c))
 
 
 @formula("the parallel curve", on=KIND)

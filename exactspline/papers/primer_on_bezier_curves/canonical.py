@@ -122,15 +122,33 @@ def mapped_by_areas(c):
 
 
 @formula("the canonical form", on="plane")
-def sheared_2_height_off(c):
-    """What the height of the second point is off 1 if it is scaled by ``point2ᵧ`` and not by its reciprocal."""
-    return sheared_2(c)[1] * sheared_2(c)[1] - 1
+def sheared_2_off_axis(c):
+    """The first coordinate of the second point after T₂: zero, so that it lies on ``x = 0``."""
+    return sheared_2(c)[0]
 
 
 @formula("the canonical form", on="plane")
-def scaled_2_height_off(c):
-    """What it is off 1 by the matrix T₃."""
-    return sheared_2(c)[1] / sheared_2(c)[1] - 1
+def height_by_the_words(c):
+    """The height of the second point, scaled by ``point2ᵧ``."""
+    return sheared_2(c)[1] * sheared_2(c)[1]
+
+
+@formula("the canonical form", on="plane")
+def height_by_the_matrix(c):
+    """Its height, scaled by T₃."""
+    return sheared_2(c)[1] / sheared_2(c)[1]
+
+
+@formula("the canonical form", on="plane")
+def height_off(c):
+    """What that height is off 1."""
+    return height_by_the_matrix(c) - 1
+
+
+@formula("the canonical form", on="plane")
+def first_rise_squared(c):
+    """``(y₂ − y₁)²``."""
+    return (bezier_2(c)[1] - bezier_1(c)[1]) ** 2
 
 
 @formula("the canonical form, 2", on="plane")

@@ -201,6 +201,18 @@ def aligned_t2(c):
     return -3 * (x3 * y2) + 2 * (x4 * y2) + 3 * (x2 * y3) - x4 * y3
 
 
+@formula("inflections, aligned", on="plane")
+def aligned_t2_slip(c):
+    """What the coefficient that is first printed is off by."""
+    return aligned_t2_printed(c) - aligned_t2(c)
+
+
+@formula("inflections, aligned", on="plane")
+def first_term_twice(c):
+    """``2 · 3x₃y₂``: what a wrong sign of the first term makes."""
+    return 6 * aligned_3(c)[0] * aligned_2(c)[1]
+
+
 @formula("inflections, aligned", on="plane", symbol="Y")
 def aligned_t1(c):
     """``3a − b − 3c``: the coefficient of t."""

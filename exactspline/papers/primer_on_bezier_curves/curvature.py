@@ -56,6 +56,12 @@ def tangent_length_changes(c):
     return speed_squared(c).d(1)
 
 
+@formula("offsetting", on="plane")
+def twice_velocity_on_acceleration(c):
+    """``2 B′·B″``."""
+    return 2 * dot(c.gamma.d(1), c.gamma.d(2))
+
+
 @formula("derivatives")
 def third_derivative(c):
     """The third derivative, in the Primer "(meaningful)" for curves of order four and more alone."""

@@ -85,8 +85,8 @@ def theorem_of(curve: Nurbs) -> str:
     coordinates = "; ".join(_list(column) for column in rows[:-1])
     own = {formulas.owner[answer.formula].name for answer in found}
     parts = [
-        f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and control "
-        "points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. *)\n",
+        f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
+        "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. *)\n",
         "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
         *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",
@@ -96,10 +96,12 @@ def theorem_of(curve: Nurbs) -> str:
         "Lemma this_curve_sound : sound this_curve = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n",
         "(** Numerators and denominator between two knots are the B-splines by the recursion of Cox and de Boor. *)\n"
         "Theorem this_curve_is_in_pieces (j : nat) (t : R) :\n"
-        "  (S j < length (knots this_curve))%nat -> (knot (knots this_curve) j <= t < knot (knots this_curve) (S j))%R ->\n"
+        "  (S j < length (knots this_curve))%nat ->\n"
+        "  (knot (knots this_curve) j <= t < knot (knots this_curve) (S j))%R ->\n"
         "  Forall2 (fun x a => spline (knots this_curve) (degree this_curve) x t = at_real a t)\n"
         "          (coordinates this_curve) (p (curve_piece this_curve j)) /\\\n"
-        "  spline (knots this_curve) (degree this_curve) (weights this_curve) t = at_real (w (curve_piece this_curve j)) t.\n"
+        "  spline (knots this_curve) (degree this_curve) (weights this_curve) t\n"
+        "  = at_real (w (curve_piece this_curve j)) t.\n"
         "Proof. exact (pieces_are_splines this_curve j t this_curve_sound). Qed.\n",
     ]
     for answer in found:
@@ -119,7 +121,7 @@ def _spans(curve: Nurbs) -> list[int]:
 
 
 def _argument(curve: Nurbs, j: int) -> object:
-    pieces = [piece(curve.knots, curve.degree, column, j) for column in homogeneous(curve)]
+    pieces = [piece(list(curve.knots), curve.degree, column, j) for column in homogeneous(curve)]
     named = dict(zip("xyz"[: curve.dimension], pieces[:-1], strict=True)) | {"w": pieces[-1]}
 
     def operand(symbol: Symbol) -> RationalFunction:
@@ -156,10 +158,16 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     form = formulas.named(answer.formula)
     low, high = number(answer.cells[0][0].low), number(answer.cells[-1][-1].high)
     cells = ";\n  ".join("[" + "; ".join(map(_cell, own)) + "]" for own in answer.cells)
+    pieces = ";\n  ".join(
+        f"({number(own[-1].high)}, {_polynomial_text(f)})"
+        for f, own in zip(answer.polynomials, answer.cells, strict=True)
+    )
     points, stretches = _pairs(answer.points), _pairs(answer.stretches)
     n = len(answer.points)
-    told = f"{n} point{'' if n == 1 else 's'}" + (f" and {len(answer.stretches)} stretches" if answer.stretches else "")
+    told = f"{n} point{'' if n == 1 else 's'}"
+    told += f" and {len(answer.stretches)} stretches" if answer.stretches else ""
     return (
+        f"Definition {answer.name}_in_pieces : pieces := [\n  {pieces}\n].\n\n"
         f"Definition cells_of_{answer.name} : list (list cell) := [\n  {cells}\n].\n\n"
         f"(** The form with which {answer.what} vanishes is zero at exactly {told}; and its signs. *)\n"
         f"Theorem {answer.name}_vanishes :\n"
@@ -168,10 +176,10 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
         f"  Forall2 (fun b own => Forall (says (at_real (snd b))) own)\n"
         f"    (form_pieces {form} this_curve) cells_of_{answer.name}.\n"
         "Proof.\n"
-        f"  pose (f := ltac:(let v := eval vm_compute in (form_pieces {form} this_curve) in exact v) : pieces).\n"
-        f"  apply (curve_answers {form} this_curve _ _ cells_of_{answer.name} _ _ f);\n"
-        "    [vm_cast_no_check (eq_refl f)|].\n"
-        f"  vm_cast_no_check (eq_refl (true, ({high})%Q, ({points} : list (Q * Q))%Q, ({stretches} : list (Q * Q))%Q)).\n"
+        f"  apply (curve_answers {form} this_curve _ _ cells_of_{answer.name} _ _\n"
+        f"    {answer.name}_in_pieces); [vm_cast_no_check (eq_refl true)|].\n"
+        f"  vm_cast_no_check (eq_refl (true, ({high})%Q,\n"
+        f"    ({points} : list (Q * Q))%Q, ({stretches} : list (Q * Q))%Q)).\n"
         "Qed.\n"
     )
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import gcd, lcm
 from typing import Any
 
 from flint import fmpq_mpoly
 
-from exactspline.exact import mpq
+from exactspline.exact import mpq, to_fmpq
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, Operation, applied
-from exactspline.verification.coq.settings import Setting
 
 
 class Evaluation:
@@ -77,7 +77,8 @@ def primitive(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     content = mpq(0)
     for c in coefficients:
         content = _gcd(content, abs(c))
-    return polynomial * _flint(1 / content * (1 if coefficients[0] > 0 else -1))
+    multiple: fmpq_mpoly = polynomial * to_fmpq(1 / content * (1 if coefficients[0] > 0 else -1))
+    return multiple
 
 
 def primes(number: int) -> dict[int, int]:
@@ -91,23 +92,9 @@ def primes(number: int) -> dict[int, int]:
     return found
 
 
-def quotient(setting: Setting, top: fmpq_mpoly, bottom: fmpq_mpoly) -> fmpq_mpoly | None:
-    """The exact quotient of two polynomials, None where there is none."""
-    result, rest = divmod(top, bottom)
-    return None if rest else result
-
-
 def _rational(value: Any) -> mpq:
     return mpq(int(value.p), int(value.q))
 
 
-def _flint(value: mpq) -> Any:
-    from exactspline.exact import to_fmpq
-
-    return to_fmpq(value)
-
-
 def _gcd(a: mpq, b: mpq) -> mpq:
-    from math import gcd, lcm
-
     return mpq(gcd(int(a.numerator), int(b.numerator)), lcm(int(a.denominator), int(b.denominator)))

@@ -17,11 +17,12 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.coq.formulas import HEADER, Formulas, written_for
 from exactspline.verification.coq.refutations import refutation
+from exactspline.verification.coq.terms import THEORY
 from exactspline.verification.coq.theorems import STATED, theorem
 from exactspline.verification.vocabulary import Verdict
 
-#: The files written by hand, each after those that it requires.
-THEORY = ("Base", "Reflection", "Proofs")
+#: The files written by hand: those that the theorems about papers need, and that for answers about one curve.
+BY_HAND = (*THEORY, "Answers")
 #: The logical name of the directory.
 ROOT = "ExactSpline"
 
@@ -75,7 +76,7 @@ def theory(name: str) -> str:
 def library() -> Library:
     """The theorems of every paper that comes with the library."""
     formulas = Formulas(papers())
-    files = {name: theory(name) for name in THEORY}
+    files = {name: theory(name) for name in BY_HAND}
     files |= {f"formulas/{paper.name}": formulas.definitions(paper) for paper in formulas.papers}
     theorems: dict[str, tuple[Stated, ...]] = {}
     for paper in formulas.papers:
@@ -98,7 +99,7 @@ def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
 
 
 def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
-    """A claim of an equality as theorems, one a dimension: that it holds, or where its record says so, that it fails."""
+    """A claim of an equality as theorems, one a dimension: that it holds, or, as its record says, that it fails."""
     if not isinstance(claim, STATED):
         return []
     kind = kind_of(claim.curve)

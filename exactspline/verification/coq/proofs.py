@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import lcm
 from typing import Any
 
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
-from exactspline.language.formula import Formula
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
@@ -52,11 +52,11 @@ class Proof:
         """
         for node, value in self.evaluation.denominators:
             parts = factored(value)
-            if all(self.follows(polynomial) for polynomial, _ in parts.powers):
+            if not isinstance(value, JetFraction) or all(self.follows(each) for each, _ in parts.powers):
                 self.recognize(parts)
                 continue
             self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
-            if value.bottom == 1:
+            if value.bottom.is_one():
                 self.known.append(((*[0] * len(self.atoms), 1), ()))
                 self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
             else:
@@ -190,7 +190,7 @@ class Proof:
 
     def _fraction(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> str:
         above = self.setting.expression(top)
-        if bottom == 1:
+        if bottom.is_one():
             return f"({above})%formula"
         return f"(({above}) / ({self.setting.expression(bottom)}))%formula"
 
@@ -231,12 +231,7 @@ class Proof:
 
 def common_denominator(polynomial: fmpq_mpoly) -> int:
     """The least common denominator of the coefficients."""
-    from math import lcm
-
     result = 1
     for c in polynomial.coeffs():
         result = lcm(result, int(c.q))
     return result
-
-
-__all__ = ["Atom", "Formula", "Premise", "Proof"]

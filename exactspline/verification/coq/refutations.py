@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import singledispatch
-from typing import Any
 
 from flint import fmpq_poly
 
@@ -33,7 +32,7 @@ class Units:
     atoms: list[tuple[int, ...]] = field(default_factory=list)
     known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
 
-    def recognize(self, value: Any) -> None:
+    def recognize(self, value: object) -> None:
         """Take in a function that is not zero."""
         if not isinstance(value, RationalFunction):
             value = RationalFunction(fmpq_poly([int(mpq(value))]))

@@ -71,7 +71,8 @@ class Setting:
     @cached_property
     def argument(self) -> Any:
         """The argument in the fraction reading, its numerators w γ."""
-        return self.kind.argument(self.dimension, self._operand, self._jet("w") if "w" in self.weights else None)
+        one = self.ring.context.constant(1)
+        return self.kind.argument(self.dimension, self._operand, JetFraction(self.ring, one, one))
 
     def _operand(self, symbol: Symbol) -> JetFraction:
         weight = "w" if symbol.name in COORDINATES else "W" if symbol.name in BARRED else ""
@@ -118,7 +119,7 @@ class Setting:
     @property
     def rules(self) -> str:
         """What the derivatives of the jets are."""
-        chains = {parameter: list[str]() for parameter in PARAMETERS}
+        chains = {str(parameter): list[str]() for parameter in PARAMETERS}
         for symbol in self.symbols:
             if symbol.parameter:
                 chains[symbol.parameter].append(f"chain {self.position(symbol.name)} {self.order}")

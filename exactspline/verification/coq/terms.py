@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from functools import cache
+from importlib import resources
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational
@@ -19,133 +22,37 @@ _INFIX = {
     Operation.TIMES: (PRODUCT, PRODUCT, UNARY),
     Operation.OVER: (PRODUCT, PRODUCT, UNARY),
 }
+#: What is written as a function by its own name.
+_FUNCTIONS = (
+    *(Operation.DOT, Operation.CROSS, Operation.PERP),
+    *(Operation.RULED, Operation.DIRECTRIX, Operation.GENERATOR),
+)
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
 _PARAMETERS = {"s": "s", "s̄": "s_bar"}
-#: Words that formulas cannot have as names: those of the language and of the base.
-RESERVED = frozenset(
-    [
-        "as",
-        "at",
-        "cofix",
-        "else",
-        "end",
-        "exists",
-        "exists2",
-        "fix",
-        "for",
-        "forall",
-        "fun",
-        "if",
-        "in",
-        "let",
-        "match",
-        "mod",
-        "return",
-        "then",
-        "using",
-        "where",
-        "with",
-        "Prop",
-        "Set",
-        "Type",
-        "SProp",
-        "parameter",
-        "s",
-        "s_bar",
-        "operations",
-        "number",
-        "add",
-        "sub",
-        "mul",
-        "div",
-        "neg",
-        "power",
-        "der",
-        "zip",
-        "vadd",
-        "vsub",
-        "vneg",
-        "vmul",
-        "vdiv",
-        "vder",
-        "component",
-        "components",
-        "along",
-        "ders",
-        "vders",
-        "sum_from",
-        "dot",
-        "perp",
-        "cross",
-        "each",
-        "alternating",
-        "minor",
-        "det",
-        "generalized_cross",
-        "axis",
-        "curve",
-        "Curve",
-        "p",
-        "w",
-        "gamma",
-        "point",
-        "pair",
-        "Pair",
-        "first",
-        "second",
-        "table",
-        "Table",
-        "p1",
-        "w1",
-        "v1",
-        "p2",
-        "w2",
-        "v2",
-        "rational_curve",
-        "homogeneous",
-        "embedded",
-        "surface",
-        "directrix",
-        "generator",
-        "ruled",
-        "on_ruling",
-        "same_surface",
-        "element",
-        "zero",
-        "one",
-        "plus",
-        "times",
-        "minus",
-        "opposite",
-        "quotient",
-        "inverse",
-        "derivative",
-        "repeated",
-        "integer",
-        "constant",
-        "map",
-        "nth",
-        "seq",
-        "fst",
-        "snd",
-        "K",
-        "A",
-        "o",
-        "c",
-        "x",
-        "y",
-        "z",
-        "X",
-        "Y",
-        "Z",
-        "W",
-        "a",
-        "b",
-        "e",
-        "q",
-        "l",
-    ]
+#: The files written by hand that the theorems about papers need, each after those that it requires.
+THEORY = ("Base", "Reflection", "Proofs")
+#: The words of the language, and the names of variables.
+_LANGUAGE = (
+    "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using where with Prop Set "
+    "Type SProp"
 )
+_VARIABLES = "K A o c x y z X Y Z W a b e q l s s_bar"
+_DEFINED = re.compile(
+    r"^\s*(?:#\[export\] )?(?:Definition|Fixpoint|Lemma|Theorem|Inductive|Record|Class|Instance|Ltac) (\w+)",
+    re.MULTILINE,
+)
+_FIELDS = re.compile(r"^  (\w+) :(?!=)|[{;] (\w+) :(?!=)", re.MULTILINE)
+
+
+@cache
+def reserved() -> frozenset[str]:
+    """Words that formulas cannot have as names: those of the language and of the files written by hand."""
+    found = {*_LANGUAGE.split(), *_VARIABLES.split()}
+    for name in THEORY:
+        text = resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
+        found |= set(_DEFINED.findall(text)) | {name for pair in _FIELDS.findall(text) for name in pair if name}
+        found |= set(re.findall(r":= (\w+) \{", text))
+    return frozenset(found)
 
 
 def identifier(name: str) -> str:
@@ -155,7 +62,7 @@ def identifier(name: str) -> str:
     ('C42b_g1_g0', 'at_', "T7'")
     """
     plain = "".join("'" if x == "′" else x if (x.isalnum() and x.isascii()) or x == "_" else "_" for x in name)
-    return f"{plain}_" if plain in RESERVED else plain if plain[0].isalpha() else f"n{plain}"
+    return f"{plain}_" if plain in reserved() else plain if plain[0].isalpha() else f"n{plain}"
 
 
 class Writer:

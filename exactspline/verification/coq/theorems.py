@@ -7,6 +7,7 @@ from functools import singledispatch
 from typing import Any
 
 from exactspline.errors import FormulaError
+from exactspline.exact import rational
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
@@ -14,10 +15,10 @@ from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, Operation
+from exactspline.readings.tree import Derivation, Node, Operation
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import factor_parts
+from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.coq.denominators import Evaluation, factored
 from exactspline.verification.coq.formulas import surface
 from exactspline.verification.coq.proofs import Premise, Proof
@@ -63,11 +64,8 @@ class _Theorem(Statement):
         self.kind = kind = kind_of(claim.curve)
         formulas = [claim.find(name) for name in claim.named]
         if isinstance(claim, Identity):
-            formulas += [
-                claim.find(name)
-                for name, _ in factor_parts(claim.factor)
-                if name not in ("w", "W") and name[0].isalpha()
-            ]
+            names = [name for name, _ in factor_parts(claim.factor) if name[0].isalpha() and name not in WEIGHTS]
+            formulas += [claim.find(name) for name in names]
         formulas += [find(a.formula) for a in claim.assumes if a.formula]
         order = max(order_of(formula, dimension if dimension in formula.kind.dimensions else 3) for formula in formulas)
         self.setting = Setting(kind, dimension, order)
@@ -114,7 +112,7 @@ class _Theorem(Statement):
         return f"({self.writer(node)})"
 
     def equality(self, left: Node, right: Node | None) -> tuple[str, list[str]]:
-        """A statement that two trees are one (without a second: that the first is zero), and the steps that close it."""
+        """A statement that two trees are one (without a second: that the first is 0), and the steps that close it."""
         value = self.evaluation(left)
         components = len(value) if isinstance(value, Vector) else 0
         if right is not None:
@@ -210,12 +208,10 @@ def times_factor(claim: Identity, theorem: Statement, right: Node) -> Node:
 
 
 def _part(claim: Identity, theorem: Statement, name: str) -> Node:
-    if name in ("w", "W"):
+    if name in WEIGHTS:
         return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
     if name[0].isalpha():
         return theorem.called(claim.find(name))
-    from exactspline.exact import rational
-
     return Node(Operation.NUMBER, value=rational(name))
 
 
@@ -246,17 +242,13 @@ def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
         for i, (_, other) in enumerate(witnesses)
     ]
     values = " ".join(f"(map (value K l) {theorem.writer.at(node, 5)})" for node in (d, g, e, h))
-    steps.append(
-        f"vm_cast_no_check (one_surface K {values} eq_refl eq_refl eq_refl eq_refl\n    {exists[0]}\n    {exists[1]} E1 E2)."
-    )
+    lengths = " ".join(["eq_refl"] * 4)
+    steps.append(f"vm_cast_no_check (one_surface K {values} {lengths}\n    {exists[0]}\n    {exists[1]} E1 E2).")
     return f"same_surface ({theorem.writer(left)}) ({theorem.writer(right)})", steps
 
 
 def _witness(theorem: _Theorem, generator: Node, other: Node) -> tuple[Node, Node]:
     """A vector whose scalar product with a generator is a product of what does not vanish."""
-    velocity = Node(Operation.DERIVATIVE, (Node(Operation.LEAF, value="gamma", vector=True),), vector=True)
-    from exactspline.readings.tree import Derivation
-
     gamma = Node(Operation.LEAF, value="gamma", vector=True)
     first, second = (Node(Operation.DERIVATIVE, (gamma,), Derivation(k), vector=True) for k in (1, 2))
     binormal = Node(Operation.CROSS, (first, second), vector=True)

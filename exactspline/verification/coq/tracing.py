@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
@@ -48,7 +48,7 @@ class Calling(Traced):
             return Calling(self._kind.parts[name], self._dimension, path=f"{name}.", known=self._known)
         return found
 
-    def calls(self, formula: Formula) -> Any:
+    def calls(self, formula: Formula) -> Node:
         """A node with the formula; a formula called twice is traced once."""
         called = Called(formula, self._path)
         if called not in self._known:

@@ -23,6 +23,18 @@ from exactspline.verification.vocabulary import Relation
 BAR = dict(zip((*BARRED, "W"), (*COORDINATES, "w"), strict=True))
 
 
+#: No order is larger.
+LARGEST_ORDER = 12
+
+
+def order_of_contact(claim: Claim, name: str, value: object) -> int:
+    """An order of contact."""
+    order = count_from(0)(claim, name, value)
+    if order > LARGEST_ORDER:
+        raise ClaimError(f"contact of order {order}", where=name, remedy=f"orders up to {LARGEST_ORDER} are decided")
+    return order
+
+
 @dataclass(frozen=True, kw_only=True)
 class Contact(Claim):
     """What is laid along the curve at the parameter s has contact of ``order`` n with it there.
@@ -36,7 +48,7 @@ class Contact(Claim):
     kind: ClassVar[str] = "contact"
 
     formula: str = field(metadata=read(formula_name))
-    order: int = field(metadata=read(count_from(0)))
+    order: int = field(metadata=read(order_of_contact))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
 
     def validate(self) -> None:
@@ -77,6 +89,10 @@ class Contact(Claim):
             higher = f"at least {self.order + 1}"
             return Finding(REFUTED, self.claims, higher, witness=f"{told(self.order + 1, '= 0')} on every curve")
         return Finding(PROVED, self.claims, self.claims)
+
+    def beside(self, own: Evaluation) -> str:
+        """A claim of all curves is tried on the first segment."""
+        return ", first segment"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On the first segment of the curve, at more parameters than the derivatives can have zeros."""

@@ -63,6 +63,8 @@ class Nature(StrEnum):
 
 #: By what a value is multiplied is told where the sides have fewer terms than this.
 SHORT = 400
+#: No weight is larger.
+LARGEST_WEIGHT = 200
 #: What the weight is a power of.
 UNITS = {
     Group.REPARAMETRIZATION: "ds/dt",
@@ -80,8 +82,8 @@ GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 
 def whole_number(claim: Claim, name: str, value: object) -> int:
     """A weight: it may be negative."""
-    if isinstance(value, bool) or not isinstance(value, int):
-        raise ClaimError(f"{value!r} is no weight", where=name, remedy="write a whole number")
+    if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
+        raise ClaimError(f"{value!r} is no weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
     return value
 
 
@@ -156,6 +158,10 @@ class Invariance(Claim):
             told = f"under {_a(name)} it is {factor} times what is claimed"
         return Finding(REFUTED, self.claims, told, witness=self.refuted_on_examples().witness or told)
 
+    def beside(self, own: Evaluation) -> str:
+        """A claim of all curves is tried on the first segment."""
+        return ", first segment"
+
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On the first segment of the curve, which is reparametrized by a quadratic polynomial, or moved by numbers."""
         assert isinstance(argument, Curve)
@@ -182,23 +188,23 @@ class Invariance(Claim):
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
             changed = Accompanied(plain, beside) if beside else plain
-            return components(formula(changed)), _times(components(formula(curve)), factor, self.weight)
+            return _components(formula(changed)), _times(_components(formula(curve)), factor, self.weight)
         made = MAPS[name]
-        value = self._carried(components(formula(curve)), made, k, curve.w.constant(1))
+        value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1))
         unit = made.unit(curve.p, curve.w, k) if made.unit else None
-        return components(formula(_moved(curve, made, k))), _times(value, unit, self.weight)
+        return _components(formula(_moved(curve, made, k))), _times(value, unit, self.weight)
 
     def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """Indeterminate curves are differentiated by any other parameter, splines composed with a quadratic one."""
         if "rho" in k:
             rho = k["rho"]
             changed = curve.mapped(lambda x: InOtherParameter(x, rho))
-            moved = [x.value for x in components(formula(changed))]
-            return moved, _times(components(formula(curve)), rho, self.weight)
+            moved = [x.value for x in _components(formula(changed))]
+            return moved, _times(_components(formula(curve)), rho, self.weight)
         inner = _quadratic(curve.w.domain)
         changed = curve.mapped(lambda f: composed(f, inner))
-        value = [_composed(x, inner) for x in components(formula(curve))]
-        return components(formula(changed)), _times(value, inner.d(1), self.weight)
+        value = [_composed(x, inner) for x in _components(formula(curve))]
+        return _components(formula(changed)), _times(value, inner.d(1), self.weight)
 
     def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any) -> list[Any]:
         """The value, moved along where it is a vector or a point."""
@@ -245,7 +251,7 @@ def _a(name: str) -> str:
     return f"an {name}" if name[0] in "ai" else f"a {name}"
 
 
-def components(value: Any) -> list[Any]:
+def _components(value: Any) -> list[Any]:
     """The components of a value, each of them a quotient where the value is one."""
     if isinstance(value, RuledSurface):
         value = value.joined

@@ -25,23 +25,31 @@ Fixpoint at_real (a : polynomial) (t : R) : R :=
 Fixpoint at_rational (a : polynomial) (t : Q) : Q :=
   match a with [] => 0%Q | c :: a => Qred (c + t * at_rational a t) end.
 
+(** Where two denominators are one, nothing is reduced: greatest common divisors are what costs most. *)
+Definition qadd (x y : Q) : Q :=
+  if Pos.eqb (Qden x) (Qden y) then (Qnum x + Qnum y) # Qden x else Qred (x + y).
+
 Fixpoint padd (a b : polynomial) : polynomial :=
   match a, b with
   | [], b => b
   | a, [] => a
-  | x :: a, y :: b => Qred (x + y) :: padd a b
+  | x :: a, y :: b => qadd x y :: padd a b
   end.
 
-Definition pscale (k : Q) (a : polynomial) : polynomial := map (fun c => Qred (k * c)) a.
+Definition pscale (k : Q) (a : polynomial) : polynomial := map (fun c => (k * c)%Q) a.
 
 Fixpoint pmul (a b : polynomial) : polynomial :=
-  match a with [] => [] | c :: a => padd (pscale c b) (0%Q :: pmul a b) end.
+  match a with
+  | [] => []
+  | [c] => pscale c b
+  | c :: a => match pscale c b with [] => [] | x :: d => x :: padd d (pmul a b) end
+  end.
 
 Fixpoint ppow (a : polynomial) (n : nat) : polynomial :=
   match n with O => [1%Q] | S n => pmul a (ppow a n) end.
 
 Fixpoint pder_from (k : Z) (a : polynomial) : polynomial :=
-  match a with [] => [] | c :: a => Qred (inject_Z k * c) :: pder_from (k + 1) a end.
+  match a with [] => [] | c :: a => (inject_Z k * c)%Q :: pder_from (k + 1) a end.
 
 Definition pder (a : polynomial) : polynomial := match a with [] => [] | _ :: a => pder_from 1 a end.
 
@@ -66,22 +74,35 @@ Proof.
   rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_plus, Q2R_mult, IH. reflexivity.
 Qed.
 
+Lemma qadd_is x y : Q2R (qadd x y) = Q2R x + Q2R y.
+Proof.
+  unfold qadd. destruct (Pos.eqb (Qden x) (Qden y)) eqn:E.
+  - apply Pos.eqb_eq in E. unfold Q2R. simpl. rewrite E, plus_IZR. lra.
+  - rewrite (Qeq_eqR _ _ (Qred_correct _)). apply Q2R_plus.
+Qed.
+
 Lemma at_padd a t : forall b, at_real (padd a b) t = at_real a t + at_real b t.
 Proof.
   induction a as [|x a IH]; intros [|y b]; simpl; try lra.
-  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_plus, IH. lra.
+  rewrite qadd_is, IH. lra.
 Qed.
 
 Lemma at_pscale k a t : at_real (pscale k a) t = Q2R k * at_real a t.
 Proof.
   induction a as [|x a IH]; simpl; [lra|].
-  change (map (fun c => Qred (k * c)) a) with (pscale k a).
-  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_mult, IH. lra.
+  change (map (fun c => (k * c)%Q) a) with (pscale k a).
+  rewrite Q2R_mult, IH. lra.
 Qed.
 
 Lemma at_pmul a b t : at_real (pmul a b) t = at_real a t * at_real b t.
 Proof.
-  induction a as [|x a IH]; simpl; [lra|]. rewrite at_padd, at_pscale. simpl. rewrite IH, Q2R_0. lra.
+  induction a as [|x a IH]; [simpl; lra|].
+  destruct a as [|y a]; [simpl pmul; rewrite at_pscale; simpl; lra|].
+  change (at_real (match pscale x b with [] => [] | z :: d => z :: padd d (pmul (y :: a) b) end) t
+          = (Q2R x + t * at_real (y :: a) t) * at_real b t).
+  destruct b as [|z b]; [simpl; lra|].
+  change (pscale x (z :: b)) with ((x * z)%Q :: pscale x b). cbn [at_real].
+  rewrite at_padd, at_pscale, IH, Q2R_mult. simpl. lra.
 Qed.
 
 Lemma at_ppow a n t : at_real (ppow a n) t = at_real a t ^ n.
@@ -93,11 +114,11 @@ Lemma at_pder_from a t : forall k, at_real (pder_from k a) t = IZR k * at_real a
 Proof.
   assert (shift : forall a k, at_real (pder_from (k + 1) a) t = at_real (pder_from k a) t + at_real a t).
   { clear a. induction a as [|c a IH]; intro k; simpl; [lra|].
-    rewrite !(Qeq_eqR _ _ (Qred_correct _)), !Q2R_mult, IH.
+    rewrite !Q2R_mult, IH.
     assert (Hz : forall z, Q2R (inject_Z z) = IZR z) by (intro z; unfold Q2R; simpl; lra).
     rewrite !Hz, plus_IZR. lra. }
   induction a as [|c a IH]; intro k; simpl; [lra|].
-  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_mult, shift, IH.
+  rewrite Q2R_mult, shift, IH.
   assert (Hz : Q2R (inject_Z k) = IZR k) by (unfold Q2R; simpl; lra). rewrite Hz.
   assert (H1 : at_real (pder_from 1 a) t = at_real a t + t * at_real (pder a) t) by (rewrite IH; lra).
   rewrite H1. lra.
@@ -652,9 +673,25 @@ Definition sound (c : nurbs) : bool :=
   increasing (knots c) &&
   forallb (fun x => Nat.eqb (length x + degree c + 1) (length (knots c))) (weights c :: coordinates c).
 
+(** Coefficients over one denominator. *)
+Definition denominator (as_ : list polynomial) : positive :=
+  fold_right (fun c d => Z.to_pos (Z.lcm (Zpos (Qden c)) (Zpos d))) 1%positive (concat as_).
+
+Definition over_one (d : positive) (c : Q) : Q :=
+  let e := (Qnum c * (Zpos d / Zpos (Qden c)))%Z # d in if Qeq_bool e c then e else c.
+
+Lemma at_over_one d a t : at_real (map (over_one d) a) t = at_real a t.
+Proof.
+  induction a as [|c a IH]; [reflexivity|]. simpl. rewrite IH. f_equal. unfold over_one.
+  destruct (Qeq_bool _ c) eqn:E; [now apply Qeq_eqR, Qeq_bool_eq | reflexivity].
+Qed.
+
 (** The curve between the knots [j] and [j + 1], as formulas are handed it. *)
 Definition curve_piece (c : nurbs) (j : nat) : curve polynomial :=
-  Curve s (map (fun x => piece (knots c) (degree c) x j) (coordinates c)) (piece (knots c) (degree c) (weights c) j) [] [].
+  let x := map (fun x => piece (knots c) (degree c) x j) (coordinates c) in
+  let y := piece (knots c) (degree c) (weights c) j in
+  let d := denominator (y :: x) in
+  Curve s (map (map (over_one d)) x) (map (over_one d) y) [] [].
 
 (** The pieces are those of the B-splines by the recursion of Cox and de Boor. *)
 Theorem pieces_are_splines (c : nurbs) (j : nat) (t : R) :
@@ -664,11 +701,12 @@ Theorem pieces_are_splines (c : nurbs) (j : nat) (t : R) :
 Proof.
   intros H Hj Ht. unfold sound in H. apply andb_prop in H. destruct H as [Hu H]. simpl in H.
   apply andb_prop in H. destruct H as [Hw Hc]. apply Nat.eqb_eq in Hw. split.
-  - simpl. induction (coordinates c) as [|x xs IH]; constructor.
-    + simpl in Hc. apply andb_prop in Hc. destruct Hc as [Hx _]. apply Nat.eqb_eq in Hx.
+  - unfold curve_piece. cbn [p]. set (d := denominator _). clearbody d.
+    induction (coordinates c) as [|x xs IH]; constructor.
+    + simpl in Hc. apply andb_prop in Hc. destruct Hc as [Hx _]. apply Nat.eqb_eq in Hx. rewrite at_over_one.
       apply (spline_from_is (knots c) j Hu t Ht); lia.
     + apply IH. simpl in Hc. now apply andb_prop in Hc.
-  - apply (spline_from_is (knots c) j Hu t Ht); lia.
+  - unfold curve_piece. cbn [w]. rewrite at_over_one. apply (spline_from_is (knots c) j Hu t Ht); lia.
 Qed.
 
 (** ** What is said of a form of a curve *)
@@ -819,25 +857,65 @@ Proof.
   intro H. destruct (answers_hold f from cells H) as [_ [_ [zs [W [_ P]]]]]. exists zs. now split.
 Qed.
 
-(** What is said of the form of a curve, and of its sign cell by cell. *)
+(** The same pieces, whether or not fractions are reduced. *)
+Fixpoint same_pieces (f g : pieces) : bool :=
+  match f, g with
+  | [], [] => true
+  | (b, x) :: f, (c, y) :: g => Qeq_bool b c && peq x y && same_pieces f g
+  | _, _ => false
+  end.
+
+Lemma same_value f : forall g t, same_pieces f g = true -> form_value f t = form_value g t.
+Proof.
+  induction f as [|[b x] f IH]; intros [|[c y] g] t H; try discriminate; [reflexivity|].
+  simpl in H. apply andb_prop in H. destruct H as [H1 H3]. apply andb_prop in H1. destruct H1 as [H1 H2].
+  apply Qeq_bool_eq, Qeq_eqR in H1. pose proof (peq_sound x t y H2) as E. specialize (IH g t H3).
+  destruct f as [|[qb qx] f]; destruct g as [|[rb rx] g]; try discriminate; [exact E|].
+  change (form_value ((b, x) :: (qb, qx) :: f) t)
+    with (if Rlt_dec t (Q2R b) then at_real x t else form_value ((qb, qx) :: f) t).
+  change (form_value ((c, y) :: (rb, rx) :: g) t)
+    with (if Rlt_dec t (Q2R c) then at_real y t else form_value ((rb, rx) :: g) t).
+  rewrite H1, E. destruct (Rlt_dec t (Q2R c)); [reflexivity | exact IH].
+Qed.
+
+Lemma says_same (f g : R -> R) c : (forall t, f t = g t) -> says f c -> says g c.
+Proof.
+  intros E. destruct c as [l h u|l h u|l h u0 a u n r v|l h]; simpl.
+  - intros H t Ht. rewrite <- E. now apply H.
+  - intros [z [Hz [Z [A B]]]]. exists z. rewrite <- E.
+    split; [exact Hz|]. split; [exact Z|]. split; intros t Ht; rewrite <- E; auto.
+  - intros [z [Hz [Z A]]]. exists z. rewrite <- E. split; [exact Hz|]. split; [exact Z|].
+    intros t Ht N. rewrite <- E. auto.
+  - intros H t Ht. rewrite <- E. auto.
+Qed.
+
+(** What is said of the form of a curve, and of its sign cell by cell; [f] is the form, fractions reduced. *)
 Theorem curve_answers (form : curve polynomial -> polynomial) (c : nurbs) (from to : Q) (cells : list (list cell))
     (points stretches : list (Q * Q)) (f : pieces) :
-  f = form_pieces form c ->
+  same_pieces f (form_pieces form c) = true ->
   (answers f from cells, right_end from f, all_zeros f cells, all_stretches cells) = (true, to, points, stretches) ->
   vanishes_exactly (form_value (form_pieces form c)) from to points stretches /\
   Forall2 (fun b own => Forall (says (at_real (snd b))) own) (form_pieces form c) cells.
 Proof.
-  intros <- H. injection H as H <- <- <-. split; [now apply answers_sound|].
-  clear -H. revert from cells H. induction f as [|[b a] f IH]; intros from cells H; [discriminate|].
-  assert (own : forall a from b cells, span_answer a from b cells = true -> Forall (says (at_real a)) cells).
-  { clear. intros a from b cells H. apply andb_prop in H. destruct H as [H _]. apply andb_prop in H.
-    destruct H as [_ H]. induction cells as [|c cells IH]; constructor.
-    - simpl in H. apply andb_prop in H. now apply cell_sound.
-    - apply IH. simpl in H. now apply andb_prop in H. }
-  destruct f as [|q f].
-  - destruct cells as [|c [|]]; [discriminate | | simpl in H; rewrite andb_false_r in H; discriminate]. constructor; [exact (own _ _ _ _ H) | constructor].
-  - destruct cells as [|c cells]; [discriminate|].
-    change (span_answer a from b c && answers (q :: f) b cells = true) in H.
-    apply andb_prop in H. destruct H as [H1 H2].
-    constructor; [exact (own _ _ _ _ H1) | exact (IH b cells H2)].
+  intros S H. injection H as H <- <- <-. split.
+  - destruct (answers_sound f from cells H) as [zs [W P]]. exists zs. split; [exact W|].
+    intros t T. rewrite <- (same_value f _ t S). now apply P.
+  - revert S. generalize (form_pieces form c). revert from cells H.
+    induction f as [|[b a] f IH]; intros from cells H g S; [discriminate|].
+    destruct g as [|[b' a'] g]; [discriminate|].
+    simpl in S. apply andb_prop in S. destruct S as [S1 S2]. apply andb_prop in S1. destruct S1 as [_ S1].
+    assert (own : forall from b cells, span_answer a from b cells = true -> Forall (says (at_real a')) cells).
+    { clear -S1. intros from b cells H. apply andb_prop in H. destruct H as [H _]. apply andb_prop in H.
+      destruct H as [_ H]. induction cells as [|c cells IH]; constructor.
+      - simpl in H. apply andb_prop in H. apply (says_same (at_real a)); [|now apply cell_sound].
+        intro t. exact (peq_sound a t a' S1).
+      - apply IH. simpl in H. now apply andb_prop in H. }
+    destruct f as [|q f].
+    + destruct g; [|discriminate].
+      destruct cells as [|e [|]]; [discriminate | | simpl in H; rewrite andb_false_r in H; discriminate].
+      constructor; [exact (own _ _ _ H) | constructor].
+    + destruct cells as [|e cells]; [discriminate|].
+      change (span_answer a from b e && answers (q :: f) b cells = true) in H.
+      apply andb_prop in H. destruct H as [H1 H2].
+      constructor; [exact (own _ _ _ H1) | exact (IH b cells H2 g S2)].
 Qed.

@@ -1,0 +1,1 @@
+"""Documentation, and the package that builds its site."""

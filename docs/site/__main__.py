@@ -1,0 +1,75 @@
+"""Build the site: ``./run site [FOLDER]``; without a folder into ``build/site/html``."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import sys
+from pathlib import Path
+
+from sphinx.cmd.build import build_main
+
+from docs.site import page_data, pages
+from docs.site.vendor import vendor
+
+HERE = Path(__file__).parent
+DOCS = HERE.parent
+PROJECT = DOCS.parent
+BUILD = PROJECT / "build" / "site"
+
+#: The pages that are written by hand, in reading order.
+WRITTEN = ("your-own-paper", "teaching", "degree-theorem", "bisectors", "conditioning", "certified-filter")
+
+
+def main() -> int:
+    """Lay out the sources, make what is made, and run Sphinx with warnings as errors."""
+    target = Path(sys.argv[1]) if len(sys.argv) > 1 else BUILD / "html"
+    source = BUILD / "source"
+    shutil.rmtree(source, ignore_errors=True)
+    source.mkdir(parents=True)
+    play = source / "_extra" / "play"
+    shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
+    vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
+    (source / "_static" / "mathjax").mkdir(parents=True)
+    shutil.move(play / "vendor" / "mathjax" / "tex-svg.js", source / "_static" / "mathjax")
+    shutil.rmtree(play / "vendor" / "mathjax")
+    page_data.write(play / "data")
+    _lay_out(source)
+    return int(
+        build_main(["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)])
+    )
+
+
+def _lay_out(source: Path) -> None:
+    """All pages and their contents list."""
+    for file in (HERE / "conf.py", *DOCS.glob("*.md")):
+        shutil.copy(file, source)
+    shutil.copytree(PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"))
+    for page in source.glob("*.md"):
+        page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
+    notebooks = sorted(f"notebooks/{file.stem}" for file in (source / "notebooks").glob("*.ipynb"))
+    reference = pages.reference(source / "reference")
+    pages.write_glossary(source / "glossary.md")
+    pages.write_errata(source / "errata.md")
+    pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
+    written = [page for page in WRITTEN if (source / f"{page}.md").exists()]
+    house = sorted(file.stem for file in DOCS.glob("*.md") if file.stem not in WRITTEN)
+    contents = {
+        "Notebooks": notebooks,
+        "To read": [*written, "errata", "gallery", "glossary"],
+        "Reference": reference,
+        "The house": house,
+    }
+    index = (HERE / "index.md").read_text(encoding="utf-8")
+    for caption, names in contents.items():
+        index += "\n```{toctree}\n:hidden:\n:caption: " + caption + "\n\n" + "\n".join(names) + "\n```\n"
+    (source / "index.md").write_text(index, encoding="utf-8")
+
+
+def _linked(text: str) -> str:
+    """Links into the repository that no page stands behind become plain words."""
+    return re.sub(r"\[([^\]]+)\]\(\.\./(?!notebooks)[^)]*\)", r"\1", text)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

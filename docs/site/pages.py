@@ -1,0 +1,77 @@
+"""The pages of the site that are made from the library: reference, glossary, errata, gallery."""
+
+from __future__ import annotations
+
+import inspect
+import subprocess
+import sys
+from pathlib import Path
+
+import exactspline as xs
+from exactspline.display.glossary import glossary
+
+Toctree = list[tuple[str, list[str]]]
+
+
+def reference(folder: Path) -> list[str]:
+    """A page a topic: the names of the front door under the headings that they have there."""
+    folder.mkdir(parents=True, exist_ok=True)
+    pages = []
+    for number, (heading, names) in enumerate(topics().items(), 1):
+        title = heading.capitalize()
+        blocks = [f"# {title}", *(_documented(name) for name in names)]
+        page = f"reference/{number:02}-{heading.split()[0]}"
+        (folder.parent / f"{page}.md").write_text("\n\n".join(blocks) + "\n", encoding="utf-8")
+        pages.append(page)
+    return pages
+
+
+def topics() -> dict[str, list[str]]:
+    """The front door as its source groups it: the comments are the headings."""
+    source = inspect.getsource(xs).partition("_HOMES = {")[2].partition("\n}")[0]
+    found: dict[str, list[str]] = {}
+    for line in map(str.strip, source.splitlines()):
+        if line.startswith("# "):
+            names = found.setdefault(line[2:], [])
+        elif line.startswith('"'):
+            names.append(line.split('"')[1])
+    return found
+
+
+def _documented(name: str) -> str:
+    value = getattr(xs, name)
+    kind = "autoclass" if inspect.isclass(value) else "autofunction" if inspect.isroutine(value) else "autodata"
+    options = "   :members:\n" if kind == "autoclass" else ""
+    return f"## {name}\n\n```{{eval-rst}}\n.. {kind}:: exactspline.{name}\n{options}```"
+
+
+def write_glossary(file: Path) -> None:
+    """Every word and sign of the tables, by topic."""
+    lines = ["# Glossary"]
+    for topic, terms in glossary().items():
+        lines += [f"## {topic.capitalize()}", *(f"{term}\n: {meaning}" for term, meaning in terms.items())]
+    file.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
+
+
+def write_errata(file: Path) -> None:
+    """What the sources say that is not so, in the words of the command."""
+    told = _run("errata", "--paper", "all", "--markdown")
+    file.write_text(f"# Errata\n\n{told}\n", encoding="utf-8")
+
+
+def draw_gallery(folder: Path, page: Path) -> None:
+    """The figures, and the page that shows them."""
+    _run("figures", "--out", str(folder))
+    lines = ["# Gallery"]
+    for picture in sorted(folder.glob("*.svg")):
+        title = picture.stem.replace("_", " ").capitalize()
+        lines += [f"## {title}", f'<img src="gallery/{picture.name}" alt="{title}" style="max-width:100%">']
+        turning = picture.with_suffix(".html")
+        if turning.exists():
+            lines.append(f'<a href="gallery/{turning.name}">The same, to be turned</a>')
+    page.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _run(*arguments: str) -> str:
+    command = [sys.executable, "-m", "exactspline", *arguments, "--quiet"]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout

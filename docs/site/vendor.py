@@ -1,0 +1,57 @@
+"""What the pages need of others, from the package registries, into the site itself: no page asks another host."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+#: Packages of npm: name, version, the folder inside, and where it goes.
+NPM = (
+    ("pyodide", "314.0.7", "package", "pyodide"),
+    ("katex", "0.16.22", "package/dist", "katex"),
+    ("mathjax", "3.2.2", "package/es5", "mathjax"),
+)
+#: The platform of that Pyodide, as pip names it.
+PLATFORM = ("--platform", "pyemscripten_2026_0_wasm32", "--python-version", "314", "--implementation", "cp")
+WHEELS = ("python-flint==0.9.0", "mpmath>=1.3")
+#: What of the packages no page reads.
+SUPERFLUOUS = ("*.map", "*.d.ts", "console*.html", "README.md", "*.ttf", "*.woff", "contrib/*.js.map")
+
+
+def vendor(cache: Path, target: Path, project: Path) -> None:
+    """Everything into the folder `target`, downloads kept in `cache`; the wheel of the project is built anew."""
+    cache.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(target, ignore_errors=True)
+    target.mkdir(parents=True)
+    for name, version, inside, folder in NPM:
+        _from_npm(f"{name}-{version}.tgz", f"{name}@{version}", inside, cache, target / folder)
+    for pattern in SUPERFLUOUS:
+        for file in target.rglob(pattern):
+            file.unlink()
+    wheels = cache / "wheels"
+    if not wheels.exists():
+        _pip("download", "--no-deps", "--only-binary=:all:", *PLATFORM, "--dest", str(wheels), *WHEELS)
+    for file in wheels.glob("*.whl"):
+        shutil.copy(file, target)
+    _pip("wheel", "--no-deps", "--wheel-dir", str(target), str(project))
+    names = sorted(file.name for file in target.glob("*.whl"))
+    (target / "manifest.json").write_text(json.dumps({"wheels": names}), encoding="utf-8")
+
+
+def _from_npm(file: str, package: str, inside: str, cache: Path, target: Path) -> None:
+    archive = cache / file
+    if not archive.exists():
+        subprocess.run(["npm", "pack", "--silent", package], cwd=cache, check=True, stdout=subprocess.DEVNULL)
+    unpacked = cache / archive.stem
+    with tarfile.open(archive) as packed:
+        packed.extractall(unpacked, filter="data")
+    shutil.copytree(unpacked / inside, target)
+
+
+def _pip(*arguments: str) -> None:
+    command = [sys.executable, "-m", "pip", arguments[0], "--quiet", "--disable-pip-version-check", *arguments[1:]]
+    subprocess.run(command, check=True)

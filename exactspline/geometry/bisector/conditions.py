@@ -1,0 +1,294 @@
+"""Where a point that moves along a bisector is as near to no other point of the curve: one condition a segment.
+
+For B(s) = (x, y)/e that of a segment a/w of the curve (moved so that Q is the origin) is that the quotient
+``(e ‖a(u)‖² − 2 w (x, y)·a(u))/e`` is negative for no u. Boxes of coefficients decide most; what they leave is decided
+exactly: where members of such a family are non-negative can only change at a parameter at which one of them has a
+double zero or a zero at an end, or at which B is infinite.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+from flint import fmpz, fmpz_mpoly, fmpz_poly
+
+from exactspline.exact import mpq
+from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, keeps_sign, possible_parts
+from exactspline.geometry.bisector.discriminants import discriminant
+from exactspline.language.arguments import Curve
+from exactspline.language.vector import Vector, norm2
+from exactspline.roots.root import Root, between
+from exactspline.roots.zero_set import zeros
+from exactspline.splines import tensor_bernstein
+from exactspline.splines.bernstein import ONE, is_nonnegative, value
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
+
+#: So many segments at most are asked first whether an arc is on the true bisector at all.
+ASKED_FIRST = 24
+#: An exact parameter: rational, or a certified root.
+Parameter = mpq | Root
+
+
+@dataclass(frozen=True)
+class _Family:
+    """The condition of one segment of the curve on B(s): a form in u for every s, packed, and its rows by powers of u.
+
+    On the segment that B has its foot on every member is a square times what `rest` holds.
+    """
+
+    whole: fmpz_poly
+    stride: int
+    rows: list[fmpz_poly]
+    below: fmpz_poly
+    rest: tuple[list[fmpz_poly], int] | None
+
+    def certain(self, e: fmpz_poly, n: int, parts: list[Part]) -> bool:
+        """Whether it holds certainly all over some parts."""
+        if _of_one_sign(self.below, self.whole) or all(holds_certainly(self.rows, e, n, part) for part in parts):
+            return True
+        if self.rest is None:
+            return False
+        rows, degree = self.rest
+        return all(holds_certainly(rows, e, n, part, degree) for part in parts)
+
+    def of_certain_sign(self, n: int, parts: list[Part]) -> bool:
+        """Whether it certainly has one sign on each of some parts, whatever that of e: the condition then changes where
+        e has a zero.
+        """
+        rows, m = (self.rows, n) if self.rest is None else self.rest
+        return all(keeps_sign(rows, m, part, 1) or keeps_sign(rows, m, part, -1) for part in parts)
+
+
+def _borders(parts: list[Part], segment: tuple[mpq, mpq]) -> list[Parameter]:
+    """The ends of parts of a segment by the parameter of the curve, those of the segment left out."""
+    a, b = segment
+    return [a + (b - a) * t for part in parts for t in part if 0 < t < 1]
+
+
+def _without_foot(whole: fmpz_poly, stride: int, n: int, degree: int) -> tuple[list[fmpz_poly], int] | None:
+    """The rows of a family of these degrees in s and u over ``(u − s)²``, and their degree in s; None where that does
+    not divide it.
+    """
+    z, u = CONTEXT.gens()
+    quotient, rest = divmod(as_mpoly(whole, stride), (z - u) ** 2)
+    if rest or not quotient:
+        return None
+    return tensor_bernstein.rows(as_packed(quotient, stride), stride, degree - 2), n - 2
+
+
+class Conditions:
+    """``‖a(u)‖²`` and ``2 w(u) a(u)`` on all segments, for a = γw around the origin."""
+
+    def __init__(self, c: Curve[BSpline]) -> None:
+        square, twice = norm2(c.p), [x * c.w * 2 for x in c.p]
+        self.degree = square.degree
+        self.rows = []
+        for forms in zip(square.forms, *[x.elevated_to(square).forms for x in twice], strict=True):
+            common = ONE
+            for _, m in forms:
+                common = common.lcm(m)
+            self.rows.append([form * (common // m) for form, m in forms])
+
+        #: What is not on the true bisector mostly fails where the curve comes near Q, or on both sides of Q.
+        starts = [Vector(*[x(t) / c.w(t) for x in c.p]) for t in c.w.breakpoints[:-1]]
+        #: ``‖a‖²`` and a at the beginning of every segment.
+        self.starts = [(norm2(x), *x) for x in starts]
+
+    def _most_against(self, forms: list[fmpz_poly], n: int, t: mpq) -> int:
+        """The segment whose beginning is most against B(t), t the local parameter."""
+        x, y, e = (value((form, ONE), n, t) for form in forms)
+        if not e:
+            return 0
+        x, y = 2 * x / e, 2 * y / e
+        return min(range(len(self.starts)), key=lambda j: self._left_at(j, x, y))
+
+    def _left_at(self, j: int, x: mpq, y: mpq) -> mpq:
+        square, a, b = self.starts[j]
+        left: mpq = square - x * a - y * b
+        return left
+
+    def kept(
+        self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq], own: int | None = None
+    ) -> list[tuple[Parameter, Parameter]]:
+        """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
+        split where B is infinite. `own` is the segment of the curve that B has its foot on, at the same parameter.
+
+        Parts of the segment on which one condition fails certainly are set aside first, and conditions that hold
+        certainly on the rest. At a border between both a condition fails, so that it is none of the latter.
+        """
+        e, build = forms[2], self._builder(forms, n, own)
+        asked = {self._most_against(forms, n, mpq(k, 8)) for k in (1, 3, 5, 7)}
+        first: dict[int, _Family] = {}
+        while True:
+            first |= {j: build(j) for j in asked}
+            open_parts = possible_parts([family.rows for family in first.values()], e, n)
+            if not open_parts:
+                return []
+            asked = {self._most_against(forms, n, (low + high) / 2) for low, high in open_parts} - first.keys()
+            if not asked or len(first) > ASKED_FIRST:
+                break
+        unclear = {}
+        for j in range(len(self.rows)):
+            family = first.get(j) or build(j)
+            if not family.certain(e, n, open_parts):
+                unclear[j] = family
+        open_parts = possible_parts([family.rows for family in (first | unclear).values()], e, n)
+        found: list[tuple[Parameter, Parameter]] = [segment] if open_parts else []
+        for family in unclear.values():
+            if not found:
+                break
+            if family.certain(e, n, open_parts):
+                continue
+            if family.of_certain_sign(n, open_parts):
+                candidates: list[Parameter] = _borders(open_parts, segment)
+            else:
+                candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
+            holds = partial(self._holds, family.rows, e, n, segment)
+            found = _intersection(found, _cells(candidates, _roots(e, segment), segment, holds))
+        return _on_parts(found, open_parts, segment)
+
+    def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
+        """What makes the family of a segment; `own` is that on which B has its foot."""
+        x, y, e = forms
+        stride = tensor_bernstein.stride_for(n)
+
+        def build(j: int) -> _Family:
+            square, cx, cy = (form.inflate(stride) for form in self.rows[j])
+            whole = e * square - x * cx - y * cy
+            rows = tensor_bernstein.rows(whole, stride, self.degree)
+            return _Family(whole, stride, rows, e, _without_foot(whole, stride, n, self.degree) if j == own else None)
+
+        return build
+
+    def _holds(self, rows: list[fmpz_poly], e: fmpz_poly, n: int, segment: tuple[mpq, mpq], t: mpq) -> bool:
+        """Whether the member at an inner parameter is non-negative, exactly."""
+        a, b = segment
+        z = (t - a) / (b - t)
+        top, bottom = int(z.numerator), int(z.denominator)
+        powers = [top**k * bottom ** (n - k) for k in range(n + 1)]
+
+        def at(row: fmpz_poly) -> Any:
+            return sum((x * powers[k] for k, x in enumerate(row.coeffs())), 0)
+
+        member = fmpz_poly([at(row) for row in rows])
+        return is_nonnegative(member if at(e) > 0 else -member, self.degree)
+
+
+def _on_parts(
+    found: list[tuple[Parameter, Parameter]], parts: list[Part], segment: tuple[mpq, mpq]
+) -> list[tuple[Parameter, Parameter]]:
+    """The intervals that are not in a part that was set aside; none is in both."""
+    a, b = segment
+    kept = []
+    for low, high in found:
+        middle = (between(low, high) - a) / (b - a)
+        if any(first <= middle <= last for first, last in parts):
+            kept.append((low, high))
+    return kept
+
+
+def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
+    """Whether the coefficients alone show that the family is non-negative over e everywhere, and e without an inner
+    zero.
+    """
+    return any(all(x * sign >= 0 for f in (e, family) for x in f.coeffs()) for sign in (1, -1))
+
+
+def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
+    """The inner parameters at which the number of sign changes of a member can differ from that of its neighbours."""
+    if not family:
+        return []
+    _, factors = family.factor_squarefree()
+    found: list[Root] = []
+    for p, multiplicity in factors:
+        if p.degrees()[1] == 0:
+            found += _roots(_in_z(p), segment)
+        elif multiplicity % 2:
+            found += _boundary_parameters(p, segment)
+    odd = [p for p, multiplicity in factors if multiplicity % 2 and p.degrees()[1] > 0]
+    for i, p in enumerate(odd):
+        for other in odd[:i]:
+            found += _roots(_in_z(p.resultant(other, 1)), segment)
+    return found
+
+
+def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
+    """Where a square-free factor has a double zero, or one at an end: discriminant, first and last coefficient."""
+    by_power: dict[int, dict[int, fmpz]] = {}
+    for (i, j), x in p.terms():
+        by_power.setdefault(int(j), {})[int(i)] = x
+    rows = [_polynomial(by_power.get(j, {})) for j in range(max(by_power) + 1)]
+    ends = [rows[min(by_power)], rows[-1]]
+    conditions = [*ends, discriminant(rows)] if len(rows) > 2 else ends
+    return [root for q in conditions for root in _roots(q, segment)]
+
+
+def _polynomial(terms: dict[int, fmpz]) -> fmpz_poly:
+    return fmpz_poly([terms.get(i, fmpz(0)) for i in range(max(terms, default=-1) + 1)])
+
+
+def _in_z(p: fmpz_mpoly) -> fmpz_poly:
+    coefficients = [fmpz(0)] * (int(p.degrees()[0]) + 1) if p else []
+    for (i, _), x in p.terms():
+        coefficients[int(i)] = x
+    return fmpz_poly(coefficients)
+
+
+def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
+    """The inner roots of a polynomial in the local z of a segment: of its square-free factors one by one, for
+    discriminants have many of them.
+    """
+    mesh = Mesh(list(segment))
+    factors = [p for p, _ in c.factor_squarefree()[1] if p.degree() > 0] if c else []
+    return [
+        root
+        for p in factors
+        for root in zeros(BSpline.from_forms(p.degree(), mesh, (), [(p, ONE)]))
+        if not root.at_knot
+    ]
+
+
+def _cells(
+    candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
+) -> list[tuple[Parameter, Parameter]]:
+    """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite
+    between them.
+    """
+    a, b = segment
+    found: list[tuple[Parameter, Parameter]] = []
+    ends: list[Parameter] = [a, *_distinct([*candidates, *poles]), b]
+    for low, high in pairwise(ends):
+        if holds(between(low, high)):
+            if found and found[-1][1] == low and not any(low == pole for pole in poles):
+                found[-1] = (found[-1][0], high)
+            else:
+                found.append((low, high))
+    return found
+
+
+def _distinct(roots: list[Parameter]) -> list[Parameter]:
+    distinct: list[Parameter] = []
+    for root in sorted(roots):
+        if not distinct or distinct[-1] != root:
+            distinct.append(root)
+    return distinct
+
+
+def _intersection(
+    one: list[tuple[Parameter, Parameter]], other: list[tuple[Parameter, Parameter]]
+) -> list[tuple[Parameter, Parameter]]:
+    """The common parts of two lists of intervals that are more than a point."""
+    found = []
+    for a, b in one:
+        for c, d in other:
+            low: Parameter = a if c <= a else c
+            high: Parameter = b if b <= d else d
+            if low < high:
+                found.append((low, high))
+    return found

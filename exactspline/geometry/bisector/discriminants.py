@@ -1,0 +1,59 @@
+"""Discriminants of polynomials in two variables, by values at whole numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from flint import fmpz, fmpz_poly
+
+from exactspline.exact import mpz
+
+
+def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
+    """The discriminant by u of ``Σ rows[j](z) uʲ``, of degree m > 1 in u.
+
+    It is a form of degree 2m − 2 in the rows, so that its degree in z is bounded; its values at so many successive
+    whole numbers, at which the leading row does not vanish, tell it.
+
+    >>> discriminant([fmpz_poly([0, 1]), fmpz_poly([3]), fmpz_poly([1, 1])])
+    (-4)*x^2 + (-4)*x + 9
+    """
+    bound = (2 * len(rows) - 4) * max(row.degree() for row in rows)
+    start = _start(rows[-1], bound + 1)
+    values = []
+    for k in range(start, start + bound + 1):
+        at = fmpz_poly([row(k) for row in rows])
+        values.append(mpz(int(at.discriminant())))
+    return through(values)(fmpz_poly([-start, 1]))
+
+
+def _start(leading: fmpz_poly, count: int) -> int:
+    """The first of so many successive whole numbers at which a polynomial does not vanish, not far from 0."""
+    start = k = -(count // 2)
+    while k < start + count:
+        if leading(k) == 0:
+            start = k + 1
+        k += 1
+    return start
+
+
+def through(values: Sequence[mpz]) -> fmpz_poly:
+    """The polynomial with these values at 0, 1, 2, …, of a degree below their number, with whole coefficients: by
+    Newton's forward differences.
+
+    >>> through([mpz(1), mpz(2), mpz(5), mpz(10)])
+    x^2 + 1
+    """
+    differences, row = [], list(values)
+    factorial = mpz(1)
+    for k in range(len(values)):
+        differences.append(row[0])
+        row = [b - a for a, b in pairwise(row)]
+        factorial *= max(k, 1)
+    # Horner's rule in x, x − 1, …, everything over the factorial of the last step, which divides out again
+    total, scale = fmpz_poly([]), mpz(1)
+    for k in range(len(values) - 1, -1, -1):
+        total = total * fmpz_poly([-k, 1]) + fmpz_poly([fmpz(int(differences[k] * scale))])
+        scale *= max(k, 1)
+    return total // fmpz(int(factorial))

@@ -1,0 +1,75 @@
+"""GLIF, a glyph of a UFO: one curve a contour, in font units, its decimals as they stand.
+
+fontTools reads these files too, but turns decimals into doubles; so the XML is read here, and fontTools says what its
+points mean (the extra `fonts`). Components, which stand in other files, are named as skipped.
+"""
+
+from __future__ import annotations
+
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.interchange.bridges.fonttools import ContourPen
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.numbers import decimal
+from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.xml_tree import Element, parse
+
+TYPES = {None: None, "offcurve": None, "move": "move", "line": "line", "curve": "curve", "qcurve": "qcurve"}
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file is XML with a glyph."""
+    return b"<glyph" in head[:2000] and b"<svg" not in head[:2000]
+
+
+def read(source: Source) -> Reading:
+    """The contours of the glyph."""
+    found = Collector("glif", source)
+    try:
+        from fontTools.pens.pointPen import PointToSegmentPen
+    except ImportError:
+        raise CurveFileError("fontTools is not installed", remedy="pip install 'exactspline[fonts]'") from None
+    root = parse(source.data, source.limits)
+    if root.tag != "glyph":
+        raise CurveFileError(f"<{root.tag[:40]}> where <glyph> is expected", remedy="name a GLIF file")
+    outline = root.first("outline")
+    number = 0
+    for element in outline.children if outline else ():
+        where = f"line {element.line}"
+        if element.tag != "contour":
+            found.skip(
+                element.tag[:40], where, "it stands in another file" if element.tag == "component" else "no curve"
+            )
+            continue
+        number += 1
+        pen = ContourPen(source.limits.objects)
+        try:
+            points = PointToSegmentPen(pen)
+            points.beginPath()
+            for point in element.children:
+                _add(points, point, source)
+            points.endPath()
+        except ExactSplineError as error:
+            found.skip("contour", where, str(error))
+            continue
+        # what the points do not fit together for
+        except Exception as error:
+            found.skip("contour", where, f"its points do not fit together ({type(error).__name__})")
+            continue
+        for degree, knots, places in pen.contours:
+            found.add("contour", where, degree, knots, places, name=f"{root.attributes.get('name', 'glyph')}.{number}")
+    return found.reading()
+
+
+def _add(points: object, point: Element, source: Source) -> None:
+    if point.tag != "point":
+        raise CurveFileError(f"<{point.tag[:40]}> in a contour", where=f"line {point.line}", remedy="write points")
+    given = point.attributes
+    if given.get("type") not in TYPES or not {"x", "y"} <= set(given):
+        raise CurveFileError(
+            "a point without x and y, or of no known type", where=f"line {point.line}", remedy="mend it"
+        )
+    place = tuple(decimal(given[axis], source.limits) for axis in "xy")
+    points.addPoint(place, TYPES[given.get("type")], given.get("smooth") == "yes")  # type: ignore[attr-defined]  # a pen
+
+
+FORMAT = Format("glif", "GLIF glyph of a UFO", (".glif",), looks_like, read)

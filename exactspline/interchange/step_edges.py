@@ -1,0 +1,135 @@
+"""Lines, circles and ellipses of a STEP file, from vertex to vertex where an edge uses them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from exactspline.errors import ShapeError
+from exactspline.exact import mpq
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.numbers import square_root
+from exactspline.interchange.segments import arc_around_origin, joined, mapped
+from exactspline.interchange.step_records import StepFile, Value
+
+EDGE, ELEMENTARY = "EDGE_CURVE", ("LINE", "CIRCLE", "ELLIPSE")
+#: Curves that say on which surfaces they are; the first they name is the curve in space.
+ON_SURFACES = ("SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE")
+ONE = (mpq(1), mpq(0))
+_TEXT = re.compile(r"'[^']*'")
+_REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
+
+
+class Edges:
+    """The edges of a file, and the elementary curves that they use."""
+
+    def __init__(self, file: StepFile) -> None:
+        self.file = file
+        self.used: set[str] = set()
+        for text in file.instances.values():
+            kind, _, rest = text.partition("(")
+            if kind.strip() == EDGE or kind.strip() in ON_SURFACES:
+                # which curve they are on, wherever the text goes on
+                self.used.update(_REFERENCE.findall(_TEXT.sub("", rest))[2 * (kind.strip() == EDGE) :][:1])
+
+    def read(self, keyword: str, number: int, where: str) -> None:
+        """Add the curve of an edge, or an elementary curve that no edge uses."""
+        if keyword == EDGE:
+            self._edge(number, where)
+        elif f"#{number}" not in self.used:
+            if keyword == "LINE":
+                raise ShapeError("a line without ends", remedy="edges have them")
+            frame, _ = self._frame(keyword, f"#{number}")
+            self._add(keyword, where, arc_of(frame, ONE, ONE), "the whole curve")
+
+    def _edge(self, number: int, where: str) -> None:
+        _, first, last, curve, sense = self.file.named(f"#{number}", EDGE, 5)
+        keyword = self._kind(curve)
+        if keyword in ON_SURFACES:
+            curve = self.file.named(curve, keyword, 4)[1]
+            keyword = self._kind(curve)
+        if keyword not in ELEMENTARY:
+            # a spline is read as it stands
+            return
+        ends = [self.file.point(self.file.named(end, "VERTEX_POINT", 2)[1]) for end in (first, last)]
+        if keyword == "LINE":
+            _, through, along = self.file.named(curve, "LINE", 3)
+            direction = self.file.numbers(self.file.named(self.file.named(along, "VECTOR", 3)[1], "DIRECTION", 2)[1])
+            start = self.file.point(through)
+            if any(any(_cross(_minus(end, start), direction)) for end in ends):
+                raise ShapeError("a vertex that is not exactly on the line", remedy="only exact curves are read")
+            self.file.found.add(EDGE, where, 1, [mpq(0), mpq(0), mpq(1), mpq(1)], ends, name=where)
+            return
+        frame, inverse = self._frame(keyword, curve)
+        u, v = (self._local(inverse, end) for end in (ends if sense == ".T." else ends[::-1]))
+        arc = arc_of(frame, u, v)
+        self._add(EDGE, where, arc, f"on {curve}" + ("" if sense == ".T." else ", run backwards"))
+
+    def _kind(self, reference: Value) -> str:
+        text = self.file.instances.get(int(reference[1:]), "") if isinstance(reference, str) and _is(reference) else ""
+        if not text:
+            raise ShapeError("an edge without a curve", remedy="name one")
+        return text.partition("(")[0].strip()
+
+    def _local(self, inverse: Affine, point: Sequence[mpq]) -> tuple[mpq, mpq]:
+        """The place on the unit circle; `ShapeError` for a point that is not exactly on the curve."""
+        x, y, *off = inverse(point)
+        if x * x + y * y != 1 or any(off):
+            raise ShapeError("a vertex that is not exactly on the curve", remedy="only exact curves are read")
+        return x, y
+
+    def _frame(self, keyword: str, reference: Value) -> tuple[Affine, Affine]:
+        """The map that takes the unit circle to a circle or an ellipse in space, and back."""
+        _, placement, *sizes = self.file.named(reference, keyword, 3 if keyword == "CIRCLE" else 4)
+        radii = self.file.numbers(sizes)
+        a, b = radii[0], radii[-1]
+        _, centre, axis, reference_direction = self.file.named(placement, "AXIS2_PLACEMENT_3D", 4)
+        z = _unit(self._direction(axis, (0, 0, 1)))
+        given = self._direction(reference_direction, (1, 0, 0))
+        along = sum((p * q for p, q in zip(given, z, strict=True)), start=mpq(0))
+        x = _unit([p - along * q for p, q in zip(given, z, strict=True)])
+        y, shift = _cross(z, x), self.file.point(centre)
+        if not a > 0 < b or len(shift) != 3:
+            raise ShapeError("a circle of no size", remedy="its radius must be positive")
+        rows = [[p * a, q * b, r, c] for p, q, r, c in zip(x, y, z, shift, strict=True)]
+        back = [[c / size for c in v] for v, size in ((x, a), (y, b), (z, mpq(1)))]
+        inverse = [[*row, -sum((p * q for p, q in zip(row, shift, strict=True)), start=mpq(0))] for row in back]
+        return Affine([[row[0], row[1], row[3]] for row in rows]), Affine(inverse)
+
+    def _direction(self, reference: Value, usual: Sequence[int]) -> list[mpq]:
+        if reference == "$":
+            return list(map(mpq, usual))
+        found = self.file.numbers(self.file.named(reference, "DIRECTION", 2)[1])
+        if len(found) != 3:
+            raise ShapeError("a direction that is not in space", remedy="write three ratios")
+        return found
+
+    def _add(self, keyword: str, where: str, arc: tuple[int, list[mpq], list[tuple[mpq, ...]]], note: str) -> None:
+        degree, knots, points = arc
+        self.file.found.add(keyword, where, degree, knots, points, homogeneous=True, name=where, notes=[note])
+
+
+def arc_of(frame: Affine, u: tuple[mpq, mpq], v: tuple[mpq, mpq]) -> tuple[int, list[mpq], list[tuple[mpq, ...]]]:
+    """The image of the arc of the unit circle from u to v as degree, knots and homogeneous control points."""
+    return joined(mapped(arc_around_origin(u, v), frame))
+
+
+def _is(text: str) -> bool:
+    return bool(_REFERENCE.fullmatch(text))
+
+
+def _unit(v: Sequence[mpq]) -> list[mpq]:
+    length = square_root(sum((x * x for x in v), start=mpq(0)))
+    if not length:
+        raise ShapeError("an axis without rational length", remedy="only exact curves are read")
+    return [x / length for x in v]
+
+
+def _minus(a: Sequence[mpq], b: Sequence[mpq]) -> list[mpq]:
+    return [x - y for x, y in zip(a, b, strict=True)]
+
+
+def _cross(a: Sequence[mpq], b: Sequence[mpq]) -> list[mpq]:
+    if len(a) != 3 or len(b) != 3:
+        raise ShapeError("an edge that is not in space", remedy="vertices have three coordinates")
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

@@ -1,0 +1,219 @@
+"""The site as a reader has it: served locally, opened in a browser; what the pages say is what the library says.
+
+It runs where the site was built (`./run site`) and Chromium is installed.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import shutil
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import Any
+from urllib.parse import unquote, urldefrag, urlsplit
+
+import pytest
+
+from exactspline.papers import papers
+from exactspline.verification.claims import claims_in
+
+ROOT = Path(__file__).parent.parent
+SITE = ROOT / "build" / "site" / "html"
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+PATIENCE = 120_000
+
+pytestmark = [
+    pytest.mark.skipif(not (SITE / "index.html").exists(), reason="the site is not built: ./run site"),
+    pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here"),
+]
+sys.path.insert(0, str(ROOT / "docs" / "play" / "python"))
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """A server that does not print every request."""
+
+    def log_message(self, *_: object) -> None:
+        """Nothing."""
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(SITE))) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    playwright = pytest.importorskip("playwright.sync_api")
+    with playwright.sync_playwright() as player:
+        started = player.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield started
+        started.close()
+
+
+@contextmanager
+def opened(browser: Any, address: str, page: str, width: int = 1280) -> Iterator[Any]:
+    """A page that may ask this host alone, and says nothing on its console."""
+    tab = browser.new_page(viewport={"width": width, "height": 900})
+    foreign: list[str] = []
+    told: list[str] = []
+    tab.on("request", lambda r: r.url.startswith((address, "data:", "blob:")) or foreign.append(r.url))
+    tab.on("pageerror", lambda problem: told.append(str(problem)))
+    tab.on("console", lambda message: message.type == "error" and told.append(message.text))
+    tab.goto(f"{address}/{page}")
+    yield tab
+    tab.close()
+    assert (foreign, told) == ([], [])
+
+
+def in_this_python(question: str, data: Any) -> Any:
+    """What the library answers here, by the same question."""
+    page = pytest.importorskip("page")
+    return json.loads(page.answer(question, json.dumps(data)))["answer"]
+
+
+def shown(tab: Any, name: str) -> Any:
+    """What a page keeps of its last answer."""
+    tab.wait_for_function(f"document.body.dataset.{name}", timeout=PATIENCE)
+    return json.loads(tab.evaluate(f"document.body.dataset.{name}"))
+
+
+def curve_of(tab: Any) -> dict[str, Any]:
+    """The curve that the address restores."""
+    text = tab.evaluate("location.hash").removeprefix("#")
+    return json.loads(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)))
+
+
+def after(tab: Any, act: Any) -> None:
+    """Act, and wait for one more answer and then for quiet."""
+    tab.evaluate("delete document.body.dataset.features; delete document.body.dataset.degrees")
+    act()
+    shown(tab, "features")
+    shown(tab, "degrees")
+
+
+def test_a_dragged_point_is_answered_as_the_library_answers(browser, address):
+    with opened(browser, address, "play/curve.html") as tab:
+        shown(tab, "degrees")
+        box = tab.locator("circle.handle").nth(1).bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+        def drag() -> None:
+            tab.mouse.move(x, y)
+            tab.mouse.down()
+            tab.mouse.move(x + 40, y - 25, steps=4)
+            tab.mouse.up()
+
+        after(tab, drag)
+        curve = curve_of(tab)
+        variants = ["squaring", "paper", "minimal"]
+        told = in_this_python("forms", {"curve": curve, "variants": variants})
+        assert shown(tab, "features") == in_this_python("features", curve)["features"]
+        assert shown(tab, "degrees") == [form["degree"] for form in told]
+
+
+def test_the_keyboard_moves_points_and_weights(browser, address):
+    with opened(browser, address, "play/curve.html") as tab:
+        shown(tab, "degrees")
+        handle = tab.locator("circle.handle").nth(1)
+        handle.focus()
+        after(tab, lambda: handle.press("ArrowUp"))
+        once = curve_of(tab)
+        after(tab, lambda: handle.press("+"))
+        twice = curve_of(tab)
+        assert once["points"] == twice["points"]
+        assert [a != b for a, b in zip(once["weights"], twice["weights"], strict=True)].count(True) == 1
+        assert shown(tab, "features") == in_this_python("features", twice)["features"]
+
+
+def test_digits_at_a_click(browser, address):
+    with opened(browser, address, "play/curve.html") as tab:
+        curve = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")[0]
+        first = next(f for f in shown(tab, "features") if not f["exact"])
+        tab.get_by_role("button", name=first["t"]).click()
+        tab.wait_for_selector("#digits code", timeout=PATIENCE)
+        same = [f for f in in_this_python("features", curve)["features"] if f["group"] == first["group"]]
+        asked = {"curve": curve, "group": first["group"], "index": same.index(first), "digits": 50}
+        told = in_this_python("digits", asked)
+        assert tab.locator("#digits code").inner_text() == told["decimal"]
+        assert told["polynomial"] in tab.locator("#digits").inner_text()
+
+
+def test_a_formula_that_is_typed_is_reduced(browser, address):
+    with opened(browser, address, "play/reduce.html") as tab:
+        shown(tab, "reduced")
+        text = "from exactspline import det\n\n\ndef mine(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w\n"
+        tab.fill("#text", text)
+        tab.evaluate("delete document.body.dataset.reduced")
+        tab.click("#go")
+        asked = {"text": text, "dimension": 2, "polynomial": False}
+        assert shown(tab, "reduced") == in_this_python("reduce", asked)["parts"]
+        tab.fill("#text", "import os\n")
+        tab.click("#go")
+        tab.wait_for_selector("#status.problem", timeout=PATIENCE)
+
+
+def test_the_ledger_is_whole_and_found_in(browser, address):
+    with opened(browser, address, "play/claims.html") as tab:
+        tab.wait_for_selector("details")
+        assert tab.locator("#count").inner_text().split()[0] == str(len(claims_in(papers())))
+        tab.fill("#search", "C4.2b")
+        tab.locator("details").first.locator("summary").click()
+        tab.wait_for_selector(".opened .katex")
+
+
+def test_the_bisector_is_that_of_the_library(browser, address):
+    with opened(browser, address, "play/bisector.html") as tab:
+        assert set(shown(tab, "pieces")) <= {"arc", "end point", "corner"}
+
+
+def test_de_boors_triangle_follows_the_point_and_the_curve_stays(browser, address):
+    with opened(browser, address, "play/de-boor.html") as tab:
+        curves = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")
+        curve = next(c for c in curves if c["name"] == "cubic_s")
+        assert shown(tab, "triangle") == in_this_python("triangle", {"curve": curve, "share": "20/60"})
+        tab.evaluate("delete document.body.dataset.triangle")
+        tab.locator(".handle.q").focus()
+        tab.locator(".handle.q").press("ArrowRight")
+        there = shown(tab, "triangle")
+        assert there == in_this_python("triangle", {"curve": curve, "share": "21/60"})
+        tab.evaluate("delete document.body.dataset.triangle")
+        tab.click("#insert")
+        assert shown(tab, "same") is True
+        finer = in_this_python("refined", {"curve": curve, "knot": there["t"]})["curve"]
+        assert shown(tab, "triangle") == in_this_python("triangle", {"curve": finer, "share": "21/60"})
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("page", ["curve", "reduce", "claims", "bisector", "degrees", "de-boor"])
+def test_no_page_is_wider_than_its_window(browser, address, page, width):
+    with opened(browser, address, f"play/{page}.html", width) as tab:
+        tab.wait_for_selector("main")
+        assert tab.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_no_link_leads_nowhere_and_none_loads_from_elsewhere():
+    broken = []
+    for page in SITE.rglob("*.html"):
+        text = re.sub(r"<script\b[^>]*>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+        for tag, attribute, link in re.findall(r"<(\w+)\b[^>]*?\s(href|src)=\"([^\"]*)\"", text):
+            parts = urlsplit(urldefrag(link)[0])
+            if parts.scheme in ("http", "https"):
+                if attribute == "src" or tag == "link":
+                    broken.append(f"{page.name}: {link}")
+            elif parts.path and not parts.scheme and not (page.parent / unquote(parts.path)).exists():
+                broken.append(f"{page.name}: {link}")
+    assert broken == []
+
+
+def test_the_site_is_small():
+    assert sum(file.stat().st_size for file in SITE.rglob("*")) < 60_000_000
