@@ -181,3 +181,23 @@ def test_a_pen_refuses_components_and_floods():
     pen.moveTo((0, 0))
     with pytest.raises(ShapeError, match="more than 3 points"):
         pen.qCurveTo((0, 1), (1, 1), (2, 2))
+
+
+def test_splinepy_both_ways():
+    splinepy = pytest.importorskip("splinepy")
+    from exactspline.errors import ShapeError
+    from exactspline.interchange.bridges.splinepy import from_splinepy, to_splinepy
+
+    for name in ("six_segment_cubic", "circle", "twisted_cubic"):
+        curve = example(name)
+        rounded = from_splinepy(to_splinepy(curve))
+        assert rounded.knots == curve.knots
+        assert rounded.polynomial == curve.polynomial
+        there = to_splinepy(curve).evaluate([[0.5]])[0]
+        assert max(abs(float(x) - y) for x, y in zip(curve("1/2"), there, strict=True)) < 1e-12
+    bezier = splinepy.Bezier([2], [[0.1, 0], [1, 2], [2, 0]])
+    assert from_splinepy(bezier)(0)[0] == from_float(0.1)
+    rational = splinepy.RationalBezier([2], [[1, 0], [1, 1], [0, 1]], [1, 0.5, 1])
+    assert from_splinepy(rational).weights == (1, mpq(1, 2), 1)
+    with pytest.raises(ShapeError, match="parameters"):
+        from_splinepy(splinepy.Bezier([1, 1], [[0, 0], [1, 0], [0, 1], [1, 1]]))

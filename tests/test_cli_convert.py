@@ -1,6 +1,7 @@
 """`exactspline convert` as a user meets it."""
 
 import io
+import json
 
 import pytest
 from typer.testing import CliRunner
@@ -56,3 +57,21 @@ def test_nothing_to_convert_and_no_overwriting_of_the_source(tmp_path):
     assert isinstance(run(source, tmp_path / "b.g2").exception, CurveFileError)
     assert run(source, tmp_path / "b.g2", "--degree", "1").exit_code == 0
     assert isinstance(run(tmp_path / "b.g2", tmp_path / "b.g2").exception, CurveFileError)
+
+
+def test_what_was_converted_is_told_as_json_under_its_schema(tmp_path):
+    jsonschema = pytest.importorskip("jsonschema")
+    from exactspline.cli.schema import schema_of
+
+    source, target = tmp_path / "drawing.svg", tmp_path / "curves.json"
+    source.write_bytes(SVG if isinstance(SVG, bytes) else SVG.encode())
+    done = run(source, target, "--json")
+    assert done.exit_code == 0
+    data = json.loads(done.stdout)
+    jsonschema.validate(data, schema_of("convert"))
+    assert [row["format"] for row in data["rows"]] == ["svg"] * len(data["rows"])
+    # thirds among them: *.json is the format that holds everything
+    assert read(target).format == "json"
+    assert "name a file" in str(run(source, "-", "--json").exception)
+    # what is skipped is said however quiet it is
+    assert {line.split(":")[0] for line in run(source, target, "--quiet").stderr.splitlines()} == {"skipped"}

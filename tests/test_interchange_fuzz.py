@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from exactspline.errors import ExactSplineError
 from exactspline.interchange import read
 from exactspline.interchange.files import encoded
-from tests.fuzz_readers import NASTY, WORD
+from tests.fuzz_readers import NASTY, WORD, fuzz, originals
 from tests.interchange_seeds import CURVES, cff, seeds, truetype
 
 #: Seconds that a small file may take.
@@ -151,3 +151,14 @@ def test_a_curve_that_would_take_too_long_is_named():
     refused = read(data.encode())
     assert not refused.curves
     assert "too much work" in refused.skipped[0].why
+
+
+@pytest.mark.parametrize("name", sorted(originals()))
+def test_changed_files_and_kept_ones(name):
+    """Some twenty seconds of `tests.fuzz_readers`, from its kept files too."""
+    if name in ("font", "glif"):
+        pytest.importorskip("fontTools")
+    failures, read_well, longest = fuzz(name, 3000, seed=0, keep=False)
+    assert failures == 0
+    assert read_well > 50
+    assert longest < SOON

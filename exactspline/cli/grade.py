@@ -49,7 +49,7 @@ def grade(
     if page:
         from exactspline.atomic_write import write_atomically
 
-        written = page_of(reports, defects, chosen, len(truths.uncertified))
+        written = page_of(reports, defects, chosen, truths.uncertified)
         write_atomically(page, lambda stream: stream.write(written.encode()))
     found = rows(reports, defects)
     out.give("grade", lambda: found, lambda: [_sheet(found)])

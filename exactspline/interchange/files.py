@@ -105,7 +105,8 @@ def named_format(name: str) -> Format:
 
 def _by_suffix(path: str) -> Format:
     suffix = Path(path).suffix.lower()
-    for known in FORMATS:
+    # *.json is our own: the formats that have it too are told by their content, and written when they are named
+    for known in sorted(FORMATS, key=lambda known: known.name != suffix[1:]):
         if suffix in known.suffixes:
             return known
     raise CurveFileError(f"no format has files called *{suffix}", where=path, remedy="name the format")

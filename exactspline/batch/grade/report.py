@@ -76,7 +76,12 @@ that it has no answer.
 """
 
 
-def page(reports: Sequence[Report], defects: Sequence[Defect], cases: Sequence[Case], uncertified: int) -> str:
+def page(
+    reports: Sequence[Report],
+    defects: Sequence[Defect],
+    cases: Sequence[Case],
+    uncertified: Sequence[tuple[str, str, str]],
+) -> str:
     """The page in Markdown."""
     families = Counter(case.family for case in cases)
     head = HEAD.format(
@@ -86,9 +91,19 @@ def page(reports: Sequence[Report], defects: Sequence[Defect], cases: Sequence[C
         questions=len({one.question for report in reports for one in report.judged}),
         libraries=len(reports),
         answers=sum(len(report.judged) for report in reports),
-        uncertified=uncertified,
+        uncertified=len(uncertified),
     )
-    return "\n".join([head, _scores(reports), _meanings(), _accuracy(reports), _defects(defects), _named(cases)])
+    return "\n".join(
+        [
+            head,
+            _scores(reports),
+            _meanings(),
+            _accuracy(reports),
+            _defects(defects),
+            _named(cases),
+            _left_out(uncertified),
+        ]
+    )
 
 
 def _scores(reports: Sequence[Report]) -> str:
@@ -130,7 +145,7 @@ def _defects(defects: Sequence[Defect]) -> str:
     lines = ["## Defects, each with its smallest example", ""]
     for defect in defects:
         one = defect.example
-        note = one.verdict.note or _ulps(one.verdict.ulps)
+        note = " ".join((one.verdict.note or _ulps(one.verdict.ulps)).split())[:160]
         lines += [
             f"- **{defect.library}**, {defect.question}: {defect.outcome} {defect.times} times. {_curve(one)}: {note}"
         ]
@@ -156,6 +171,12 @@ def _named(cases: Sequence[Case]) -> str:
     lines = ["## Cases from public bug reports", ""]
     lines += [f"- [{case.key.removeprefix('named ')}]({case.link}): {case.note}" for case in named]
     return "\n".join([*lines, ""])
+
+
+def _left_out(uncertified: Sequence[tuple[str, str, str]]) -> str:
+    lines = ["## Left out, not certified", ""]
+    lines += [f"- {case}, {question}: {flaw}" for case, question, flaw in uncertified]
+    return "\n".join([*lines, ""]) if uncertified else ""
 
 
 def wrong(report: Report) -> list[Judged]:

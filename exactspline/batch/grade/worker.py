@@ -24,8 +24,8 @@ def answers(library: Adapter, request: dict[str, Any]) -> dict[str, dict[str, An
             continue
         try:
             found[question] = {"answer": library.ask(question, given)}
-        except DeclinedError as error:
-            found[question] = {"declined": str(error)}
+        except (DeclinedError, NotImplementedError) as error:
+            found[question] = {"declined": f"{error}"[:300]}
         except Exception as error:  # what a library raises is its answer
             found[question] = {"raised": f"{type(error).__name__}: {error}"[:300]}
     return found

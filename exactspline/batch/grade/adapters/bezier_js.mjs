@@ -22,8 +22,8 @@ const answers = {
     return [b.lineIntersects(line)];
   },
   inflections: (b) => [b.inflections()],
-  // documented as numerical: a part of 1/1000 is taken for right
-  length: (b) => [b.length(), b.length() / 1000],
+  // documented as numerical: a part of 1/100 is taken for right
+  length: (b) => [b.length(), b.length() / 100],
   split: (b, t) => { const parts = b.split(t); return [...rows(parts.left), ...rows(parts.right)]; },
   elevate: (b) => rows(b.raise()),
 };

@@ -1,0 +1,39 @@
+"""splinepy's curves: in exactly, out correctly rounded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from exactspline.errors import ShapeError
+from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    import splinepy.spline
+
+
+def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
+    """The exact curve of the numbers that splinepy holds, of any of its four classes; Bézier curves over [0, 1].
+
+    Raises `ShapeError` for a surface or a volume.
+    """
+    if curve.para_dim != 1:
+        raise ShapeError(f"a spline of {curve.para_dim} parameters", remedy="a curve has one")
+    degree = int(curve.degrees[0])
+    if curve.has_knot_vectors:
+        knots = [exact(t) for t in curve.knot_vectors[0]]
+    else:
+        knots = [exact(int(i > degree)) for i in range(2 * degree + 2)]
+    weights = [exact(w) for row in curve.weights for w in row] if curve.is_rational else None
+    return Nurbs(degree, knots, exact_rows(curve.control_points), weights)
+
+
+def to_splinepy(curve: Nurbs) -> splinepy.spline.Spline:
+    """A splinepy ``BSpline`` or ``NURBS`` with the correctly rounded knots, points and weights."""
+    import splinepy
+
+    points = [doubles(point) for point in curve.control_points]
+    knots = [doubles(curve.knots)]
+    if curve.polynomial:
+        return splinepy.BSpline([curve.degree], knots, points)
+    return splinepy.NURBS([curve.degree], knots, points, [[w] for w in doubles(curve.weights)])
