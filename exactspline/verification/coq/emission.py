@@ -111,7 +111,7 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
         try:
             text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
         except ExactSplineError as error:
-            found.append(Stated(claim, "", "", str(error)))
+            found.append(Stated(claim, "", "", error.problem))
             continue
         match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
         assert match is not None

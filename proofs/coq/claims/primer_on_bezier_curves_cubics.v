@@ -4,52 +4,9 @@
 
 Require Import ZArith List.
 From ExactSpline Require Import Base Reflection Proofs.
-From ExactSpline.formulas Require chen_riesenfeld_cohen_2007.
 From ExactSpline.formulas Require Import primer_on_bezier_curves.
 Import ListNotations.
 Local Open Scope formula_scope.
-
-(** PB1a, § Derivatives. *)
-Theorem PB1a_derivative_weight_1_velocity_in_dimension_2 : every_plane_curve (fun K c =>
-  number 3 <> zero K ->
-  derivative_weight_1 c = chen_riesenfeld_cohen_2007.velocity c).
-Proof.
-  apply plane_by_position; intros K x_ y_ w_ Hw P3.
-  pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_).
-  pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 3] (var 5) []).
-  pose (atoms := [num 3]%formula : list expr).
-  pose (known := [([1], [0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (E : map (value K l) (derivative_weight_1 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.velocity c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB1a, § Derivatives. *)
-Theorem PB1a_derivative_weight_1_velocity_in_dimension_3 : every_space_curve (fun K c =>
-  number 3 <> zero K ->
-  derivative_weight_1 c = chen_riesenfeld_cohen_2007.velocity c).
-Proof.
-  apply space_by_position; intros K x_ y_ z_ w_ Hw P3.
-  pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_).
-  pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 3; var 5] (var 7) []).
-  pose (atoms := [num 3]%formula : list expr).
-  pose (known := [([1], [0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (E : map (value K l) (derivative_weight_1 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.velocity c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
 
 (** PB1a, § Derivatives. *)
 Theorem PB1a_derivative_weight_3_velocity_at_the_end_in_dimension_2 : every_plane_curve (fun K c =>
@@ -102,56 +59,6 @@ Proof.
 Qed.
 
 (** PB1b, § Derivatives. *)
-Theorem PB1b_second_derivative_weight_1_acceleration_in_dimension_2 : every_plane_curve (fun K c =>
-  number 3 <> zero K ->
-  number 2 <> zero K ->
-  second_derivative_weight_1 c = chen_riesenfeld_cohen_2007.acceleration c).
-Proof.
-  apply plane_by_position; intros K x_ y_ w_ Hw P3 P2.
-  pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
-  pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 4] (var 7) []).
-  pose (atoms := [num 3; num 2]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
-  clear N. rename N2 into N.
-  assert (E : map (value K l) (second_derivative_weight_1 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.acceleration c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB1b, § Derivatives. *)
-Theorem PB1b_second_derivative_weight_1_acceleration_in_dimension_3 : every_space_curve (fun K c =>
-  number 3 <> zero K ->
-  number 2 <> zero K ->
-  second_derivative_weight_1 c = chen_riesenfeld_cohen_2007.acceleration c).
-Proof.
-  apply space_by_position; intros K x_ y_ z_ w_ Hw P3 P2.
-  pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
-  pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
-  pose (atoms := [num 3; num 2]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
-  clear N. rename N2 into N.
-  assert (E : map (value K l) (second_derivative_weight_1 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.acceleration c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB1b, § Derivatives. *)
 Theorem PB1b_second_derivative_weight_2_acceleration_at_the_end_in_dimension_2 : every_plane_curve (fun K c =>
   number 2 <> zero K ->
   number 3 <> zero K ->
@@ -197,56 +104,6 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P3. }
   clear N. rename N2 into N.
   assert (E : map (value K l) (second_derivative_weight_2 c : list expr)%formula = map (value K l) (acceleration_at_the_end c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB1c, § Derivatives. *)
-Theorem PB1c_third_derivative_weight_jerk_in_dimension_2 : every_plane_curve (fun K c =>
-  number 2 <> zero K ->
-  number 3 <> zero K ->
-  third_derivative_weight c = chen_riesenfeld_cohen_2007.jerk c).
-Proof.
-  apply plane_by_position; intros K x_ y_ w_ Hw P2 P3.
-  pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
-  pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 5] (var 9) []).
-  pose (atoms := [num 2; num 3]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P3. }
-  clear N. rename N2 into N.
-  assert (E : map (value K l) (third_derivative_weight c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.jerk c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB1c, § Derivatives. *)
-Theorem PB1c_third_derivative_weight_jerk_in_dimension_3 : every_space_curve (fun K c =>
-  number 2 <> zero K ->
-  number 3 <> zero K ->
-  third_derivative_weight c = chen_riesenfeld_cohen_2007.jerk c).
-Proof.
-  apply space_by_position; intros K x_ y_ z_ w_ Hw P2 P3.
-  pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
-  pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
-  pose (atoms := [num 2; num 3]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P3. }
-  clear N. rename N2 into N.
-  assert (E : map (value K l) (third_derivative_weight c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.jerk c : list expr)%formula).
   { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
@@ -349,56 +206,6 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
   clear N. rename N2 into N.
   assert (E : map (value K l) (extremities_a c : list expr)%formula = map (value K l) (extremities_a_by_v c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB2b, § Finding extremities: root finding. *)
-Theorem PB2b_extremities_a_by_v_jerk_in_dimension_2 : every_plane_curve (fun K c =>
-  number 3 <> zero K ->
-  number 2 <> zero K ->
-  extremities_a_by_v c = vmul (number 1 / number 2) (chen_riesenfeld_cohen_2007.jerk c)).
-Proof.
-  apply plane_by_position; intros K x_ y_ w_ Hw P3 P2.
-  pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
-  pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 5] (var 9) []).
-  pose (atoms := [num 3; num 2]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
-  clear N. rename N2 into N.
-  assert (E : map (value K l) (extremities_a_by_v c : list expr)%formula = map (value K l) (vmul (number 1 / number 2) (chen_riesenfeld_cohen_2007.jerk c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB2b, § Finding extremities: root finding. *)
-Theorem PB2b_extremities_a_by_v_jerk_in_dimension_3 : every_space_curve (fun K c =>
-  number 3 <> zero K ->
-  number 2 <> zero K ->
-  extremities_a_by_v c = vmul (number 1 / number 2) (chen_riesenfeld_cohen_2007.jerk c)).
-Proof.
-  apply space_by_position; intros K x_ y_ z_ w_ Hw P3 P2.
-  pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
-  pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
-  pose (atoms := [num 3; num 2]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
-  clear N. rename N2 into N.
-  assert (E : map (value K l) (extremities_a_by_v c : list expr)%formula = map (value K l) (vmul (number 1 / number 2) (chen_riesenfeld_cohen_2007.jerk c) : list expr)%formula).
   { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

@@ -4,7 +4,6 @@
 
 Require Import ZArith List.
 From ExactSpline Require Import Base Reflection Proofs.
-From ExactSpline.formulas Require chen_riesenfeld_cohen_2007.
 From ExactSpline.formulas Require Import primer_on_bezier_curves.
 Import ListNotations.
 Local Open Scope formula_scope.
@@ -55,31 +54,6 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
   clear N. rename N2 into N.
   assert (E : value K l (inflection_coefficient_1 c : expr)%formula = value K l (turning c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB4a, § Curve inflections. *)
-Theorem PB4a_inflection_coefficient_0_f0 : every_plane_curve (fun K c =>
-  number 3 <> zero K ->
-  number 2 <> zero K ->
-  inflection_coefficient_0 c = chen_riesenfeld_cohen_2007.f0 c).
-Proof.
-  apply plane_by_position; intros K x_ y_ w_ Hw P3 P2.
-  pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
-  pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 4] (var 7) []).
-  pose (atoms := [num 3; num 2]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P3. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
-  clear N. rename N2 into N.
-  assert (E : value K l (inflection_coefficient_0 c : expr)%formula = value K l (chen_riesenfeld_cohen_2007.f0 c : expr)%formula).
   { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
@@ -182,31 +156,6 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P3. }
   clear N. rename N2 into N.
   assert (E : value K l (aligned_t1 c : expr)%formula = value K l (number 1 / number 18 * chord_squared c * turning c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
-  vm_cast_no_check E.
-Qed.
-
-(** PB4c, § Curve inflections. *)
-Theorem PB4c_aligned_t0_f0 : every_plane_curve (fun K c =>
-  number 2 <> zero K ->
-  number 3 <> zero K ->
-  aligned_t0 c = number 1 / number 18 * chord_squared c * chen_riesenfeld_cohen_2007.f0 c).
-Proof.
-  apply plane_by_position; intros K x_ y_ w_ Hw P2 P3.
-  pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
-  pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
-  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
-  pose (c := homogeneous s [var 1; var 5] (var 9) []).
-  pose (atoms := [num 2; num 3]%formula : list expr).
-  pose (known := [([1], [0]); ([1; 1], [0; 0]); ([0; 1], [0; 0]); ([1; 2], [0; 0])] : list (list nat * list nat)).
-  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
-  assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
-  clear N. rename N1 into N.
-  assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P3. }
-  clear N. rename N2 into N.
-  assert (E : value K l (aligned_t0 c : expr)%formula = value K l (number 1 / number 18 * chord_squared c * chen_riesenfeld_cohen_2007.f0 c : expr)%formula).
   { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
