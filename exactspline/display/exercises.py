@@ -77,7 +77,8 @@ def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list
     """The exercises, numbered, and the solutions behind them."""
     lines: list[str] = []
     for i, each in enumerate(made, 1):
-        lines += [*_paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width), ""]
+        lines += _paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width)
+        lines += [*_paragraph(f"   Answer: {each.answer.form}.", width, 3), ""]
     if solutions:
         lines += ["Solutions", ""]
         for i, each in enumerate(made, 1):
