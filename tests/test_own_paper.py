@@ -422,6 +422,37 @@ def test_a_trusted_formula_that_branches_names_file_and_line(tmp_path):
     assert "must not branch" in told
 
 
+MISFITS = [
+    {"kind": "identity", "left": "f", "right": "v"},
+    {"kind": "identity", "left": "v", "right": "f"},
+    {"kind": "identity", "left": "f", "right": "f2", "factor": "v"},
+    {"kind": "zero set", "formulas": ["f", "v", "s"]},
+    {"kind": "same surface", "left": "f", "right": "v"},
+    {"kind": "same surface", "left": "s", "right": "v"},
+    {"kind": "square class", "formula": "v", "right": "s"},
+    {"kind": "sign", "formula": "v"},
+    {"kind": "sign", "formula": "s"},
+    {"kind": "sign", "formula": "f", "squares": ["v", "s"]},
+    {"kind": "invariance", "formula": "s", "under": "rotation"},
+    {"kind": "invariance", "formula": "f", "under": "rotation", "nature": "point"},
+    {"kind": "count", "formula": "s", "example": "circle", "claimed": "1 roots"},
+    {"kind": "condition", "left": "v", "right": "s", "example": "circle"},
+    {"kind": "coefficients", "formula": "s"},
+    {"kind": "vanishing", "left": "s"},
+]
+
+
+def test_claims_that_do_not_fit_their_formulas_are_told(tmp_path):
+    formulas = plane_formulas(f="det(c.p, c.p.d(1))", f2="c.w", v="c.p", s="ruled(c.p, c.p.d(1))")
+    claims = [{"id": f"M{i}", "statement": "a misfit", "curve": "plane"} | each for i, each in enumerate(MISFITS)]
+    for claim in claims:
+        folder = written(tmp_path / claim["id"], formulas, [claim])
+        with suppress(ExactSplineError):
+            (own,) = claims_of(load_paper(folder))
+            rows = [proved(own), *audit([own], [example("cubic_s"), example("rational_cubic")])]
+            assert not any(row.verdict in (PROVED, VERIFIED) for row in rows), claim
+
+
 def test_a_derivative_that_the_kind_does_not_have(tmp_path):
     folder = written(
         tmp_path / "p",
