@@ -111,7 +111,7 @@ def judge_formulas(
 
     chosen = _drawn(formulas.all_mutants(), options, 10**6)
     if todo := [m for m in chosen if key(m) not in known]:
-        for mutant, result in formulas.judged(todo, 120, options.jobs):
+        for mutant, result in formulas.judged(todo, 300, options.jobs):
             if not told(mutant, result):
                 break
     return chosen
