@@ -1,4 +1,4 @@
-"""False claims of every kind, made from true ones and written into the folder of a paper: none is PROVED or VERIFIED."""
+"""False claims of every kind, made from true ones and written into the folder of a paper: none is ever proved."""
 
 from dataclasses import fields
 from enum import StrEnum
