@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.floats import floats as floats
     from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
+    from exactspline.geometry.many_curves import features_of_many as features_of_many
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
@@ -189,6 +190,7 @@ _HOMES = {
     "corners": "geometry.features:corners",
     "curvature_extrema": "geometry.features:curvature_extrema",
     "inspect_curve": "geometry.inspection:inspect_curve",
+    "features_of_many": "geometry.many_curves:features_of_many",
     "inflections": "geometry.features:inflections",
     "joints": "geometry.features:joints",
     "singular_points": "geometry.features:singular_points",

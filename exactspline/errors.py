@@ -6,8 +6,10 @@ Every message says what was wrong, where, and what would be right; programs read
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from difflib import SequenceMatcher
+from functools import lru_cache
 from typing import Any
 
 
@@ -59,14 +61,38 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     'the nearest is C8; `exactspline show` lists all'
     """
 
-    def likeness(other: str) -> float:
-        a, b = name.lower(), other.lower()
-        # who mistypes a name mostly gets its first letter right
-        return 5 * SequenceMatcher(None, a, b).ratio() + (a[:1] == b[:1])
-
-    near = sorted(known, key=likeness, reverse=True)[:3]
+    near = _likest(name.lower(), list(known))
     told = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
     return told + (f"; `{listed_by}` lists all" if listed_by else "")
+
+
+def _likest(name: str, known: list[str], count: int = 3) -> list[str]:
+    """The names most like a name, the likest first. Who mistypes a name mostly gets its first letter right.
+
+    How alike two names are is bounded by the letters that they share, which is cheap to count: only those are compared
+    whose bound is not below what was found.
+    """
+    own, found = _letters(name), list[tuple[float, int]]()
+    for bound, i in sorted((_bound(name, own, each.lower()), i) for i, each in enumerate(known)):
+        if len(found) >= count and bound > sorted(found)[count - 1][0]:
+            break
+        other = known[i].lower()
+        found.append((-5 * SequenceMatcher(None, name, other).ratio() - (name[:1] == other[:1]), i))
+    return [known[i] for _, i in sorted(found)[:count]]
+
+
+def _bound(name: str, own: Counter[str], other: str) -> float:
+    """What the likeness of two names, negated, is not below."""
+    if not name and not other:
+        return -6
+    theirs = _letters(other)
+    shared = sum(min(n, theirs[letter]) for letter, n in own.items())
+    return -10 * shared / (len(name) + len(other)) - (name[:1] == other[:1])
+
+
+@lru_cache(maxsize=4096)
+def _letters(name: str) -> Counter[str]:
+    return Counter(name)
 
 
 class NumberError(ExactSplineError):

@@ -68,6 +68,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--budget", type=float, default=30, help="so many seconds of tests for one mutant of an engine")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--file", default="", help="only mutants of files whose names contain this")
+    parser.add_argument("--function", default="", help="only mutants of functions whose names contain this")
     parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
     parser.add_argument("--results", type=Path, default=RESULTS)
     parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
@@ -110,7 +111,7 @@ def judge_formulas(
 
     chosen = _drawn(formulas.all_mutants(), options, 10**6)
     if todo := [m for m in chosen if key(m) not in known]:
-        for mutant, result in formulas.judged(todo, 120, options.jobs):
+        for mutant, result in formulas.judged(todo, 300, options.jobs):
             if not told(mutant, result):
                 break
     return chosen
@@ -175,7 +176,11 @@ def table(known: Known) -> int:
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
-    return drawn([m for m in mutants if options.file in m.file], options.sample or most, options.seed)
+    return drawn(
+        [m for m in mutants if options.file in m.file and options.function in m.function],
+        options.sample or most,
+        options.seed,
+    )
 
 
 def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:

@@ -150,10 +150,10 @@ class Judge:
 
         while todo:
             again = []
-            for mutant, result in forked(todo, work, 10 * self.budget, self.jobs):
+            for mutant, result in forked(todo, work, 60 + 20 * self.budget, self.jobs):
                 name = result.get("by", "")
                 if name in items and name not in self.sound:
-                    ((_, plain),) = forked([name], unchanged, 10 * self.budget, 1)
+                    ((_, plain),) = forked([name], unchanged, 60 + 20 * self.budget, 1)
                     self.sound[name] = plain["verdict"] == "survived"
                 if not self.sound.get(name, True):
                     again.append(mutant)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import copy
+import gc
 import inspect
 import random
 import sys
@@ -88,7 +89,13 @@ class Mutant:
         _Replaced(change[0], change[1][2]).visit(node)
         ast.fix_missing_locations(tree)
         code = compile(tree, str(ROOT / self.file), "exec")
-        live(self.module, self.function).__code__ = _found(code, self.function.split("."))
+        function = live(self.module, self.function)
+        old, new = function.__code__, _found(code, self.function.split("."))
+        function.__code__ = new
+        inner = dict(zip(_inner(old), _inner(new), strict=False))
+        for made in [f for f in gc.get_objects() if type(f) is FunctionType and f.__code__ in inner]:
+            # what the function has made before, as a module was imported
+            made.__code__ = inner[made.__code__]
 
 
 class _Replaced(ast.NodeTransformer):
@@ -127,6 +134,11 @@ def _found(code: CodeType, path: list[str]) -> CodeType:
         return code
     inner = [c for c in code.co_consts if isinstance(c, CodeType) and c.co_name == path[0]]
     return _found(inner[-1], path[1:])
+
+
+def _inner(code: CodeType) -> list[CodeType]:
+    """The code of the functions made inside, in order."""
+    return [c for c in code.co_consts if isinstance(c, CodeType)]
 
 
 def live(module: str, function: str) -> FunctionType:

@@ -14,7 +14,7 @@ from exactspline.language.kinds import HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, IN
 from exactspline.language.vector import Vector, cross, det, dot, norm2, perp
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.jet import JetReading
-from exactspline.readings.leading_terms import LeadingTermsReading
+from exactspline.readings.leading_terms import LeadingTermsReading, generic_true_degree
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import TaylorReading
 from exactspline.readings.tree import trace
@@ -128,6 +128,14 @@ def test_constants_have_no_derivative_and_a_value_on_a_curve():
     assert own.delta(0) == CONSTANTS[0]
     assert told == ", with δ = 37/29, r = -53/41"
     assert common_kind([kind_of("plane with r"), kind_of("plane point")]).name == "plane point with r"
+
+
+def test_constants_at_infinity():
+    @formula("a test", on="plane with delta")
+    def still(c):
+        return c.delta.d(1) + c.w * c.delta
+
+    assert str(generic_true_degree(still, 2)) == "d"
 
 
 @pytest.mark.parametrize("name", ["plane with x", "plane with __class__", "plane with ", "hodograph with r", "plain"])

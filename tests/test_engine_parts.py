@@ -29,7 +29,7 @@ from exactspline.splines.examples import example
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for, name_of_vector
-from exactspline.symbolic.motions import rotation
+from exactspline.symbolic.motions import _rotation as rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
 
@@ -322,6 +322,7 @@ def test_the_degree_of_a_product_is_the_sum_and_lower_where_a_factor_is():
     assert plain == b
     same = TrueDegree(1, 0, 0, ((4, 4),))
     assert product_of([(same, 1)]).lower == ()
+    assert product_of([(TrueDegree(1, 1, 0, ((4, 2),)), 1)]).lower == ()
 
 
 def test_a_product_in_jets_has_the_degree_of_its_factors():
@@ -501,3 +502,21 @@ def test_derivatives_by_one_of_two_parameters_are_written_with_it():
     c = TreeReading().argument(PAIR, 3)
     assert r"\partial_{s} " in print_latex(c.first.w.d(1, by="s"))
     assert r"\partial_{s}^{2} " in print_latex(c.first.w.d(2, by="s"))
+
+
+def test_a_vector_times_itself_is_a_squared_length_and_no_other_product_is():
+    c = TreeReading().argument(PLANE, 2)
+    p, v = c.p, c.p.d(1)
+    assert print_text(dot(p, p)) == "‖p‖²"
+    assert print_text(dot(p, v)) == "p · p′"
+    assert print_latex(dot(p, p)) == r"\|p\|^2"
+    assert "\\|" not in print_latex(dot(v, p))
+
+
+@pytest.mark.parametrize("power", range(0, 60, 7))
+def test_enclosures_are_narrow_enough_whatever_the_slope(power):
+    t = BSpline.identity(0, 2)
+    (root,) = zeros(t * t - 2)
+    (value,) = value_at((t.scaled(3**power),), None, root, 40)
+    assert value.high - value.low <= mpq(1, 10**40)
+    assert value.low**2 <= 2 * mpq(9) ** power <= value.high**2

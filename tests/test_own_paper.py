@@ -5,11 +5,12 @@ the library.
 import io
 import re
 import time
-from contextlib import redirect_stdout
+from contextlib import redirect_stdout, suppress
 from dataclasses import fields
 from enum import StrEnum
 from html.parser import HTMLParser
 from pathlib import Path
+from random import Random
 from shutil import copytree, ignore_patterns
 
 import pytest
@@ -18,12 +19,12 @@ from typer.testing import CliRunner
 import exactspline
 from exactspline.cli import app
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
-from exactspline.papers import load_paper, named_papers, paper, papers, resolve
+from exactspline.papers import Table, load_paper, named_papers, paper, papers, resolve
 from exactspline.papers.formula_check import formulas_of
 from exactspline.papers.new import write_new_paper
 from exactspline.splines.examples import example
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claims import claims_of
+from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, VERIFIED
@@ -227,6 +228,7 @@ ESCAPES = [
             "return c.w.ring",
             "return c.w.degree",
             "return c.p.d.__self__",
+            "c = c.w\nreturn c.p",
             "return c.p.d.__func__(c.p)",
             "return (lambda: 1)()",
             "return [x for x in c.p]",
@@ -321,6 +323,23 @@ def test_nothing_but_formulas_passes(text):
     assert caught.value.remedy
 
 
+@pytest.mark.parametrize("name", ["ring", "mapped", "operands", "calls", "beside", "made", "p", "x", "__class__", "ρ"])
+def test_a_constant_opens_no_other_door(name):
+    """Its name could be that of something inside."""
+    with pytest.raises(FormulaError):
+        formulas_of(formula(f"return c.{name}", f"plane with {name}"), "f.py", {})
+
+
+@pytest.mark.parametrize("body", ["return c.w.context", "return c.p[0].context", "x = c.w\nreturn x.context"])
+def test_constants_are_those_of_the_argument(body):
+    with pytest.raises(FormulaError, match="has no 'context'"):
+        formulas_of(formula(body, "plane with context"), "f.py", {})
+    helper = "def h(x):\n    return x.context\n"
+    with pytest.raises(FormulaError, match="has no 'context'"):
+        formulas_of(formula("return h(c.w)", "plane with context", helper), "f.py", {})
+    assert formulas_of(formula("return c.context", "plane with context"), "f.py", {})
+
+
 def test_what_is_a_formula_passes():
     text = formula(
         "a, b = c.p, c.p.d(2)\nx = h(a)\nreturn det(a, b) * rational('-1/2') ** 3 / x",
@@ -370,7 +389,14 @@ ERRORS = {
     "return c.p[5]": ("IndexError", "line 4"),
     "return dot(c.p, join(c.p, c.w))": ("vectors of 2 and 3 components", "line 4"),
     "return c.w / (c.w - c.w)": ("vanishes on every curve", "line 4"),
-    "return (norm2(c.gamma.d(1)) + norm2(c.gamma.d(2)) + c.gamma[0] * c.gamma.d(3)[1]) ** 12": ("terms", "line 4"),
+    "return c.w / 0": ("ZeroDivisionError", "line 4"),
+    "return c.p * c.p": ("a product of two vectors", "line 4"),
+    "return c": ("the value is a Curve", "f:"),
+    "return 3": ("the number 3", "f:"),
+    "return c.p[1:1]": ("without components", "f:"),
+    "return join(3, 4)": ("vector of numbers", "f:"),
+    "return ruled(c.w, c.w)": ("no vectors", "f:"),
+    "return (norm2(c.gamma.d(1)) + norm2(c.gamma.d(2)) + c.gamma[0] * c.gamma.d(3)[1]) ** 10": ("terms", "line 4"),
 }
 
 
@@ -384,6 +410,16 @@ def test_what_goes_wrong_in_a_formula_names_file_and_line(body, tmp_path):
     assert problem in told
     assert f"formulas.py, {line}" in told
     assert run("prove", "--paper", folder).exit_code in (1, 2)
+
+
+def test_a_trusted_formula_that_branches_names_file_and_line(tmp_path):
+    formulas = "@formula('e', on='plane')\ndef f(c):\n    return c.p if c.w else c.p.d(1)\n"
+    folder = written(tmp_path / "p", formulas, [CLAIM])
+    with pytest.raises(FormulaError, match=r"line 4: a formula branches"):
+        load_paper(folder)
+    told = proved(claims_of(load_paper(folder, trust=True))[0]).witness
+    assert "formulas.py, line 4" in told
+    assert "must not branch" in told
 
 
 def test_a_derivative_that_the_kind_does_not_have(tmp_path):
@@ -481,6 +517,57 @@ def test_an_assumption_of_the_author_is_checked_on_every_curve(tmp_path):
     assert proved(plain).verdict == REFUTED
     finding = assumed.check(Evaluation(example("circle")))
     assert finding.witness.startswith(OUTSIDE + "x vanishes")
+
+
+WEIRD = [
+    3,
+    -1,
+    1.5,
+    True,
+    [],
+    [[]],
+    {},
+    "",
+    " ",
+    "x" * 10**5,
+    ["x"],
+    [3],
+    "\x1b[2J",
+    "f2^",
+    "9d-",
+    "max(",
+    "1/0",
+    10**30,
+]
+WEIRD += [float("nan"), "((" * 900, [["f2"]], "plane with " + "a," * 900 + "a", "9" * 1900, "2(d-1", "²", "f２"]
+
+
+def test_whatever_stands_in_a_claim_is_read_or_refused():
+    """One claim of every kind, each field in turn replaced by what nobody expects."""
+    tried, kinds = 0, {}
+    for source in papers():
+        for table in source.claim_tables():
+            kinds.setdefault(table.entry["kind"], (source, table))
+    for source, table in kinds.values():
+        for field in {*table.entry, "assumes", "curve", "of", "example", "witness", "expected"}:
+            for value in WEIRD[tried % 3 :: 3]:
+                tried += 1
+                with suppress(ClaimError):
+                    claim_of(Table(table.place, table.entry | {field: value}), source)
+    assert tried > 1000
+
+
+def test_whatever_stands_in_a_file_of_formulas_is_read_or_refused():
+    """Letters taken out, doubled, exchanged and put in, 400 times: nothing but an error of ours."""
+    text, random, passed = formula("a = c.p.d(1)\nreturn det(a, c.p) / norm2(a) ** 2 - c.w * 3"), Random(5), 0
+    for _ in range(400):
+        letters = list(text)
+        for _ in range(random.randrange(1, 4)):
+            i = random.randrange(len(text) // 2, len(letters))
+            letters[i : i + random.randrange(2)] = random.choice("().,*/+-[]:=@_ \n'0dcpw#\\{}é\0")
+        with suppress(FormulaError):
+            passed += bool(formulas_of("".join(letters), "f.py", {}))
+    assert 0 < passed < 400
 
 
 # ---- the report
@@ -667,6 +754,10 @@ def test_false_claims_of_every_kind_in_a_folder_are_never_proved(tmp_path):
     assert {claim.kind for claim in claims} >= {*MAKERS, "invariance", "contact", "sign"}
     fooled = [claim for claim in claims if proved(claim).verdict in (PROVED, VERIFIED)]
     assert fooled == []
+    curve = Evaluation(example("rational_cubic_s"))
+    everywhere = [c for c in claims[: len(own)] if c.kind != "sign" and c.speaks_of(2, False)]
+    assert len(everywhere) > 40
+    assert [claim for claim in everywhere if claim.check(curve).verdict == VERIFIED] == []
 
 
 def cheap(claim):

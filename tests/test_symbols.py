@@ -28,8 +28,11 @@ CLAIMS = [
 
 
 def forget():
-    for cached in (generic_proof._factor, generic_proof.reduction_of, reduction.reduction, factorization._named_values):
-        cached.cache_clear()
+    """What was computed under other symbols."""
+    for module in (generic_proof, reduction, factorization):
+        for function in vars(module).values():
+            if hasattr(function, "cache_clear"):
+                function.cache_clear()
 
 
 def empty():

@@ -35,7 +35,9 @@ def main() -> int:
     shutil.rmtree(play / "vendor" / "mathjax")
     page_data.write(play / "data")
     _lay_out(source)
-    return int(build_main(["-b", "html", "-W", "--keep-going", "-q", str(source), str(target)]))
+    return int(
+        build_main(["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)])
+    )
 
 
 def _lay_out(source: Path) -> None:

@@ -55,7 +55,7 @@ def write_glossary(file: Path) -> None:
 
 def write_errata(file: Path) -> None:
     """What the sources say that is not so, in the words of the command."""
-    told = _run("errata", "--markdown")
+    told = _run("errata", "--paper", "all", "--markdown")
     file.write_text(f"# Errata\n\n{told}\n", encoding="utf-8")
 
 

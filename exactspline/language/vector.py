@@ -171,7 +171,7 @@ def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
 
     def product(*vectors: P.args, **no: P.kwargs) -> T:  # its documentation is the function's own
         for vector in vectors:
-            if isinstance(vector, OwnProducts):
+            if type(vector) is not Vector and isinstance(vector, OwnProducts):
                 return cast(T, vector.multilinear(product, vectors))
         return function(*vectors, **no)
 

@@ -13,6 +13,9 @@ from typing import Any
 
 from exactspline.errors import ExactSplineError, FormulaError
 from exactspline.language.formula import Formula
+from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
 from exactspline.papers.formula_check import CHARACTERS, formulas_of
 
 #: What gives the formulas that others may import, by ``paper.module:name``.
@@ -70,7 +73,10 @@ def guarded(formula: Formula, file: str) -> Formula:
     @wraps(function)
     def value(c: object) -> Any:
         try:
-            return function(c)
+            found = function(c)
+            if problem := _no_value(found):
+                raise FormulaError(problem, where=f"{file}, {formula.name}", remedy=VALUES)
+            return found
         except ExactSplineError as error:
             if error.where.startswith(file):
                 raise
@@ -83,6 +89,26 @@ def guarded(formula: Formula, file: str) -> Formula:
     return formula
 
 
+#: What a formula may return.
+VALUES = "return a scalar, a vector, a quotient or a ruled surface made of operands"
+
+
+def _no_value(value: object) -> str:
+    """Why something is no value of a formula; empty for what is one."""
+    if isinstance(value, CONSTANTS):
+        return f"the value is the number {value}, which says nothing of the argument"
+    if isinstance(value, Vector):
+        if not len(value):
+            return "the value is a vector without components"
+        return "" if all(isinstance(x, Operand) for x in value) else "the value is a vector of numbers or of vectors"
+    if isinstance(value, RuledSurface):
+        ends = (value.directrix, value.generator)
+        return next((told for end in ends if (told := _no_value(end))), "") or (
+            "" if all(getattr(end, "is_vector", False) for end in ends) else "directrix and generator are no vectors"
+        )
+    return "" if isinstance(value, Operand) else f"the value is a {type(value).__name__}"
+
+
 def told(error: BaseException, file: str, name: str = "") -> FormulaError:
     """What went wrong in a file, in its author's terms."""
     line = _line(error.__traceback__, file)
@@ -91,6 +117,7 @@ def told(error: BaseException, file: str, name: str = "") -> FormulaError:
         AttributeError: lambda: "name operands that the argument has",
         TypeError: lambda: "scalars and vectors: write dot, cross or det for products of vectors",
         IndexError: lambda: "components are counted from 0",
+        ZeroDivisionError: lambda: "nothing can be divided by zero",
     }
     remedy = remedies.get(type(error), lambda: "a formula is a function of one argument c")()
     where = ", ".join(filter(None, (file, f"line {line}" if line else "", name)))

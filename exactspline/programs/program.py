@@ -100,21 +100,27 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
     or made from one another (then naive semantics sees more than the kind tells), and where the denominator of a
     polynomial curve is not 1.
     """
-    if type(kind) not in (CurveKind, TableKind) or getattr(kind, "constants", ()):
+    if type(kind) is CurveKind:
+        if kind.constants or not isinstance(argument, Curve) or (kind.with_point and argument.point is None):
+            return None
+    elif type(kind) is not TableKind:
         return None
-    if getattr(kind, "with_point", False) and getattr(argument, "point", None) is None:
-        return None
-    polynomial = bool(getattr(argument, "polynomial", False))
-    dimension = getattr(argument, "dimension", kind.dimensions[-1])
-    named = argument.operands()
-    splines = tuple([named[name] if i is None else named[name][i] for name, i in _places(kind, dimension, polynomial)])
+    if isinstance(argument, Curve) and argument.point is None:
+        polynomial, coordinates = argument.polynomial, argument.p.components
+        dimension, count = len(coordinates), len(coordinates) + (not polynomial)
+        splines = coordinates if polynomial else (*coordinates, argument.w)
+    else:
+        polynomial = bool(getattr(argument, "polynomial", False))
+        dimension, named = getattr(argument, "dimension", kind.dimensions[-1]), argument.operands()
+        places, count = _places(kind, dimension, polynomial), _functions(kind, dimension, polynomial)
+        splines = tuple([named[name] if i is None else named[name][i] for name, i in places])
     mesh = splines[0].mesh
     for f in splines:
         if type(f) is not BSpline or (f.mesh is not mesh and f.mesh.breaks != mesh.breaks):
             return None
     if isinstance(argument, Curve) and polynomial and not _is_one(argument.w):
         return None
-    functions = [is_alone(f.provenance) for f in splines[: _functions(kind, dimension, polynomial)]]
+    functions = [is_alone(f.provenance) for f in splines[:count]]
     if None in functions or len(set(functions)) < len(functions):
         return None
     first = splines[0].denominators

@@ -183,6 +183,8 @@ class LeadingTermsReading(Reading):
             if symbol.parameter == PARAMETERS[0]:
                 return Expansion(context, self.terms, {(1, 0): own})
             constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in own]
+            if not symbol.parameter:
+                constants[1:] = [StillExpansion(context, self.terms, {}) for _ in own[1:]]
             constants[0].derivatives = constants
             return constants[0]
 

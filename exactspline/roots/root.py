@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from functools import total_ordering
+from functools import lru_cache, total_ordering
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import NumberError
 from exactspline.exact import Number, double_between, lcm, mpq, mpz, rational, text, to_fmpq
@@ -205,7 +205,7 @@ class Root(Immutable, Displayed):
         low, high = self.refine(0)
         if low == high:
             return _linear(low)
-        for p, _ in self._integers().factor()[1]:
+        for p in _irreducible(*self._integers().coeffs()):
             if _changes_sign(p, low, high):
                 if p.degree() == 1:
                     self._found(mpq(int(-p[0]), int(p[1])))
@@ -433,6 +433,12 @@ def between(low: Number | Root, high: Number | Root) -> mpq:
     while (found := mpq(int(a * scale // 1) + 1, scale)) >= b:
         scale *= 2
     return found
+
+
+@lru_cache(64)
+def _irreducible(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
+    """The irreducible factors of a polynomial, which many roots have in common."""
+    return tuple(p for p, _ in fmpz_poly(list(coefficients)).factor()[1])
 
 
 def _linear(value: mpq) -> fmpz_poly:

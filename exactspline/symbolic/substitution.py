@@ -43,7 +43,7 @@ def _horner(terms: list[tuple[tuple[int, ...], mpq]], i: int, variables: list[An
     x, total = variables[i](), None
     for e, lower in zip(powers, [*powers[1:], 0], strict=True):
         inner = _horner(groups[e], i + 1, variables)
-        total = inner if total is None else inner + total if isinstance(total, CONSTANTS) else total + inner
+        total = inner if total is None else total + inner
         if e > lower:
             power = x ** (e - lower)
             total = power if isinstance(total, CONSTANTS) and total == 1 else power * total

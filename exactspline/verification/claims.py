@@ -15,11 +15,14 @@ from enum import StrEnum
 from functools import cache
 from typing import Any
 
-from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.errors import ClaimError, ExactSplineError, nearest, shown
 from exactspline.papers import Paper, Table, default_papers, paper
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim, entries
 from exactspline.verification.kinds import KINDS
+
+#: No text of a claim is longer.
+LONGEST = 2000
 
 
 def claim_of(table: Table, source: Paper) -> Claim:
@@ -52,7 +55,9 @@ def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
 def _read(entry: dict[str, Any], source: Paper) -> Claim:
     told = _completed(entry, source)
     name = told.pop("kind", None)
-    if name not in KINDS:
+    if name is None:
+        raise ClaimError("the field 'kind' is missing", where="kind", remedy=f"there are {', '.join(KINDS)}")
+    if not isinstance(name, str) or name not in KINDS:
         raise ClaimError(f"the kind {name!r} is unknown", where="kind", remedy=nearest(str(name), list(KINDS)))
     kind = KINDS[name]
     known = entries(kind)
@@ -61,6 +66,9 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
             raise ClaimError(
                 f"claims of the kind {name!r} have no field {field!r}", where=field, remedy=nearest(field, list(known))
             )
+    for field, value in told.items():
+        if problem := _shape(str(known[field].type), value):
+            raise ClaimError(f"{shown(value)} is {problem}", where=field, remedy="look at the table of kinds of claims")
     for field, declared in known.items():
         if field not in told and declared.default is MISSING:
             raise ClaimError(f"the field {field!r} is missing", where=field, remedy="add it")
@@ -72,6 +80,16 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
         )
     _check_words_of_key(claim)
     return claim
+
+
+def _shape(declared: str, value: object) -> str:
+    """Why a value has not the shape of its field, whose type is declared; empty where it has."""
+    if declared.startswith("tuple"):
+        good = isinstance(value, list) and all(isinstance(each, str) and len(each) <= LONGEST for each in value)
+        return "" if good else "no list of texts"
+    if declared == "int":
+        return "" if type(value) is int else "no whole number"
+    return "" if isinstance(value, str) and len(value) <= LONGEST else f"no text of at most {LONGEST} letters"
 
 
 def _check_words_of_key(claim: Claim) -> None:

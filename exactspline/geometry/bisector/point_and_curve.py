@@ -9,13 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from enum import StrEnum
 from itertools import pairwise
 from typing import Any
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.bisector.missing import STILL, THROUGH, Interval, is_zero_on
 from exactspline.language.arguments import Curve
+from exactspline.language.choices import choice
 from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.roots.root import Root, between
@@ -25,8 +27,17 @@ from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineSurface
 
-#: Formulas by variant.
-POINT_FORMS = {"naive": "point_bisector", "explicit": "point_bisector_polynomial"}
+
+class PointVariant(StrEnum):
+    """How the surface of a point and a curve is computed."""
+
+    NAIVE = "naive"
+    EXPLICIT = "explicit"
+    DIRECT = "direct"
+
+
+#: Formulas by variant; those of the direct approach go by the component that is moved.
+POINT_FORMS = {PointVariant.NAIVE: "point_bisector", PointVariant.EXPLICIT: "point_bisector_polynomial"}
 AXES = "xyz"
 
 
@@ -50,13 +61,15 @@ class PointBisector:
     with the reason.
     """
 
-    variant: str
+    variant: PointVariant
     pieces: tuple[RuledPiece, ...]
     singular: tuple[Root, ...]
     missing: tuple[tuple[Interval, str], ...]
 
 
-def point_bisector(curve: Nurbs, point: Iterable[Number], variant: str = "direct") -> PointBisector:
+def point_bisector(
+    curve: Nurbs, point: Iterable[Number], variant: PointVariant | str = PointVariant.DIRECT
+) -> PointBisector:
     """The bisector of a point and a space curve.
 
     `variant` is ``naive`` (31), ``explicit`` (34) or ``direct``: the 2×2 system with a component moved that is solvable
@@ -72,8 +85,7 @@ def point_bisector(curve: Nurbs, point: Iterable[Number], variant: str = "direct
     Raises `ShapeError` for a curve or a point that is not in space, or where there is no surface at all; `FormulaError`
     for an unknown variant.
     """
-    if variant not in (*POINT_FORMS, "direct"):
-        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(POINT_FORMS)}, direct")
+    chosen = choice(PointVariant, variant, "variant")
     c = curve.with_point(exact_point(curve, point, 3))
     generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
     missing, good = [], []
@@ -86,16 +98,18 @@ def point_bisector(curve: Nurbs, point: Iterable[Number], variant: str = "direct
         raise ShapeError(
             "there is no bisector surface: " + missing[0][1], remedy="choose another point, or another curve"
         )
-    parts = [found for a, b in good for found in (_cover(generator, a, b) if variant == "direct" else [(a, b, -1)])]
+    parts = [
+        found for a, b in good for found in (_cover(generator, a, b) if chosen is PointVariant.DIRECT else [(a, b, -1)])
+    ]
     pieces = [
         RuledPiece(
             (a, b),
             AXES[k] if k >= 0 else "",
-            find(f"point_bisector_direct_{AXES[k]}" if k >= 0 else POINT_FORMS[variant])(_cut(c, a, b)),
+            find(f"point_bisector_direct_{AXES[k]}" if k >= 0 else POINT_FORMS[chosen])(_cut(c, a, b)),
         )
         for a, b, k in _merged(parts)
     ]
-    return PointBisector(variant, tuple(pieces), _singular(generator, good), tuple(missing))
+    return PointBisector(chosen, tuple(pieces), _singular(generator, good), tuple(missing))
 
 
 def _singular(generator: Vector[BSpline], segments: list[Interval]) -> tuple[Root, ...]:

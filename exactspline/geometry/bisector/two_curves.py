@@ -12,27 +12,19 @@ from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import ShapeError
 from exactspline.exact import mpq, rational, text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, Interval, is_zero_on
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
+from exactspline.language.choices import choice
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
 from exactspline.papers import find
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
-
-#: Formulas by variant.
-CURVE_FORMS = {
-    "naive": "bisector",
-    "levelled": "bisector_levelled",
-    "paper": "bisector_polynomial",
-    "symmetric": "bisector_symmetric",
-    "minimal": "bisector_symmetric",
-}
 
 
 @dataclass(frozen=True)
@@ -51,6 +43,16 @@ class SurfaceVariant(StrEnum):
     PAPER = "paper"
     SYMMETRIC = "symmetric"
     MINIMAL = "minimal"
+
+
+#: Formulas by variant.
+CURVE_FORMS = {
+    SurfaceVariant.NAIVE: "bisector",
+    SurfaceVariant.LEVELLED: "bisector_levelled",
+    SurfaceVariant.PAPER: "bisector_polynomial",
+    SurfaceVariant.SYMMETRIC: "bisector_symmetric",
+    SurfaceVariant.MINIMAL: "bisector_symmetric",
+}
 
 
 @dataclass(frozen=True)
@@ -109,7 +111,9 @@ class CurveBisector:
         )
 
 
-def curve_bisector(first: Nurbs, second: Nurbs, variant: str = SurfaceVariant.MINIMAL) -> CurveBisector:
+def curve_bisector(
+    first: Nurbs, second: Nurbs, variant: SurfaceVariant | str = SurfaceVariant.MINIMAL
+) -> CurveBisector:
     """The bisector of two space curves.
 
     `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
@@ -122,16 +126,15 @@ def curve_bisector(first: Nurbs, second: Nurbs, variant: str = SurfaceVariant.MI
 
     Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """
-    if variant not in tuple(SurfaceVariant):
-        raise FormulaError(f"no variant is called {variant!r}", remedy=f"there are {', '.join(SurfaceVariant)}")
+    chosen = choice(SurfaceVariant, variant, "variant")
     for c in (first, second):
         if c.dimension != 3:
             raise ShapeError(
                 f"a curve in R{c.dimension}",
                 remedy="the bisector of two plane curves is no rational curve; use curves in space",
             )
-    patches, missing = _surface(first, second, SurfaceVariant(variant))
-    return CurveBisector(SurfaceVariant(variant), patches, missing, (first, second))
+    patches, missing = _surface(first, second, chosen)
+    return CurveBisector(chosen, patches, missing, (first, second))
 
 
 def _surface(

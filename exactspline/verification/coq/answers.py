@@ -212,7 +212,7 @@ def _cell(cell: Cell) -> str:
         return f"Null {ends}"
     if cell.factor is not None and cell.rest is not None:
         return (
-            f"Multiple {ends} true {_polynomial_text(cell.factor)} {_bool(cell.sign)} {cell.power} "
+            f"Multiple {ends} {_polynomial_text(cell.factor)} {_bool(cell.sign)} {cell.power} "
             f"{_polynomial_text(cell.rest)} {_bool(cell.rest_sign)}"
         )
     return f"{'One' if cell.one else 'Sign'} {ends} {_bool(cell.sign)}"

@@ -111,7 +111,7 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
         try:
             text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
         except ExactSplineError as error:
-            found.append(Stated(claim, "", "", str(error)))
+            found.append(Stated(claim, "", "", error.problem))
             continue
         match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
         assert match is not None
@@ -121,13 +121,15 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
 
 def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
     """The file of the theorems of one table of claims."""
-    return "\n".join([claims_header(paper.name), *[each.text for each in found if not each.reason]])
+    texts = [each.text for each in found if not each.reason]
+    return "\n".join([claims_header(paper.name, "".join(texts)), *texts])
 
 
-def claims_header(name: str) -> str:
-    """How a file with theorems about a paper begins."""
+def claims_header(name: str, text: str) -> str:
+    """How a file with theorems about a paper begins, from their text."""
     own = next(each for each in papers() if each.name == name)
-    others = [f"From {ROOT}.formulas Require {used.name}." for used in papers() if used is not own]
+    used = [each for each in papers() if each is not own and f"{each.name}." in text]
+    others = [f"From {ROOT}.formulas Require {each.name}." for each in used]
     return "\n".join(
         [
             HEADER.format(title=own.title, about="its claims"),

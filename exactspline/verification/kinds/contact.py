@@ -16,9 +16,11 @@ from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.verification.check_arguments import beginning
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Relation
 
+#: Why a curve of higher contact decides nothing about the generic one.
+HIGHER_HERE = "the contact is of a higher order on it, as it may be on special curves"
 #: The denominators of the two curves.
 BAR = dict(zip((*BARRED, "W"), (*COORDINATES, "w"), strict=True))
 
@@ -104,6 +106,7 @@ class Contact(Claim):
             return vacuous(self.claims)
         if below is not None and all(below(t, t) == 0 for t in _parameters(below)):
             return vacuous(self.claims, "it does not exist where the points meet: 1/0")
+        higher = True
         for f in numerators:
             for t in _parameters(f):
                 along = f.at_s(t)
@@ -111,6 +114,9 @@ class Contact(Claim):
                     if along(t):
                         return Finding(REFUTED, self.claims, "less", witness=f"{told(n)} at the parameter {text(t)}")
                     along = along.d()
+                higher = higher and not along(t)
+        if higher and self.relation == Relation.EQUAL:
+            return Finding(UNDECIDED, self.claims, f"at least {self.order + 1}", witness=OUTSIDE + HIGHER_HERE)
         return Finding(VERIFIED, self.claims, self.claims)
 
 

@@ -247,11 +247,11 @@ Qed.
 Inductive cell :=
   | Sign (l h : Q) (s : bool)
   | One (l h : Q) (s : bool)
-  | Multiple (l h : Q) (s : bool) (factor : polynomial) (s' : bool) (n : nat) (rest : polynomial) (s'' : bool)
+  | Multiple (l h : Q) (factor : polynomial) (s : bool) (n : nat) (rest : polynomial) (s' : bool)
   | Null (l h : Q).
 
-Definition low (c : cell) : Q := match c with Sign l _ _ | One l _ _ | Multiple l _ _ _ _ _ _ _ | Null l _ => l end.
-Definition high (c : cell) : Q := match c with Sign _ h _ | One _ h _ | Multiple _ h _ _ _ _ _ _ | Null _ h => h end.
+Definition low (c : cell) : Q := match c with Sign l _ _ | One l _ _ | Multiple l _ _ _ _ _ _ | Null l _ => l end.
+Definition high (c : cell) : Q := match c with Sign _ h _ | One _ h _ | Multiple _ h _ _ _ _ _ | Null _ h => h end.
 
 (** What a cell says of a function: its sign, its one zero with the sign to the left and to the right, that it is 0. *)
 Definition says (f : R -> R) (c : cell) : Prop :=
@@ -259,7 +259,7 @@ Definition says (f : R -> R) (c : cell) : Prop :=
   | Sign l h u => forall t, Q2R l < t < Q2R h -> 0 < sign u * f t
   | One l h u => exists z, Q2R l < z < Q2R h /\ f z = 0 /\
       (forall t, Q2R l <= t < z -> 0 < sign u * f t) /\ (forall t, z < t <= Q2R h -> sign u * f t < 0)
-  | Multiple l h _ _ _ _ _ _ => exists z, Q2R l < z < Q2R h /\ f z = 0 /\
+  | Multiple l h _ _ _ _ _ => exists z, Q2R l < z < Q2R h /\ f z = 0 /\
       (forall t, Q2R l <= t <= Q2R h -> t <> z -> f t <> 0)
   | Null l h => forall t, Q2R l <= t <= Q2R h -> f t = 0
   end.
@@ -287,7 +287,7 @@ Definition cell_holds (a : polynomial) (c : cell) : bool :=
   match c with
   | Sign l h u => one_sign a l h u
   | One l h u => one_zero a l h u
-  | Multiple l h _ g u n r v =>
+  | Multiple l h g u n r v =>
     one_zero g l h u && nowhere_zero r l h v && negb (Nat.eqb n 0) && peq a (pmul (ppow g n) r)
   | Null l h => pzero a && negb (Qle_bool h l)
   end.
@@ -345,7 +345,7 @@ Qed.
 
 Lemma cell_sound a c : cell_holds a c = true -> says (at_real a) c.
 Proof.
-  destruct c as [l h s|l h s|l h s0 g s n r s'|l h]; cbn [cell_holds].
+  destruct c as [l h s|l h s|l h g s n r s'|l h]; cbn [cell_holds].
   - intros H t Ht. exact (no_zero a l h s t H Ht).
   - apply one_zero_sound.
   - intro H. do 3 (apply andb_prop in H; destruct H as [H ?]).
@@ -376,7 +376,7 @@ Fixpoint zeros (closed : bool) (a : polynomial) (cells : list cell) : list (Q * 
   | [] => []
   | c :: rest =>
     (if zero_at a (low c) then [(low c, low c)] else [])
-    ++ (match c with One l h _ | Multiple l h _ _ _ _ _ _ => [(l, h)] | _ => [] end)
+    ++ (match c with One l h _ | Multiple l h _ _ _ _ _ => [(l, h)] | _ => [] end)
     ++ (match rest with [] => if closed && zero_at a (high c) then [(high c, high c)] else [] | _ => [] end)
     ++ zeros closed a rest
   end.
@@ -419,13 +419,13 @@ Qed.
 
 (** The zeros of one cell inside it. *)
 Definition own (c : cell) : list (Q * Q) :=
-  match c with One l h _ | Multiple l h _ _ _ _ _ _ => [(l, h)] | _ => [] end.
+  match c with One l h _ | Multiple l h _ _ _ _ _ => [(l, h)] | _ => [] end.
 
 Lemma cell_zeros a c : cell_holds a c = true -> is_null c = false ->
   exists zs, Forall2 within zs (own c) /\ (forall z, In z zs -> Q2R (low c) < z < Q2R (high c)) /\
   forall t, Q2R (low c) < t < Q2R (high c) -> (at_real a t = 0 <-> In t zs).
 Proof.
-  intros H N. apply cell_sound in H. destruct c as [l h s|l h s|l h s0 g s n r s'|l h]; simpl in *; try discriminate.
+  intros H N. apply cell_sound in H. destruct c as [l h s|l h s|l h g s n r s'|l h]; simpl in *; try discriminate.
   - exists []. split; [constructor|]. split; [simpl; tauto|]. intros t Ht. split; [|simpl; tauto].
     intro Z. specialize (H t Ht). rewrite Z in H. lra.
   - destruct H as [z [Hz [Z [Hl Hh]]]]. exists [z]. split; [constructor; [unfold within; simpl; lra | constructor]|].
@@ -880,7 +880,7 @@ Qed.
 
 Lemma says_same (f g : R -> R) c : (forall t, f t = g t) -> says f c -> says g c.
 Proof.
-  intros E. destruct c as [l h u|l h u|l h u0 a u n r v|l h]; simpl.
+  intros E. destruct c as [l h u|l h u|l h a u n r v|l h]; simpl.
   - intros H t Ht. rewrite <- E. now apply H.
   - intros [z [Hz [Z [A B]]]]. exists z. rewrite <- E.
     split; [exact Hz|]. split; [exact Z|]. split; intros t Ht; rewrite <- E; auto.
