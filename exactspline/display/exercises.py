@@ -176,6 +176,11 @@ def _part_html(part: Part) -> str:
     return f"{name} = {values}" if name and values else name or values
 
 
+def task_html(made: Exercise) -> str:
+    """What is asked, and how the answer is written."""
+    return f"<p>{''.join(map(_part_html, made.task))}</p><p><small>Answer: {escape(made.answer.form)}</small></p>"
+
+
 def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
     """A page that can be printed; the solutions begin a sheet of paper."""
 
