@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from exactspline.batch.families import Family as Family
     from exactspline.batch.oracle import oracle as oracle
     from exactspline.batch.sweep import sweep as sweep
+    from exactspline.classroom.topics import exercise as exercise
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
     from exactspline.display.figures.bisectors import figure_6 as figure_6
@@ -69,6 +70,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.floats import floats as floats
     from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
+    from exactspline.geometry.many_curves import features_of_many as features_of_many
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
@@ -189,6 +191,7 @@ _HOMES = {
     "corners": "geometry.features:corners",
     "curvature_extrema": "geometry.features:curvature_extrema",
     "inspect_curve": "geometry.inspection:inspect_curve",
+    "features_of_many": "geometry.many_curves:features_of_many",
     "inflections": "geometry.features:inflections",
     "joints": "geometry.features:joints",
     "singular_points": "geometry.features:singular_points",
@@ -206,7 +209,8 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
-    # the algorithms step by step
+    # the classroom: exercises, and the algorithms step by step
+    "exercise": "classroom.topics:exercise",
     "de_boor_triangle": "splines.triangles:de_boor_triangle",
     "elevation_triangles": "splines.triangles:elevation_triangles",
     "insertion_triangle": "splines.triangles:insertion_triangle",

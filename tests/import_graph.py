@@ -24,6 +24,7 @@ ORDER = (
     ("roots", "symbolic"),
     ("geometry",),
     ("verification",),
+    ("classroom",),
     ("display", "interchange"),
     ("batch",),
     ("cli",),

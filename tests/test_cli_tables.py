@@ -88,6 +88,7 @@ COMMANDS = (
     "bisector ellipse --point=-1,1/3",
     "conditioning",
     "triangle rational_cubic --at 1/3 --insert 1/2 --elevate 2 --product x,w",
+    "exercise",
     "curves",
     "glossary",
 )

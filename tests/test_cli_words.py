@@ -45,6 +45,9 @@ DOCUMENTS = {
     "oracle": ["oracle", "cubic_s", "--ask", "inflections", "--ask", "length", "--certificates", "--json"],
     "questions": ["oracle", "--list", "--json"],
     "grade": ["grade", "fontTools", "--cases", "2", "--no-examples", "--json"],
+    "topics": ["exercise", "--json"],
+    "exercise": ["exercise", "all", "--solutions", "--json"],
+    "check-answer": ["check-answer", "cubic_s", "--reference", "cubic_s", "--json"],
     "triangle": [
         "triangle",
         "rational_cubic",

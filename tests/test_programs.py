@@ -21,7 +21,7 @@ from exactspline.splines.examples import example
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
 ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]
-CURVES = ["ellipse", "rational_cubic_spline", "unclamped", "jump", "space_quartic", "rational_space_cubic_spline"]
+CURVES = ["rational_cubic_spline", "unclamped", "space_quartic", "rational_space_cubic_spline"]
 
 
 def scalars(value):
@@ -51,7 +51,7 @@ def of_odd_widths(dimension):
 def arguments(dimension):
     curves = [example(name) for name in CURVES] + [of_odd_widths(2), of_odd_widths(3)]
     curves = [c for c in curves if c.dimension == dimension]
-    curves += [Curve(-c.p, -c.w) for c in curves if not c.polynomial]
+    curves += [Curve(-c.p, -c.w) for c in curves[:1] if not c.polynomial]
     # restricted one by one, its operands have denominators of their own
     return [*curves, part(of_odd_widths(dimension), rational("1/5"), rational("5/3"))]
 

@@ -38,6 +38,14 @@ def test_every_verdict_is_as_recorded(name):
     assert wrong == []
 
 
+@pytest.mark.parametrize("name", SOURCES)
+def test_the_page_of_the_sources_names_every_error(name):
+    page = " ".join((Path(__file__).parents[1] / "docs" / "sources.md").read_text(encoding="utf-8").split())
+    assert paper(name).errors
+    for title in (paper(name).title, *paper(name).errors.values()):
+        assert title in page
+
+
 def test_there_are_enough_claims_and_no_statement_twice():
     claims = [claim for name in SOURCES for claim in claims_of(name)]
     assert len(claims) >= 120

@@ -52,6 +52,9 @@ _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 #: Names that constants cannot have: those of operands and of what formulas may name beside them.
 RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
+RESERVED |= {"beside", "made", "degree", "provenance", "ring", "generator", "directrix"}
+#: The longest name of a constant.
+LETTERS = 30
 #: Greek letters as people spell them.
 GREEK = {
     **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
@@ -268,7 +271,8 @@ def _constants(text: str) -> Sequence[str]:
     """The names of constants, read from their list."""
     found = [name.strip() for name in text.split(",")]
     for name in found:
-        if not (name.isidentifier() and name.isascii()) or name.startswith(("_", "axis_")) or name in RESERVED:
+        plain = name.isidentifier() and name.isascii() and len(name) <= LETTERS and not hasattr(Accompanied, name)
+        if not plain or name.startswith(("_", "axis_")) or name in RESERVED:
             raise FormulaError(f"{name!r} is no name of a constant", remedy="write for example 'plane with delta, r'")
     return found
 

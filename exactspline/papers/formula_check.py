@@ -19,7 +19,7 @@ from exactspline.exact import rational
 from exactspline.language.arguments import PARAMETERS
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
-from exactspline.language.kinds import CURVE, KINDS, Kind, kind_of
+from exactspline.language.kinds import CURVE, KINDS, CurveKind, kind_of
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple, wronskian
 
@@ -58,8 +58,8 @@ class Checked:
     file: str
     functions: dict[str, tuple[int, int]] = field(default_factory=dict)
     imported: set[str] = field(default_factory=set)
-    kinds: list[Kind] = field(default_factory=list)
     attributes: set[str] = field(default_factory=set)
+    constants: set[str] = field(default_factory=set)
 
     def refuse(self, node: ast.AST, problem: str, remedy: str = TRUST) -> FormulaError:
         """The error of what may not stand there, with file and line."""
@@ -114,8 +114,6 @@ def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple
     """What a file imports, once every statement of it is read."""
     names: dict[str, Any] = {}
     read = Checked(file)
-    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.decorator_list]
-    read.kinds = [*KINDS.values(), *[kind_of(_decorated(node, read)) for node in functions]]
     for i, node in enumerate(tree.body):
         if isinstance(node, ast.ImportFrom):
             for name, value in _imported(node, read, known):
@@ -166,16 +164,18 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
             raise read.refuse(node, f"the name {name!r}", "names begin with a letter")
     if node.name in read.functions:
         raise read.refuse(node, f"the name {node.name!r} is taken", "choose another one")
-    read.attributes = _attributes(node, read)
+    read.attributes, read.constants = _attributes(node, read)
     locals_ = {arg.arg for arg in a.args}
     if locals_ & set(read.functions):
         raise read.refuse(node, f"the name {sorted(locals_ & set(read.functions))[0]!r} is taken", "choose another one")
     read.functions[node.name] = _Body(read, dict.fromkeys(locals_, (1, 1))).size(node)
 
 
-def _attributes(node: ast.FunctionDef, read: Checked) -> set[str]:
-    """What the argument of a function has: from its decorator; of a function without one, what any has."""
-    kinds = [kind_of(_decorated(node, read))] if node.decorator_list else read.kinds
+def _attributes(node: ast.FunctionDef, read: Checked) -> tuple[set[str], set[str]]:
+    """What the argument of a function has, and its constants: from its decorator; of a function without one, what any
+    argument without constants has.
+    """
+    kinds = [kind_of(_decorated(node, read))] if node.decorator_list else [*KINDS.values()]
     if node.decorator_list and "formula" not in read.imported:
         raise read.refuse(node, "the function 'formula' is unknown here", 'write "from exactspline import formula"')
     found = {"generator", "directrix"}
@@ -184,7 +184,8 @@ def _attributes(node: ast.FunctionDef, read: Checked) -> set[str]:
             found |= {*kind.names(n), *kind.parts}
             for part in kind.parts.values():
                 found |= set(part.names(n))
-    return found
+    constants = {name for kind in kinds if isinstance(kind, CurveKind) for name in kind.constants}
+    return found - constants, constants
 
 
 def _decorated(node: ast.FunctionDef, read: Checked) -> str:
@@ -227,7 +228,7 @@ class _Body:
     """
 
     def __init__(self, read: Checked, names: dict[str, tuple[int, int]]) -> None:
-        self.read, self.names = read, names
+        self.read, self.names, self.argument = read, names, next(iter(names), "")
 
     def size(self, node: ast.FunctionDef) -> tuple[int, int]:
         """That of what a function returns."""
@@ -252,7 +253,8 @@ class _Body:
             pairs = list(zip(target.elts, value.elts, strict=True))
         made = {}
         for name, given in pairs:
-            if not isinstance(name, ast.Name) or name.id.startswith("_") or name.id in self.read.functions:
+            taken = isinstance(name, ast.Name) and (name.id in self.read.functions or name.id == self.argument)
+            if not isinstance(name, ast.Name) or name.id.startswith("_") or taken:
                 raise self.read.refuse(node, "an assignment to what is no name of its own", "write name = expression")
             made[name.id] = self.expression(given)
         self.names |= made
@@ -317,8 +319,9 @@ class _Body:
 
     def _operand(self, node: ast.Attribute) -> tuple[int, int]:
         size = self.expression(node.value)
-        if node.attr not in self.read.attributes:
-            known = sorted(self.read.attributes)
+        own = isinstance(node.value, ast.Name) and node.value.id == self.argument and node.attr in self.read.constants
+        if node.attr not in self.read.attributes and not own:
+            known = sorted(self.read.attributes | self.read.constants)
             raise self.read.refuse(node, f"the argument has no {node.attr!r}", nearest(node.attr, known))
         return size
 

@@ -77,6 +77,16 @@ class Instructions:
     def _taken_apart(self, a: int) -> Counter[int]:
         return self._factors.get(a, Counter([a]))
 
+    def same(self, a: int, b: int) -> bool:
+        """Whether two arguments are products of the same factors.
+
+        >>> code = Instructions()
+        >>> x, y, z = (code.load(k, 1) for k in range(3))
+        >>> code.same(code.times(code.times(x, y), z), code.times(x, code.times(z, y)))
+        True
+        """
+        return a == b or self._taken_apart(a) == self._taken_apart(b)
+
     def _product(self, factors: Counter[int]) -> int:
         made = UNIT
         for a in sorted(factors.elements()):
@@ -84,7 +94,7 @@ class Instructions:
         return made
 
     def sum(self, a: int, m: int, b: int, n: int) -> int:
-        """``m a + n b`` of two of one degree, what both have as a factor taken out."""
+        """``m a + n b`` of two of one degree that are not the same, what both have as a factor taken out."""
         common = self._taken_apart(a) & self._taken_apart(b)
         if common:
             first, second = (self._product(self._taken_apart(x) - common) for x in (a, b))

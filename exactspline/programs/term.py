@@ -112,7 +112,7 @@ class Term(Operand):
             return (b if a.node == ZERO else a)._with(orders=orders, provenance=provenance)
         raised, widths = min(a.raised, b.raised), min(a.widths, b.widths)
         first, second = a._down_to(raised, widths), b._down_to(raised, widths)
-        if first.node == second.node:
+        if self.recorder.instructions.same(first.node, second.node):
             number = first.number + second.number
             node = first.node if number else ZERO
             return first._with(node=node, number=number or 1, orders=orders, provenance=provenance)

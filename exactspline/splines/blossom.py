@@ -8,9 +8,9 @@ from functools import reduce
 from itertools import accumulate
 from math import comb
 
-from flint import fmpz, fmpz_poly
+from flint import fmpq, fmpz, fmpz_poly
 
-from exactspline.exact import mpq, to_fmpz
+from exactspline.exact import mpq, to_fmpq
 from exactspline.splines.bernstein import ONE, Form, blossom
 
 #: Numbers over one denominator.
@@ -24,18 +24,19 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
     end of one span is what the next span begins with. The numbers of a span are integers over one denominator, and
     what that has in common with them is divided out once a span.
     """
-    row = _over_one(_at_left_end(t, n, d, spans[0]))
+    knots, control_points = list(map(to_fmpq, t)), list(map(to_fmpq, d))
+    row = _over_one(_at_left_end(knots, n, control_points, spans[0]))
     binomials = [fmpz(comb(n, i)) for i in range(n + 1)]
     for j, following in zip(spans, [*spans[1:], None], strict=True):
-        widths, _ = _over_one([t[j + m] - t[j] for m in range(1, n + 1)])
+        widths, _ = _over_one([x - knots[j] for x in knots[j + 1 : j + n + 1]])
         points, ends, bottom = _inserted(row, widths)
         polynomial, bottom_of_form = _primitive([x * y for x, y in zip(points, binomials, strict=True)], bottom)
         yield polynomial, bottom_of_form
         if following is not None:
-            row = _next_row([d[following - r] for r in range(min(following - j, n + 1))], ends, bottom)
+            row = _next_row([control_points[following - r] for r in range(min(following - j, n + 1))], ends, bottom)
 
 
-def _at_left_end(t: Sequence[mpq], n: int, d: Sequence[mpq], j: int) -> list[mpq]:
+def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[fmpq], j: int) -> list[fmpq]:
     """The control points of the span [t_j, t_{j+1}] after its left end was inserted until it has multiplicity n."""
     a, e = t[j], list(d[j - n : j + 1])
     left = [e[-1]]
@@ -69,7 +70,7 @@ def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmp
     return points, ends, bottom * lift
 
 
-def _next_row(own: list[mpq], ends: list[fmpz], bottom: fmpz) -> Row:
+def _next_row(own: list[fmpq], ends: list[fmpz], bottom: fmpz) -> Row:
     """What the next span begins with: as many of its own control points as its left end is a knot, then what the span
     before it left behind.
     """
@@ -81,10 +82,12 @@ def _next_row(own: list[mpq], ends: list[fmpz], bottom: fmpz) -> Row:
     return [polynomial[i] for i in range(len(joined))], least
 
 
-def _over_one(values: Sequence[mpq]) -> Row:
-    below = [to_fmpz(x.denominator) for x in values]
+def _over_one(values: Sequence[fmpq]) -> Row:
+    below = [x.q for x in values]
     bottom = reduce(fmpz.lcm, below, ONE)
-    return [to_fmpz(x.numerator) * (bottom // m) for x, m in zip(values, below, strict=True)], bottom
+    if bottom == 1:
+        return [x.p for x in values], bottom
+    return [x.p * (bottom // m) for x, m in zip(values, below, strict=True)], bottom
 
 
 def _primitive(numbers: list[fmpz], bottom: fmpz) -> Form:

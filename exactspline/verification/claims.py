@@ -55,6 +55,8 @@ def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
 def _read(entry: dict[str, Any], source: Paper) -> Claim:
     told = _completed(entry, source)
     name = told.pop("kind", None)
+    if name is None:
+        raise ClaimError("the field 'kind' is missing", where="kind", remedy=f"there are {', '.join(KINDS)}")
     if not isinstance(name, str) or name not in KINDS:
         raise ClaimError(f"the kind {name!r} is unknown", where="kind", remedy=nearest(str(name), list(KINDS)))
     kind = KINDS[name]

@@ -63,6 +63,8 @@ class Nature(StrEnum):
 
 #: By what a value is multiplied is told where the sides have fewer terms than this.
 SHORT = 400
+#: The name of the function by which a parameter is changed, which no constant can have.
+SPEED = "_speed"
 #: No weight is larger.
 LARGEST_WEIGHT = 200
 #: What the weight is a power of.
@@ -184,7 +186,7 @@ class Invariance(Claim):
         if name == REPARAMETRIZATION:
             return self._in_other_parameter(formula, curve, k)
         if name == COMMON_FACTOR:
-            factor = k["rho"] if "rho" in k else _line(curve.w)
+            factor = k[SPEED] if SPEED in k else _line(curve.w)
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
             changed = Accompanied(plain, beside) if beside else plain
@@ -196,8 +198,8 @@ class Invariance(Claim):
 
     def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """Indeterminate curves are differentiated by any other parameter, splines composed with a quadratic one."""
-        if "rho" in k:
-            rho = k["rho"]
+        if SPEED in k:
+            rho = k[SPEED]
             changed = curve.mapped(lambda x: InOtherParameter(x, rho))
             moved = [x.value for x in _components(formula(changed))]
             return moved, _times(_components(formula(curve)), rho, self.weight)
@@ -221,11 +223,11 @@ NUMBERS += tuple(mpq(-p, q) for p, q in ((5, 3), (31, 7), (2, 9), (43, 8), (3, 2
 
 
 class _Wider(CurveKind):
-    """The kind of a formula, with the constants of a group and with a function ``rho`` of its own."""
+    """The kind of a formula, with the constants of a group and with a function of its own, the speed ρ."""
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Those of a curve, and ρ."""
-        return (*super().symbols(dimension, polynomial=polynomial), Symbol("rho", "ρ", PARAMETERS[0]))
+        return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[0]))
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -234,7 +236,7 @@ class _Wider(CurveKind):
         made = {s.name: operand(s) for s in self.symbols(dimension, polynomial=polynomial)}
         plain = CurveKind(self.name, self.dimensions, with_point=self.with_point)
         curve: Any = plain.argument(dimension, lambda s: made[s.name], one, polynomial=polynomial)
-        return Accompanied(curve, {name: made[name] for name in (*self.constants, "rho")})
+        return Accompanied(curve, {name: made[name] for name in (*self.constants, SPEED)})
 
 
 @cache

@@ -1,0 +1,313 @@
+"""Right answers, each of a kind that reads what a student wrote and tells where it differs."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import count, zip_longest
+
+from exactspline.classroom.parts import Math, Part, Point, Polynomial
+from exactspline.classroom.reading import AnswerError, cleaned, numbers, points, polynomials
+from exactspline.exact import mpq, text
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Whether an answer is right, and where it is not. True or false in conditions."""
+
+    differences: tuple[str, ...]
+
+    @property
+    def right(self) -> bool:
+        """Whether nothing differs."""
+        return not self.differences
+
+    def __bool__(self) -> bool:
+        return self.right
+
+
+class Answer(ABC):
+    """A right answer."""
+
+    @property
+    @abstractmethod
+    def form(self) -> str:
+        """How it is written."""
+
+    @property
+    @abstractmethod
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+
+    @property
+    @abstractmethod
+    def written(self) -> str:
+        """The answer as a student would write it."""
+
+    @abstractmethod
+    def differences(self, answer: str) -> Iterator[str]:
+        """What is wrong with an answer; nothing where it is right. Raises `AnswerError` where it cannot be read."""
+
+    def check(self, answer: str) -> Finding:
+        """The finding on what a student wrote.
+
+        >>> Numbers(("x", "y"), (mpq(1, 2), mpq(3))).check("0.5, 4").differences
+        ('y is 3, not 4',)
+
+        Raises `AnswerError` where it cannot be read.
+        """
+        if not answer.strip():
+            raise AnswerError("nothing is written", where="answer", remedy=f"write {self.form}")
+        return Finding(tuple(self.differences(answer)))
+
+
+def shown(point: Sequence[mpq]) -> str:
+    """A number, or a point between parentheses.
+
+    >>> shown([mpq(1)]), shown([mpq(1), mpq(1, 2)])
+    ('1', '(1, 1/2)')
+    """
+    return text(point[0]) if len(point) == 1 else f"({', '.join(map(text, point))})"
+
+
+@dataclass(frozen=True)
+class Numbers(Answer):
+    """Numbers in an order, each with its name."""
+
+    names: tuple[str, ...]
+    values: Point
+
+    @property
+    def form(self) -> str:
+        """How it is written."""
+        return f"{', '.join(self.names)}: numbers with commas between them" if len(self.names) > 1 else "a number"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        joined: list[Part] = []
+        for name, value in zip(self.names, self.values, strict=True):
+            joined += [*([", "] if joined else []), Math(name, (value,))]
+        return tuple(joined)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(text, self.values))
+
+    def differences(self, answer: str) -> Iterator[str]:
+        """Every number that is another one, or their count."""
+        found = numbers(answer)
+        if len(found) != len(self.values):
+            yield f"{_counted(len(self.values), 'number')} wanted, not {len(found)}"
+            return
+        for name, right, given in zip(self.names, self.values, found, strict=True):
+            if given != right:
+                yield f"{name} is {text(right)}, not {text(given)}"
+
+
+@dataclass(frozen=True)
+class Parameters(Answer):
+    """A set of parameters, in any order; empty it is written ``none``."""
+
+    values: Point
+
+    @property
+    def form(self) -> str:
+        """How it is written."""
+        return "numbers with commas between them, or none"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        return (Math("t", self.values),) if self.values else ("none",)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(text, self.values)) or "none"
+
+    def differences(self, answer: str) -> Iterator[str]:
+        """Every parameter that is missing or too much."""
+        found = () if cleaned(answer).lower() == "none" else numbers(answer)
+        for t in self.values:
+            if t not in found:
+                yield f"t = {text(t)} is missing"
+        for t in dict.fromkeys(found):
+            if t not in self.values:
+                yield f"t = {text(t)} is none of them"
+
+
+@dataclass(frozen=True)
+class Points(Answer):
+    """The control points of a curve or of a function over knots that the exercise names; there is one right answer."""
+
+    reference: Nurbs | BSpline
+
+    @property
+    def rows(self) -> tuple[Point, ...]:
+        """The right control points, of a function its ordinates."""
+        if isinstance(self.reference, BSpline):
+            return tuple((x,) for x in self.reference.control_points)
+        return tuple(tuple(point) for point in self.reference.control_points)
+
+    @property
+    def form(self) -> str:
+        """How it is written."""
+        many = len(self.rows[0]) > 1
+        return "points in order: (x, y), (x, y), …" if many else "numbers in order, with commas between them"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        plain = self.rows if len(self.rows[0]) > 1 else tuple(row[0] for row in self.rows)
+        return (Math("", plain),)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(shown, self.rows))
+
+    def differences(self, answer: str) -> Iterator[str]:
+        """Every control point that is another one; then a parameter and both values there."""
+        rows, dimension = self.rows, len(self.rows[0])
+        found = points(answer, dimension)
+        if any(len(point) != dimension for point in found):
+            yield f"points of {_counted(dimension, 'coordinate')} are wanted"
+            return
+        if len(found) != len(rows):
+            yield f"{_counted(len(rows), 'point')} wanted, not {len(found)}"
+            return
+        wrong = [i for i, (right, given) in enumerate(zip(rows, found, strict=True)) if right != given]
+        for i in wrong:
+            yield f"point {i} is {shown(rows[i])}, not {shown(found[i])}"
+        if wrong:
+            yield _witness(self._value, self._of(found), self.reference.domain)
+
+    def _value(self, t: mpq) -> Point:
+        value = self.reference(t)
+        return value if isinstance(value, tuple) else (value,)
+
+    def _of(self, rows: tuple[Point, ...]) -> Callable[[mpq], Point]:
+        """What the points of a student give at a parameter."""
+        degree, knots = self.reference.degree, self.reference.knots
+        splines = [BSpline(degree, knots, column) for column in zip(*rows, strict=True)]
+        return lambda t: tuple(f(t) for f in splines)
+
+
+@dataclass(frozen=True)
+class Polynomials(Answer):
+    """Polynomials in t, each with its name; any way of writing them is right."""
+
+    names: tuple[str, ...]
+    values: tuple[Polynomial, ...]
+
+    @property
+    def form(self) -> str:
+        """How it is written."""
+        return f"{', '.join(self.names)}: polynomials in t with commas between them, such as 1 - 3t + 2t^2"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        joined: list[Part] = []
+        for name, value in zip(self.names, self.values, strict=True):
+            joined += [*([", "] if joined else []), Math(name, (value,))]
+        return tuple(joined)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(
+            " + ".join(f"({text(c)})*t^{i}" for i, c in enumerate(p.coefficients)) or "0" for p in self.values
+        )
+
+    def differences(self, answer: str) -> Iterator[str]:
+        """Every coefficient that is another one; then a parameter and both values there."""
+        found = polynomials(answer)
+        if len(found) != len(self.values):
+            yield f"{_counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
+            return
+        for name, right, given in zip(self.names, self.values, found, strict=True):
+            pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
+            wrong = [(i, a, b) for i, (a, b) in enumerate(pairs) if a != b]
+            for i, a, b in wrong:
+                yield f"{name}: the coefficient of t^{i} is {text(a)}, not {text(b)}"
+            if wrong:
+                yield f"{name}: {_witness(_values_of(right), _values_of(given), (mpq(0), mpq(1)))}"
+
+
+@dataclass(frozen=True)
+class Circle(Answer):
+    """Whether it is a circle: ``no``, or its centre and the square of its radius."""
+
+    #: Centre and squared radius; empty where it is none.
+    values: Point
+
+    @property
+    def form(self) -> str:
+        """How it is written."""
+        return "no, or centre x, centre y, radius squared"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        if not self.values:
+            return ("no",)
+        *centre, square = self.values
+        return ("yes: centre ", Math("", (tuple(centre),)), ", ", Math("r²", (square,)))
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(text, self.values)) or "no"
+
+    def differences(self, answer: str) -> Iterator[str]:
+        """That it is one or is none, or which number is another one."""
+        said_no = cleaned(answer).lower() == "no"
+        if said_no or not self.values:
+            if said_no and self.values:
+                yield "it is a circle"
+            elif not said_no:
+                numbers(answer)
+                yield "it is no circle"
+            return
+        yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
+
+
+def _counted(n: int, what: str) -> str:
+    return f"{n} {what}{'s' if n != 1 else ''}"
+
+
+def _values_of(p: Polynomial) -> Callable[[mpq], Point]:
+    def value(t: mpq) -> Point:
+        total = mpq(0)
+        for c in reversed(p.coefficients):
+            total = total * t + c
+        return (total,)
+
+    return value
+
+
+def simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
+    """Parameters of an interval, those with small denominators first, without end.
+
+    >>> from itertools import islice
+    >>> [str(t) for t in islice(simple_parameters(mpq(0), mpq(1)), 5)]
+    ['0', '1', '1/2', '1/3', '2/3']
+    """
+    yield from (low, high)
+    for below in count(2):
+        for above in range(1, below):
+            share = mpq(above, below)
+            if share.denominator == below:
+                yield low + (high - low) * share
+
+
+def _witness(right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq]) -> str:
+    """Where two functions that are not the same differ: polynomials do so at all but finitely many parameters."""
+    t = next(t for t in simple_parameters(*domain) if right(t) != given(t))
+    return f"at t = {text(t)} it gives {shown(given(t))}, where {shown(right(t))} is right"

@@ -1,0 +1,86 @@
+"""A student's curve or formula beside the reference: the same, or where they differ."""
+
+from __future__ import annotations
+
+from exactspline.classroom.answers import Finding, shown, simple_parameters
+from exactspline.errors import ExactSplineError
+from exactspline.exact import mpq, text
+from exactspline.language.formula import Formula
+from exactspline.language.parts import split
+from exactspline.splines.examples import example, example_names
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.questions import prove, verify
+
+
+def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
+    """Whether two curves are the same function, whatever their degrees and knots; a parameter and both points where
+    not.
+
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)])
+    >>> compare_curves(line.elevate_degree(), line).right
+    True
+    >>> compare_curves(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 3)]), line).differences
+    ('control point 1 is (2, 4), not (2, 3)', 'at t = 1 it is at (2, 3), not at (2, 4)')
+    """
+    if given.dimension != reference.dimension:
+        return Finding((f"it is in R{given.dimension}, not in R{reference.dimension}",))
+    if given.domain != reference.domain:
+        here, there = (", ".join(map(text, curve.domain)) for curve in (given, reference))
+        return Finding((f"its domain is [{here}], not [{there}]",))
+    if given == reference:
+        return Finding(())
+    told = ["it is run through backwards"] if given == reference.reverse() else _points(given, reference)
+    a, b = given.domain
+    t = next(t for t in simple_parameters(a, b) if given(t) != reference(t))
+    return Finding((*told, f"at t = {text(t)} it is at {shown(given(t))}, not at {shown(reference(t))}"))
+
+
+def _points(given: Nurbs, reference: Nurbs) -> list[str]:
+    """The control points that differ, where the two have them in common but for that."""
+    alike = (given.degree, given.knots) == (reference.degree, reference.knots)
+    if not (alike and given.polynomial and reference.polynomial):
+        return []
+    pairs = enumerate(zip(given.control_points, reference.control_points, strict=True))
+    return [f"control point {i} is {shown(right)}, not {shown(wrong)}" for i, (wrong, right) in pairs if wrong != right]
+
+
+def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> Finding:
+    """Whether ``given = factor · reference`` for all curves, proved in indeterminate derivatives; if not the true
+    quotient, and a curve and a parameter with both values.
+
+    >>> from exactspline.papers import find
+    >>> compare_formulas(find("f1"), find("f2"), "w").right
+    True
+    >>> compare_formulas(find("f1"), find("f2")).differences[0]
+    'not f1 = f2 in R2: the quotient is w'
+
+    Raises `FormulaError` for formulas that have nothing in common.
+    """
+    proof = prove(given, reference, factor)
+    if proof:
+        return Finding(())
+    witness = _witness(given, reference, factor, proof.dimension)
+    return Finding((str(proof), *([witness] if witness else [])))
+
+
+def _witness(given: Formula, reference: Formula, factor: str, dimension: int) -> str:
+    """Values of both sides where they differ on an example curve; empty where the formulas are of no single curve."""
+    for name in example_names():
+        curve = example(name)
+        if curve.dimension != dimension:
+            continue
+        try:
+            found = verify(given, reference, curve, factor)
+        except ExactSplineError:
+            continue
+        if found.witness is not None:
+            left, right = (_value(f, curve, found.witness) for f in (given, reference))
+            product = right if factor == "1" else f"{factor} · {right}"
+            return f"on the example curve {name} at t = {text(found.witness)} it gives {left}, where {product} is right"
+    return ""
+
+
+def _value(formula: Formula, curve: Nurbs, t: mpq) -> str:
+    parts, denominator = split(formula(curve))
+    below = mpq(1) if denominator is None else denominator(t)
+    return shown([part(t) / below for part in parts]) if below else "no value"

@@ -1,0 +1,67 @@
+"""One exercise: its task, its answer, the way to it; and how the topics draw theirs from a seed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from random import Random
+
+from exactspline.classroom.answers import Answer
+from exactspline.classroom.parts import Math, Part, Point
+from exactspline.exact import lcm, mpq
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+
+#: Largest number in a task or an answer.
+LARGEST = 30
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """What is asked, the right answer, and the way to it."""
+
+    topic: str
+    seed: int
+    task: tuple[Part, ...]
+    answer: Answer
+    solution: tuple[Part, ...]
+
+
+#: What a topic draws: task, answer and solution; None where the numbers are not nice, and it draws again.
+Drawn = tuple[tuple[Part, ...], Answer, tuple[Part, ...]] | None
+Topic = Callable[[Random], Drawn]
+
+
+def points_of(curve: Nurbs | BSpline) -> Math:
+    """The control points in a row."""
+    if isinstance(curve, BSpline):
+        return Math("", curve.control_points)
+    return Math("", tuple(tuple(point) for point in curve.control_points))
+
+
+def knots_of(curve: Nurbs | BSpline) -> Math:
+    """The knots in a row."""
+    return Math("", curve.knots.knots)
+
+
+def drawn_points(rng: Random, many: int, dimension: int = 2, size: int = 4) -> list[Point]:
+    """Points with small integers for coordinates."""
+    return [tuple(mpq(rng.randint(-size, size)) for _ in range(dimension)) for _ in range(many)]
+
+
+def cleared(points: Sequence[Point], made: Iterable[Point]) -> list[Point] | None:
+    """The points times the least integer for which what was made of them (linearly) is made of integers; None where
+    they become large, or where neighbours coincide.
+    """
+    numbers = [x for row in made for x in row]
+    factor = lcm(1, *[int(x.denominator) for x in numbers])
+    largest = max(abs(x) for x in [*numbers, *[x for row in points for x in row]])
+    if factor * largest > LARGEST or any(a == b for a, b in pairwise(points)):
+        return None
+    return [tuple(factor * x for x in row) for row in points]
+
+
+def small(values: Iterable[mpq]) -> bool:
+    """Whether all are integers of at most two digits or so."""
+    return all(x.denominator == 1 and abs(x) <= LARGEST for x in values)

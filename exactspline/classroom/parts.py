@@ -1,0 +1,36 @@
+"""What an exercise is written in: prose and formulas, printed as text, LaTeX or HTML by `exactspline.display`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from exactspline.exact import mpq
+from exactspline.splines.triangles import Triangle
+
+Point: TypeAlias = tuple[mpq, ...]
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """A polynomial in t by its coefficients, the constant one first."""
+
+    coefficients: tuple[mpq, ...]
+
+
+#: A number, a point, or a polynomial.
+Value: TypeAlias = mpq | Point | Polynomial
+
+
+@dataclass(frozen=True)
+class Math:
+    """``name = value``, or the values in a row with commas between them; without values the name alone, without a name
+    the values alone. What stands behind an underscore in a name is its index.
+    """
+
+    name: str = ""
+    values: tuple[Value, ...] = ()
+
+
+#: What is said in a row.
+Part: TypeAlias = str | Math | Triangle

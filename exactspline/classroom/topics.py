@@ -1,0 +1,70 @@
+"""The topics and their exercises: the same seed gives the same exercise everywhere."""
+
+from __future__ import annotations
+
+from random import Random
+
+from exactspline.classroom import algorithms, shapes
+from exactspline.classroom.exercise import Exercise, Topic
+from exactspline.errors import ExactSplineError, nearest, shown
+
+TOPICS: dict[str, Topic] = {
+    "evaluation": algorithms.evaluation,
+    "derivative": algorithms.derivative,
+    "insertion": algorithms.insertion,
+    "elevation": algorithms.elevation,
+    "subdivision": algorithms.subdivision,
+    "product": algorithms.product,
+    "power": algorithms.power,
+    "bezier": algorithms.bezier,
+    "continuity": algorithms.continuity,
+    "support": shapes.support,
+    "hull": shapes.hull,
+    "inflections": shapes.inflections,
+    "curvature": shapes.curvature,
+    "osculating": shapes.osculating,
+    "circle": shapes.circle,
+    "weight": shapes.weight,
+}
+#: So often numbers are drawn for one exercise; a topic that needs a hundredth of it is slow.
+MOST_DRAWS = 100_000
+
+
+class TopicError(ExactSplineError):
+    """A topic that does not exist, or a seed that is none."""
+
+
+def about(topic: str) -> str:
+    """What a topic asks, in a few words."""
+    return str(TOPICS[topic].__doc__).rstrip(".")
+
+
+def exercise(topic: str, seed: int) -> Exercise:
+    """The exercise of a topic that belongs to a seed, a number from 0.
+
+    >>> made = exercise("evaluation", 1)
+    >>> made == exercise("evaluation", 1), bool(made.answer.check(made.answer.written))
+    (True, True)
+
+    Raises `TopicError` for an unknown topic, with the nearest ones, and for a seed that is none.
+    """
+    if topic not in TOPICS:
+        raise TopicError(
+            f"no topic is called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
+        )
+    if type(seed) is not int or seed < 0:
+        raise TopicError(f"{shown(seed)} is no seed", where="seed", remedy="an integer ≥ 0")
+    rng = Random(f"{topic} {seed}")
+    for _ in range(MOST_DRAWS):
+        if drawn := TOPICS[topic](rng):
+            return Exercise(topic, seed, *drawn)
+    raise AssertionError(f"{topic} {seed}: no draw was nice")
+
+
+def exercises(topic: str, seed: int, count: int) -> list[Exercise]:
+    """So many exercises, those of the seeds from `seed` on.
+
+    >>> [each.seed for each in exercises("elevation", 3, 2)]
+    [3, 4]
+    """
+    return [exercise(topic, seed + i) for i in range(count)]

@@ -1,0 +1,103 @@
+"""``check-answer``: what a student wrote, proved right or shown where it differs."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from exactspline.cli.common import Trust, load_curve
+from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.errors import CurveFileError
+
+if TYPE_CHECKING:
+    from exactspline.classroom.answers import Finding
+    from exactspline.display.sheet import Sheet
+
+
+@printing
+def check_answer(
+    out: Output,
+    answer: Annotated[
+        str, typer.Argument(help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.")
+    ] = "",
+    topic: Annotated[str, typer.Option("--topic", metavar="TOPIC", help="The exercise's topic.")] = "",
+    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The exercise's seed.")] = 0,
+    text: Annotated[str, typer.Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
+    reference: Annotated[
+        str, typer.Option("--reference", metavar="WHAT", help="A curve, or a formula where the answer is a formula.")
+    ] = "",
+    factor: Annotated[
+        str, typer.Option("--factor", metavar="F", help="A formula may be that factor times the reference: w^3.")
+    ] = "1",
+    trust: Trust = False,
+) -> None:
+    """Prove an answer right, or show where it differs; exit status 1 where it is wrong."""
+    if bool(topic) == bool(reference):
+        raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is held against")
+    if bool(text) == bool(answer) or (text and reference):
+        raise OptionsError("one answer is needed", remedy="name a file, or write --topic TOPIC --text ANSWER")
+    found, against = (
+        _exercise(topic, seed, text or _read(answer)) if topic else _compared(answer, reference, factor, trust)
+    )
+    row = {"key": against, "right": found.right, "differences": list(found.differences)}
+
+    def sheets() -> list[Sheet]:
+        from exactspline.display.sheet import Sheet
+
+        made = Sheet("answer", "difference", prose=["difference"])
+        for told in found.differences or [""]:
+            made.add_row("right" if found.right else "wrong", told)
+        return [made]
+
+    out.give("check-answer", lambda: [row], sheets, lambda: _tell(found))
+    if not found:
+        raise typer.Exit(1)
+
+
+def _tell(found: Finding) -> None:
+    from exactspline.display import console
+
+    shown = console.console()
+    console.lines(shown, "right" if found else "wrong", style="bold")
+    for told in found.differences:
+        console.lines(shown, told, indent=4, first=2)
+
+
+def _exercise(topic: str, seed: int, given: str) -> tuple[Finding, str]:
+    from exactspline.classroom.topics import exercise
+
+    made = exercise(topic, seed)
+    return made.answer.check(given), f"{topic}, seed {seed}"
+
+
+def _read(name: str) -> str:
+    from exactspline.classroom.reading import MAX_TEXT
+
+    try:
+        if name == "-":
+            data = sys.stdin.buffer.read(4 * MAX_TEXT)
+        else:
+            with Path(name).open("rb") as stream:
+                data = stream.read(4 * MAX_TEXT)
+        return data.decode()
+    except OSError as error:
+        raise CurveFileError(
+            f"cannot be read ({error.strerror})", where=name, remedy="name a file, or write --text ANSWER"
+        ) from None
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", where=name, remedy="write numbers, points or polynomials") from None
+
+
+def _compared(answer: str, reference: str, factor: str, trust: bool) -> tuple[Finding, str]:
+    from exactspline.classroom.comparison import compare_curves, compare_formulas
+    from exactspline.papers import resolve
+
+    if re.search(r"\.py:\w+$", answer):
+        found = compare_formulas(resolve(answer, trust=trust), resolve(reference, trust=trust), factor)
+    else:
+        found = compare_curves(load_curve(answer), load_curve(reference))
+    return found, reference

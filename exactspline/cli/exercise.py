@@ -1,0 +1,75 @@
+"""``exercise``: sheets of exercises with small answers, and their solutions."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from exactspline.cli.output import OptionsError, Output, printing
+
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
+
+
+@printing
+def exercise(
+    out: Output,
+    topic: Annotated[str, typer.Argument(help="A topic, or all; without it the topics are listed.")] = "",
+    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
+    count: Annotated[int, typer.Option("--count", metavar="K", min=1, max=500, help="So many a topic.")] = 1,
+    solutions: Annotated[bool, typer.Option("--solutions", help="With a sheet of solutions.")] = False,
+    latex: Annotated[bool, typer.Option("--latex", help="Print a LaTeX document.")] = False,
+    html: Annotated[bool, typer.Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+) -> None:
+    """Exercises with small numbers, the same ones for the same seed; the answers are computed, and checked by
+    check-answer.
+    """
+    from exactspline.classroom.topics import TOPICS, exercises
+    from exactspline.display.exercises import exercise_data, html_page, latex_document
+
+    if latex + html + (not out.for_people) > 1:
+        raise OptionsError("more than one format", remedy="choose one of --latex, --html, --json, --csv, --markdown")
+    if not topic:
+        out.give("topics", lambda: [dict(row) for row in _topics()], lambda: [_topic_sheet()])
+        return
+    made = [each for name in (TOPICS if topic == "all" else [topic]) for each in exercises(name, seed, count)]
+    if latex or html:
+        sys.stdout.write((latex_document if latex else html_page)(made, solutions=solutions))
+        return
+
+    def sheets() -> list[Sheet]:
+        from exactspline.display.sheet import Sheet
+
+        rows = [exercise_data(each, solutions=solutions) for each in made]
+        columns = [name for name in rows[0] if name != "key"]
+        sheet = Sheet(*columns, prose=["task", "form", "solution"])
+        for row in rows:
+            sheet.add_row(*[row[name] for name in columns])
+        return [sheet]
+
+    def people() -> None:
+        from exactspline.display import console
+        from exactspline.display.exercises import text_lines
+
+        # in a pipe, too, these are paragraphs
+        width = min(console.width(), 80)
+        sys.stdout.write("\n".join(text_lines(made, width, solutions=solutions)) + "\n")
+
+    out.give("exercise", lambda: [exercise_data(each, solutions=solutions) for each in made], sheets, people)
+
+
+def _topics() -> list[dict[str, str]]:
+    from exactspline.classroom.topics import TOPICS, about
+
+    return [{"key": name, "about": about(name)} for name in TOPICS]
+
+
+def _topic_sheet() -> Sheet:
+    from exactspline.display.sheet import Sheet
+
+    made = Sheet("topic", "asks", prose=["asks"])
+    for row in _topics():
+        made.add_row(row["key"], row["about"])
+    return made

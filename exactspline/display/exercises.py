@@ -1,0 +1,213 @@
+"""Sheets of exercises and of solutions: as text, as a LaTeX document, as an HTML page, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from exactspline.classroom.exercise import Exercise
+from exactspline.classroom.parts import Math, Part, Polynomial, Value
+from exactspline.display import mathml
+from exactspline.display.latex import fraction, mathematics
+from exactspline.display.triangles import scheme_mathml, sheets
+from exactspline.display.wrapping import hanging
+from exactspline.exact import text
+from exactspline.splines.triangles import Triangle
+
+_LATEX = {
+    "\\": r"\textbackslash{}",
+    "_": r"\_",
+    "%": r"\%",
+    "&": r"\&",
+    "#": r"\#",
+    "′": "$'$",
+    "″": "$''$",
+    "κ": r"$\kappa$",
+    "²": "$^2$",
+    "−": "$-$",
+    "·": r"$\cdot$",
+}
+_SYMBOLS = {"′": "'", "″": "''", "κ": r"\kappa", "²": "^{2}", "−": "-"}
+
+
+def title_of(made: Exercise) -> str:
+    """What an exercise is found by: topic and seed."""
+    return f"{made.topic}, seed {made.seed}"
+
+
+# ---- text
+
+
+def polynomial_text(p: Polynomial) -> str:
+    """A polynomial as it can be pasted into an answer.
+
+    >>> from exactspline.exact import mpq
+    >>> polynomial_text(Polynomial((mpq(1), mpq(-3), mpq(0), mpq(1, 2))))
+    '1 - 3t + 1/2 t^3'
+    """
+    told = ""
+    for i, c in enumerate(p.coefficients):
+        if not c:
+            continue
+        sign = ("-" if c < 0 else "") if not told else (" - " if c < 0 else " + ")
+        size = "" if abs(c) == 1 and i else text(abs(c))
+        gap = " " if "/" in size and i else ""
+        told += sign + size + gap + ("" if not i else "t" if i == 1 else f"t^{i}")
+    return told or "0"
+
+
+def _value_text(value: Value) -> str:
+    if isinstance(value, Polynomial):
+        return polynomial_text(value)
+    return f"({', '.join(map(text, value))})" if isinstance(value, tuple) else text(value)
+
+
+def _math_text(math: Math) -> str:
+    values = ", ".join(map(_value_text, math.values))
+    return f"{math.name} = {values}" if math.name and values else math.name or values
+
+
+def plain(parts: Sequence[Part]) -> str:
+    """Prose and formulas in one line; triangles are left out."""
+    said = [part if isinstance(part, str) else _math_text(part) for part in parts if not isinstance(part, Triangle)]
+    return " ".join("".join(said).split())
+
+
+def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list[str]:
+    """The exercises, numbered, and the solutions behind them."""
+    lines: list[str] = []
+    for i, each in enumerate(made, 1):
+        lines += [*_paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width), ""]
+    if solutions:
+        lines += ["Solutions", ""]
+        for i, each in enumerate(made, 1):
+            lines += _paragraph(f"{i}. {plain(each.answer.parts)}", width)
+            lines += _paragraph(f"   {plain(each.solution)}", width, 3)
+            for part in each.solution:
+                if isinstance(part, Triangle):
+                    lines += [f"   {line}" for line in sheets(part)[0].text(max(20, width - 3)).splitlines()]
+            lines.append("")
+    return lines[:-1]
+
+
+def _paragraph(said: str, width: int, first: int = 0) -> list[str]:
+    return hanging(said, width, indent=3, first=first)
+
+
+# ---- LaTeX
+
+
+def _value_latex(value: Value) -> str:
+    if isinstance(value, Polynomial):
+        parts = [(c, "" if not i else "t" if i == 1 else f"t^{{{i}}}") for i, c in enumerate(value.coefficients) if c]
+        told = "".join(
+            ("-" if c < 0 else "+") + ("" if abs(c) == 1 and power else fraction(abs(c))) + power for c, power in parts
+        )
+        return told.removeprefix("+") or "0"
+    if not isinstance(value, tuple):
+        return fraction(value)
+    inner = r",\; ".join(map(fraction, value))
+    return rf"\left({inner}\right)"
+
+
+def _symbol_latex(name: str) -> str:
+    if " " in name and "=" not in name:
+        return rf"\text{{{name}}}"
+    return "".join(_SYMBOLS.get(sign, sign) for sign in name)
+
+
+def _part_latex(part: Part) -> str:
+    if isinstance(part, str):
+        return "".join(_LATEX.get(sign, sign) for sign in part)
+    if isinstance(part, Triangle):
+        return f"\\[\n{mathematics(part)}\n\\]"
+    # a line may be broken behind a comma
+    values = ",$ $".join(map(_value_latex, part.values))
+    name = _symbol_latex(part.name)
+    return f"${name} = {values}$" if name and values else f"${name or values}$"
+
+
+def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
+    """A document of its own; the solutions begin a page."""
+    told = [f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}" for each in made]
+    lines = [
+        r"\documentclass{article}",
+        r"\usepackage[utf8]{inputenc}",
+        r"\usepackage{amsmath}",
+        r"\begin{document}",
+        r"\section*{Exercises}",
+        r"\begin{enumerate}",
+        *told,
+        r"\end{enumerate}",
+    ]
+    if solutions:
+        lines += [r"\newpage", r"\section*{Solutions}", r"\begin{enumerate}"]
+        for each in made:
+            answer, way = ("".join(map(_part_latex, parts)) for parts in (each.answer.parts, each.solution))
+            lines.append(f"\\item \\textbf{{Answer:}} {answer}.\n\n{way}")
+        lines.append(r"\end{enumerate}")
+    return "\n".join([*lines, r"\end{document}"]) + "\n"
+
+
+# ---- HTML
+
+
+def _value_mathml(value: Value) -> str:
+    if isinstance(value, Polynomial):
+        told = ""
+        for i, c in enumerate(value.coefficients):
+            if c:
+                told += f"<mo>{'−' if c < 0 else '+'}</mo>" if told or c < 0 else ""
+                told += "" if abs(c) == 1 and i else mathml.number(abs(c))
+                told += "" if not i else "<mi>t</mi>" if i == 1 else f"<msup><mi>t</mi><mn>{i}</mn></msup>"
+        return f"<mrow>{told or '<mn>0</mn>'}</mrow>"
+    return mathml.tuple_of(map(mathml.number, value)) if isinstance(value, tuple) else mathml.number(value)
+
+
+def _part_html(part: Part) -> str:
+    if isinstance(part, str):
+        return escape(part)
+    if isinstance(part, Triangle):
+        return f'<div class="wide">{mathml.math(scheme_mathml(part), block=True)}</div>'
+    # between formulas a line may be broken, inside one it may not
+    shown = [mathml.math(_value_mathml(value)) for value in part.values]
+    name = f"<i>{escape(part.name)}</i>" if part.name else ""
+    values = ", ".join(shown)
+    return f"{name} = {values}" if name and values else name or values
+
+
+def task_html(made: Exercise) -> str:
+    """What is asked, and how the answer is written."""
+    return f"<p>{''.join(map(_part_html, made.task))}</p><p><small>Answer: {escape(made.answer.form)}</small></p>"
+
+
+def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
+    """A page that can be printed; the solutions begin a sheet of paper."""
+
+    def listed(items: Sequence[str]) -> str:
+        return f"<ol>{''.join(f'<li>{item}</li>' for item in items)}</ol>"
+
+    tasks = [f"{''.join(map(_part_html, e.task))} <small>[{escape(title_of(e))}]</small>" for e in made]
+    body = f"<h1>Exercises</h1>{listed(tasks)}"
+    if solutions:
+        ways = [
+            f"<b>{''.join(map(_part_html, e.answer.parts))}</b><p>{''.join(map(_part_html, e.solution))}</p>"
+            for e in made
+        ]
+        body += f'<section class="solutions"><h1>Solutions</h1>{listed(ways)}</section>'
+    return mathml.page("Exercises", body)
+
+
+# ---- data
+
+
+def exercise_data(made: Exercise, *, solutions: bool) -> dict[str, object]:
+    """An exercise for programs; answer and solution where they are wanted."""
+    told: dict[str, object] = {
+        "key": title_of(made),
+        "topic": made.topic,
+        "seed": made.seed,
+        "task": plain(made.task),
+        "form": made.answer.form,
+    }
+    return told | ({"answer": made.answer.written, "solution": plain(made.solution)} if solutions else {})
