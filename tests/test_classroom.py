@@ -2,8 +2,10 @@
 
 import json
 import re
+import shlex
 from fractions import Fraction
 from math import comb
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -234,6 +236,33 @@ def test_sheets_have_all_that_is_asked_and_answered():
     assert document.isascii() or set(re.findall(r"[^\x00-\x7f]", document)) <= {"é"}
     for name in re.findall(r"\\begin\{(\w+)\}", document):
         assert document.count(rf"\begin{{{name}}}") == document.count(rf"\end{{{name}}}")
+
+
+PAGE = Path(__file__).parents[1] / "docs" / "teaching.md"
+
+
+@pytest.mark.skipif(not PAGE.exists(), reason="the documents are in the checkout only")
+def test_what_the_page_for_teachers_says_runs(tmp_path, monkeypatch):
+    """Every command of the page, in a folder with the files that it names; its tables are what is printed."""
+    monkeypatch.chdir(tmp_path)
+    Path("answer.txt").write_text(exercise("insertion", 4).answer.written)
+    Path("my-curve.json").write_text(json.dumps(curve_data(example("cubic_s").insert_knot("1/2"))))
+    Path("mine.py").write_text(
+        "from exactspline import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
+    )
+    page = PAGE.read_text(encoding="utf-8")
+    commands = re.findall(r"^exactspline (.*)$", page, flags=re.MULTILINE)
+    printed = []
+    for command in commands:
+        arguments = shlex.split(re.split(r" {3,}| > ", command)[0])
+        result = CliRunner().invoke(app, arguments, env={"COLUMNS": "80"})
+        assert result.exit_code == 0, (command, result.output)
+        printed.append(result.output)
+    assert len(commands) == 10
+    shown = re.search(r"```\n(De Boor.*?)\n```", page, flags=re.DOTALL)[1]
+    assert printed[0].startswith(shown)
+    listed = set(re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`.*?) \|", page, flags=re.MULTILINE))))
+    assert listed == set(TOPICS)
 
 
 def test_the_command_line(tmp_path):
