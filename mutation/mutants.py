@@ -20,6 +20,8 @@ from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
 
+from mutation.coverage_map import fingerprint
+
 ROOT = Path(__file__).resolve().parent.parent
 
 #: A change of a node: its kind, what it says, and the new node.
@@ -70,6 +72,11 @@ class Mutant:
     def name(self) -> str:
         """What the results call it."""
         return f"{self.file}:{self.function}:{self.line}:{self.column}: {self.says} [{self.kind}]"
+
+    @property
+    def key(self) -> str:
+        """It alone, as long as its function says what it says, wherever that stands."""
+        return f"{self.file}:{self.function}#{self.number}@{fingerprint(node_of(self.file, self.function))}"
 
     @property
     def stable(self) -> str:
