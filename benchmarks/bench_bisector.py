@@ -30,7 +30,7 @@ from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_poly
 from sympy.polys.rings import ring
 
 from exactspline import Nurbs, Vector
-from exactspline.batch.bench.inline import bisector_patch, cross, one_parameter
+from exactspline.batch.bench.inline import bisector_patch, cross, form_derivative, one_parameter
 from exactspline.batch.bench.peers import SympyOperand
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.rational import Rational
@@ -94,8 +94,8 @@ def symmetric(segments, embed_s, embed_t):
     first, second = (segment_forms(c) for c in curves(segments))
 
     def run():
-        ones = [(list(map(embed_s, one_parameter(*forms, DEGREE))), m) for forms, m in first]
-        twos = [(list(map(embed_t, one_parameter(*forms, DEGREE))), m) for forms, m in second]
+        ones = [(list(map(embed_s, one_parameter(*forms, DEGREE, form_derivative))), m) for forms, m in first]
+        twos = [(list(map(embed_t, one_parameter(*forms, DEGREE, form_derivative))), m) for forms, m in second]
         return [(*bisector_patch(one, two), m**4 * n**4) for (one, m), (two, n) in product(ones, twos)]
 
     return run
@@ -120,7 +120,7 @@ def mpoly(_name, segments):
 
 
 def inline_explicit(forms):
-    *a, h, n, x, y, z, w, w2 = one_parameter(*forms, DEGREE)
+    *a, h, n, x, y, z, w, w2 = one_parameter(*forms, DEGREE, form_derivative)
     q = tuple(p - k * w for p, k in zip((x, y, z), POINT, strict=True))
     e, g = n - w2 * sum(k * k for k in POINT), cross(a, q)
     height = 2 * (w * (POINT[0] * g[0] + POINT[1] * g[1] + POINT[2] * g[2]))
@@ -130,7 +130,7 @@ def inline_explicit(forms):
 
 
 def inline_direct(forms):
-    *a, h, n, x, y, z, w, w2 = one_parameter(*forms, DEGREE)
+    *a, h, n, x, y, z, w, w2 = one_parameter(*forms, DEGREE, form_derivative)
     q = tuple(p - k * w for p, k in zip((x, y, z), POINT, strict=True))
     e, g, h = n - w2 * sum(k * k for k in POINT), cross(a, q), 2 * h
     return (q[1] * h - a[1] * e, a[0] * e - q[0] * h), g[2] * w, tuple(c * w for c in g)

@@ -30,7 +30,7 @@ slow_ids = [f"degree {n}, {segments} segments" for n, segments in SLOW_PEERS]
 
 def inline_f2(segments, n):
     """f2 on forms, written inline over fmpz_poly: the baseline."""
-    return [(inline.f2(x, y, w, n), m * m * m) for x, y, w, m in segments]
+    return [(inline.f2(x, y, w, n, inline.form_derivative), m * m * m) for x, y, w, m in segments]
 
 
 def forms(c):

@@ -18,7 +18,7 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.plane import curvature_square
 DEGREES = range(2, 7)
 
 
-def inline_squaring(x, y, w, n):
+def inline_squaring(x, y, w, n, d):
     ax, ay = d(x, n) * w - x * d(w, n), d(y, n) * w - y * d(w, n)
     m = 2 * n
     ax, ay = ax * U_PLUS_V, ay * U_PLUS_V
@@ -42,9 +42,9 @@ def test_pipeline(benchmark, what, degree, who):
     if who == "exactspline":
         value = benchmark.pedantic(formula, setup=lambda: fresh(c), rounds=100)
         numerator = value if what == "g2" else value.numerator
-        assert numerator.polynomials[0] == inline(*forms, degree)
+        assert numerator.polynomials[0] == inline(*forms, degree, d)
     elif who == "python-flint inline":
-        assert benchmark.pedantic(inline, args=(*forms, degree), rounds=100)
+        assert benchmark.pedantic(inline, args=(*forms, degree, d), rounds=100)
     else:
         (peer,) = sympy_arguments(c)
         value = benchmark.pedantic(lambda: formula(type(peer)(peer.p, peer.w)), rounds=3)

@@ -4,6 +4,8 @@ each against raw python-flint.
 `extra_info` of a result (`--benchmark-json`) has the size: degree, control points, and bits of all integers together.
 """
 
+from functools import partial
+
 import pytest
 from ground import curve, fresh
 
@@ -53,7 +55,7 @@ def inline_rectifying(p, w, n):
 
 
 def inline_rectifying_reduced(p, w, n):
-    a, b, c = differences(p, w, n)
+    a, b, c = differences(p, w, n, d)
     binormal = cross(a, b)
     turning, bend, speed = dot(binormal, c), dot(binormal, binormal), dot(a, a)
     generator = [x * turning * speed + y * bend for x, y in zip(a, binormal, strict=True)]
@@ -63,7 +65,7 @@ def inline_rectifying_reduced(p, w, n):
 
 WHAT = {
     "torsion, naive": (torsion, inline_torsion),
-    "torsion, reduced": (torsion_reduced, inline_torsion_reduced),
+    "torsion, reduced": (torsion_reduced, partial(inline_torsion_reduced, d=d)),
     "rectifying developable, naive": (lambda c: rectifying_developable(c).joined, inline_rectifying),
     "rectifying developable, reduced": (lambda c: rectifying_developable_reduced(c).joined, inline_rectifying_reduced),
 }

@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 
 from exactspline.cli import app
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.inspection import Approach
 from exactspline.geometry.kinds import JointKind
 from tests.test_shared_curves import FILES, read_curve
 
@@ -119,3 +120,10 @@ def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
     turns = [(f["coordinate"], f["kind"]) for row in rows for f in row["coordinate_extrema"]]
     assert turns == [(1, "maximum"), (1, "minimum"), (1, "maximum")]
     assert picture.read_text(encoding="utf-8").count("inflections (1)") >= 1
+
+
+def test_an_unknown_approach_is_told_all_that_there_are():
+    found = run("inspect", "circle", "--approach", "sqaring")
+    words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()
+    assert words == [*Approach, "all"]
+    assert [run("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)

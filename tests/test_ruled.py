@@ -48,7 +48,7 @@ def test_the_stretch_on_a_curve_is_the_one_proved_for_all_curves(name):
         if power > 0
         else Rational(w.constant(1), w.constant(1) if power == 0 else w ** (-power))
     )
-    assert relation.stretch == expected
+    assert relation.scale == expected
     assert relation.shift.is_zero
 
 
@@ -120,25 +120,25 @@ def test_what_is_no_surface_is_refused():
 @settings(max_examples=60)
 @given(splines_on_one_domain(count=8, low=0, high=2))
 def test_a_surface_written_in_another_way_is_the_same_surface(operands):
-    directrix, generator, (shift, stretch) = Vector(*operands[:3]), Vector(*operands[3:6]), operands[6:]
-    total = shift * 0 + stretch * 0
+    directrix, generator, (shift, scale) = Vector(*operands[:3]), Vector(*operands[3:6]), operands[6:]
+    total = shift * 0 + scale * 0
     for x in operands[:6]:
         total = total + x * 0
     directrix, generator = Vector(*[x + total for x in directrix]), Vector(*[x + total for x in generator])
-    shift, stretch = shift + total, stretch + total
+    shift, scale = shift + total, scale + total
     assume(
-        all(any(parts) for parts in zip(*[x.polynomials for x in generator], strict=True)) and all(stretch.polynomials)
+        all(any(parts) for parts in zip(*[x.polynomials for x in generator], strict=True)) and all(scale.polynomials)
     )
-    a, b = RuledSurface(directrix, generator), RuledSurface(directrix + generator * shift, generator * stretch)
+    a, b = RuledSurface(directrix, generator), RuledSurface(directrix + generator * shift, generator * scale)
     relation = same_surface(a, b)
     one = shift.constant(1)
     assert relation.shift == Rational(shift, one)
-    assert relation.stretch == Rational(stretch, one)
-    assert same_surface(a, RuledSurface(directrix, generator)).stretch == Rational(one, one)
+    assert relation.scale == Rational(scale, one)
+    assert same_surface(a, RuledSurface(directrix, generator)).scale == Rational(one, one)
     primitive = primitive_part(generator)
     assert cross(primitive, generator).is_zero
     assert primitive.degree <= generator.degree
-    assert primitive_part(generator * stretch).degree == primitive.degree
+    assert primitive_part(generator * scale).degree == primitive.degree
     assert is_developable(a) == is_developable(b) == is_developable(in_lowest_terms(a))
 
 

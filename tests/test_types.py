@@ -1,4 +1,4 @@
-"""Types: what may be Any in a public signature, why types are ignored, what a checker sees at the front door."""
+"""Types: no Any in a public signature, why types are ignored, what a checker sees at the front door."""
 
 from __future__ import annotations
 
@@ -13,44 +13,6 @@ from tests.precision import precision
 
 ROOT = Path(exactspline.__file__).parent
 CHECKOUT = ROOT.parent
-
-#: What a formula returns depends on the formula and on the reading: a number, a spline, a vector, a surface, a tree.
-RESULT = "what a formula returns depends on the formula and on the reading"
-DEGREE = "a degree is a number, two of them or an expression, as the reading counts"
-OPERANDS = "operands are of one reading, which the argument does not know"
-DATA = "data just parsed: what it holds is what is checked"
-PEERS = "runs over the polynomials of any library, typed or not"
-#: Folders that speak to what has no types.
-UNTYPED = {"batch/grade/": "asks other libraries, some in other processes and languages, and reads their JSON"}
-#: Public signatures with Any, each with its reason.
-ALLOWED: dict[str, str] = {
-    "batch/bench/inline.py: bisector_patch": PEERS,
-    "batch/bench/inline.py: cross": PEERS,
-    "batch/bench/inline.py: differences": PEERS,
-    "batch/bench/inline.py: dot": PEERS,
-    "batch/bench/inline.py: f2": PEERS,
-    "batch/bench/inline.py: g2": PEERS,
-    "batch/bench/inline.py: one_parameter": PEERS,
-    "batch/bench/inline.py: torsion": PEERS,
-    "batch/bench/inline.py: vertices": PEERS,
-    "language/argument.py: Argument.calls": RESULT,
-    "language/argument.py: Evaluated.calls": RESULT,
-    "language/argument.py: Evaluated.mapped": OPERANDS,
-    "language/argument.py: Evaluated.operands": OPERANDS,
-    "language/arguments.py: Operands.mapped": OPERANDS,
-    "language/arguments.py: Operands.operands": OPERANDS,
-    "language/kind.py: Kind.rules": OPERANDS,
-    "language/operand.py: Counted.degree": DEGREE,
-    "language/rational.py: Rational.degree": DEGREE,
-    "language/reading.py: Reading.of": RESULT,
-    "language/services.py: service": "a service is whatever was registered under its name",
-    "programs/compiled.py: compiled": "runs over whatever integers and polynomials it is given",
-    "readings/tree.py: Traced.calls": RESULT,
-    "readings/tree.py: applied": RESULT,
-    "readings/tree.py: evaluate": RESULT,
-    "verification/coq/explicit.py: ExplicitCurve.argument": RESULT,
-    "verification/coq/settings.py: Setting.argument": RESULT,
-}
 
 
 def modules() -> list[Path]:
@@ -95,15 +57,11 @@ def loose_signatures() -> set[str]:
     for path in modules():
         tree = ast.parse(path.read_text(encoding="utf-8"))
         found |= {f"{path.relative_to(ROOT).as_posix()}: {name}" for name in loose(tree.body, loose_names(tree))}
-    return {each for each in found if not each.startswith(tuple(UNTYPED))}
+    return found
 
 
-def test_no_public_signature_has_any_without_a_reason():
-    assert loose_signatures() - set(ALLOWED) == set()
-
-
-def test_no_reason_outlives_its_signature():
-    assert set(ALLOWED) - loose_signatures() == set()
+def test_no_public_signature_has_any():
+    assert loose_signatures() == set()
 
 
 def test_any_is_seen_wherever_it_stands_in_a_signature():

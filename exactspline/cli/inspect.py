@@ -10,9 +10,13 @@ import typer
 from exactspline.cli.common import CURVE_HELP, also_in_their_planes, described, loaded
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.geometry.kinds import JointKind
+from exactspline.language.choices import choice
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
+
+#: What stands for every approach, side by side.
+ALL = "all"
 
 
 @printing
@@ -58,8 +62,11 @@ def inspect(
     """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
     to any number of digits.
     """
+    from exactspline.geometry.inspection import Approach
     from exactspline.splines.curve_files import write_json
 
+    if approach != ALL:
+        choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(curve) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file a curve")
     given, good = loaded(curve)
@@ -106,12 +113,12 @@ def _inspected(c: Any, approach: str, digits: int, coordinates: bool) -> tuple[A
     from exactspline.display.serialize import coordinate_extrema_data, groups_of, inspection_data
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
 
-    found = inspect_curve(c, "minimal" if approach == "all" else approach)
+    found = inspect_curve(c, "minimal" if approach == ALL else approach)
     with _ticking(sum(len(getattr(found, name)) for name in groups_of(c))) as tick:
         data = inspection_data(c, found, digits, tick)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
-    if approach == "all":
+    if approach == ALL:
         data["approaches"] = [asdict(row) for row in compare_approaches(c)]
     return c, found, data
 

@@ -34,56 +34,65 @@ if TYPE_CHECKING:
 #: So many claims are listed one by one, more are summed up.
 FEW = 12
 
+Claims = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--claim",
+        metavar="ID",
+        help="The id of a claim, what it begins (C3: all of section 3), or a place (eq. (12)). May be repeated.",
+    ),
+]
+Sections = Annotated[
+    list[str] | None,
+    typer.Option("--section", metavar="SECTION", help="Only this section, for example 4.2. May be repeated."),
+]
+Verdicts = Annotated[
+    list[str] | None, typer.Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated.")
+]
+Judge = Annotated[
+    str,
+    typer.Option(
+        "--judge",
+        metavar="JUDGE",
+        help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (in a column).",
+    ),
+]
+EmitCoq = Annotated[
+    str,
+    typer.Option(
+        "--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."
+    ),
+]
+Rows = Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")]
+Page = Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")]
+Report = Annotated[
+    str, typer.Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
+]
+IdentityText = Annotated[
+    str,
+    typer.Option(
+        "--identity",
+        metavar="TEXT",
+        help='Decide one identity instead: "file.py:left = w^3 * file.py:right", for all curves.',
+    ),
+]
+
 
 @printing
 def prove(
     out: Output,
-    claim: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--claim",
-            metavar="ID",
-            help="The id of a claim, what it begins (C3: all of section 3), or a place (eq. (12)). May be repeated.",
-        ),
-    ] = None,
+    claim: Claims = None,
     curve: CurveFiles = None,
-    section: Annotated[
-        list[str] | None,
-        typer.Option("--section", metavar="SECTION", help="Only this section, for example 4.2. May be repeated."),
-    ] = None,
-    verdict: Annotated[
-        list[str] | None,
-        typer.Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated."),
-    ] = None,
-    judge: Annotated[
-        str,
-        typer.Option(
-            "--judge",
-            metavar="JUDGE",
-            help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (in a column).",
-        ),
-    ] = "",
-    emit_coq: Annotated[
-        str,
-        typer.Option(
-            "--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."
-        ),
-    ] = "",
-    rows: Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")] = False,
-    html: Annotated[str, typer.Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")] = "",
+    section: Sections = None,
+    verdict: Verdicts = None,
+    judge: Judge = "",
+    emit_coq: EmitCoq = "",
+    rows: Rows = False,
+    html: Page = "",
     paper: Papers = None,
     trust: Trust = False,
-    report: Annotated[
-        str, typer.Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
-    ] = "",
-    identity: Annotated[
-        str,
-        typer.Option(
-            "--identity",
-            metavar="TEXT",
-            help='Decide one identity instead: "file.py:left = w^3 * file.py:right", for all curves.',
-        ),
-    ] = "",
+    report: Report = "",
+    identity: IdentityText = "",
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:

@@ -45,68 +45,78 @@ def _backends(given: str) -> list[str]:
     return [name for name in BACKENDS if name.startswith(given)]
 
 
+Corpus = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[CORPUS]...",
+        help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
+        "names of example curves.",
+        autocompletion=_completed,
+    ),
+]
+Random = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--random",
+        metavar="WORDS",
+        help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, in "
+        "words or joined by commas. May be repeated in the latter way.",
+    ),
+]
+Find = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--find",
+        metavar="WHAT",
+        help="inflections, extrema, corners, critical_points, singular_points, joints, straight_pieces, "
+        "constant_pieces, torsion_zeros, or all. May be repeated. [default: the first three]",
+        autocompletion=_inspections,
+    ),
+]
+Claims = Annotated[
+    list[str] | None,
+    typer.Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated."),
+]
+Places = Annotated[
+    int, typer.Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")
+]
+OutputFile = Annotated[
+    str,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE",
+        help="Where the lines go: JSON Lines, or Parquet for *.parquet (a folder of parts); - for standard output, "
+        "then without a summary. Where FILE is there, the sweep goes on behind its last whole line.",
+    ),
+]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
+Backend = Annotated[
+    str,
+    typer.Option(
+        "--backend",
+        metavar="NAME",
+        help="serial, processes, dask or ray (extras of these names).",
+        autocompletion=_backends,
+    ),
+]
+Scheduler = Annotated[
+    str, typer.Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]")
+]
+
+
 @printing
 def sweep(
     out: Output,
-    corpus: Annotated[
-        list[str] | None,
-        typer.Argument(
-            metavar="[CORPUS]...",
-            help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
-            "names of example curves.",
-            autocompletion=_completed,
-        ),
-    ] = None,
-    random: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--random",
-            metavar="WORDS",
-            help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, in "
-            "words or joined by commas. May be repeated in the latter way.",
-        ),
-    ] = None,
-    find: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--find",
-            metavar="WHAT",
-            help="inflections, extrema, corners, critical_points, singular_points, joints, straight_pieces, "
-            "constant_pieces, torsion_zeros, or all. May be repeated. [default: the first three]",
-            autocompletion=_inspections,
-        ),
-    ] = None,
-    claim: Annotated[
-        list[str] | None,
-        typer.Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated."),
-    ] = None,
-    digits: Annotated[
-        int, typer.Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")
-    ] = 10,
-    output: Annotated[
-        str,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            help="Where the lines go: JSON Lines, or Parquet for *.parquet (a folder of parts); - for standard output, "
-            "then without a summary. Where FILE is there, the sweep goes on behind its last whole line.",
-        ),
-    ] = "",
-    jobs: Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")] = 1,
-    backend: Annotated[
-        str,
-        typer.Option(
-            "--backend",
-            metavar="NAME",
-            help="serial, processes, dask or ray (extras of these names).",
-            autocompletion=_backends,
-        ),
-    ] = "processes",
-    scheduler: Annotated[
-        str,
-        typer.Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]"),
-    ] = "",
+    corpus: Corpus = None,
+    random: Random = None,
+    find: Find = None,
+    claim: Claims = None,
+    digits: Places = 10,
+    output: OutputFile = "",
+    jobs: Jobs = 1,
+    backend: Backend = "processes",
+    scheduler: Scheduler = "",
 ) -> None:
     """Features, and verdicts of claims, of many curves: a line each, in order, and a summary.
 

@@ -33,16 +33,16 @@ V = TypeVar("V", bound=Vector[Any] | Operand)
 
 @dataclass(frozen=True)
 class RulingRelation:
-    """How the ruling parameters ζ and λ of one surface written twice belong together: ``ζ = shift(s) + stretch(s) λ``,
+    """How the ruling parameters ζ and λ of one surface written twice belong together: ``ζ = shift(s) + scale(s) λ``,
     both in lowest terms.
     """
 
     shift: Rational[BSpline]
-    stretch: Rational[BSpline]
+    scale: Rational[BSpline]
 
     def __call__(self, s: Any, ruling: Any, side: Side | str = Side.RIGHT) -> mpq:
         """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
-        value: mpq = self.shift(s, side) + self.stretch(s, side) * rational(ruling)
+        value: mpq = self.shift(s, side) + self.scale(s, side) * rational(ruling)
         return value
 
 
@@ -152,13 +152,13 @@ def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
     """The relation between the ruling parameters ζ of `a` and λ of `b` when both are one surface with the same rulings
     for the same s, else None.
 
-    Where ``ζ = shift + stretch λ``, the points are the same: ``a(s, ζ) = b(s, λ)``.
+    Where ``ζ = shift + scale λ``, the points are the same: ``a(s, ζ) = b(s, λ)``.
 
     >>> from exactspline.splines.examples import example
     >>> curve = example("rational_space_cubic")
     >>> naive, paper = (ruled_surface("binormal_scroll", curve, variant) for variant in ("naive", "paper"))
     >>> relation = same_surface(naive, paper)
-    >>> relation.stretch == Rational(curve.w**3, curve.w.constant(1)), relation.shift.is_zero
+    >>> relation.scale == Rational(curve.w**3, curve.w.constant(1)), relation.shift.is_zero
     (True, True)
 
     Raises `ShapeError` where a generator vanishes on a whole segment.

@@ -95,9 +95,9 @@ class Adjoined(FieldOperand):
         """The derivative: ``a′ + (b′ + b S′/(2 S)) σ``."""
         result = self
         for _ in range(order):
-            stretch = self.square.d(1, by=by) / (self.square * 2)
+            log_derivative = self.square.d(1, by=by) / (self.square * 2)
             result = Adjoined(
-                result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * stretch, self.square
+                result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * log_derivative, self.square
             )
         return result
 

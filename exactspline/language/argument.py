@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
+from exactspline.language.operand import Operand
 from exactspline.language.services import Displayed
+from exactspline.language.vector import Vector
 
 if TYPE_CHECKING:
     from exactspline.language.formula import Formula
@@ -16,7 +18,7 @@ class Argument(Displayed, ABC):
     """What formulas are handed."""
 
     @abstractmethod
-    def calls(self, formula: Formula) -> Any:
+    def calls(self, formula: Formula) -> object:
         """The value of a formula."""
 
 
@@ -28,9 +30,9 @@ class Evaluated(Argument):
     """
 
     #: Values of the formulas that were called, in a copy that remembers.
-    _values: dict[Formula, Any] | None = None
+    _values: dict[Formula, object] | None = None
 
-    def calls(self, formula: Formula) -> Any:
+    def calls(self, formula: Formula) -> object:
         """The value of a formula."""
         if self._values is None:
             return self.remembering().calls(formula)
@@ -49,11 +51,11 @@ class Evaluated(Argument):
         """The same operands in an argument of its own."""
 
     @abstractmethod
-    def operands(self) -> dict[str, Any]:
+    def operands(self) -> Mapping[str, Operand | Vector[Operand]]:
         """The operands by name."""
 
     @abstractmethod
-    def mapped(self, change: Callable[[Any], Any]) -> Evaluated:
+    def mapped(self, change: Callable[[Operand], Operand]) -> Evaluated:
         """The argument with every operand changed: into another reading, or onto another domain."""
 
     def together(self) -> tuple[Evaluated, ...]:

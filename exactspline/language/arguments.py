@@ -26,13 +26,13 @@ class Operands(Evaluated):
     {'p1': 1, 'w1': 2}
     """
 
-    def __init__(self, **named: Any) -> None:
+    def __init__(self, **named: Operand | Vector[Operand]) -> None:
         self.__dict__.update(named)
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
 
-    def operands(self) -> dict[str, Any]:
+    def operands(self) -> dict[str, Operand | Vector[Operand]]:
         """The operands by name."""
         return {name: value for name, value in vars(self).items() if name != "_values"}
 
@@ -40,7 +40,7 @@ class Operands(Evaluated):
         """The same operands in an argument of its own."""
         return Operands(**self.operands())
 
-    def mapped(self, change: Callable[[Any], Any]) -> Operands:
+    def mapped(self, change: Callable[[Operand], Operand]) -> Operands:
         """The argument with every operand changed."""
         return Operands(
             **{name: x.mapped(change) if isinstance(x, Vector) else change(x) for name, x in self.operands().items()}

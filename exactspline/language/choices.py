@@ -37,9 +37,15 @@ class Counting(StrEnum):
 
 
 def choice(
-    kind: type[E], value: object, what: str, *, raised: type[ExactSplineError] = FormulaError, where: str = ""
+    kind: type[E],
+    value: object,
+    what: str,
+    *,
+    raised: type[ExactSplineError] = FormulaError,
+    where: str = "",
+    also: tuple[str, ...] = (),
 ) -> E:
-    """The member of an enumeration that a word names.
+    """The member of an enumeration that a word names; `also` are words that the caller takes besides.
 
     >>> choice(Side, "left", "side")
     <Side.LEFT: 'left'>
@@ -51,5 +57,6 @@ def choice(
             return kind(value)
         except ValueError:
             pass
-    remedy = f"there are {', '.join(kind)}" if len(kind) <= FEW else nearest(str(value), list(kind))
+    words = [*kind, *also]
+    remedy = f"there are {', '.join(words)}" if len(words) <= FEW else nearest(str(value), words)
     raise raised(f"the {what} {value!r} is unknown", where=where, remedy=remedy)

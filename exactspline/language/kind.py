@@ -5,10 +5,10 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import T
+from exactspline.language.operand import Operand
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Symbol:
 
 
 #: The derivative of an operand from all the operands by name: the chain rule, where operands depend on each other.
-Rule = Callable[[Mapping[str, Any]], object]
+Rule = Callable[[Mapping[str, Operand]], object]
 
 
 class Kind(ABC):

@@ -13,7 +13,6 @@ from exactspline.language.services import Displayed, service
 
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance
-    from exactspline.language.rational import Rational
     from exactspline.language.vector import Vector
 
 #: The constants that may stand in a formula.
@@ -59,7 +58,7 @@ class Counted(Ring, Protocol):
     """What naive semantics, Table 1, needs besides: a degree, elevation, and how the operand was made."""
 
     @property
-    def degree(self) -> Any:
+    def degree(self) -> object:
         """The nominal degree: a number, two of them, or an expression."""
 
     @property
@@ -186,8 +185,7 @@ class Operand(Displayed, ABC):
 
     def dividing(self, numerator: Operand | Vector[Operand]) -> Operand | Vector[Operand]:
         """`numerator`, an operand or a vector of this reading, divided by this."""
-        quotient: Rational[Any] = service("quotient")(numerator, self)
-        return quotient
+        return service("quotient")(numerator, self)
 
     def times_vector(self, vector: Vector[Operand]) -> Operand | Vector[Operand]:
         """A vector times this: component by component."""

@@ -7,13 +7,24 @@ added; any two others are cross- multiplied.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Generic, TypeVar, cast
+from typing import Any, Generic, Protocol, TypeVar, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Constant, Counted, Operand, OwnJoining, OwnProducts, larger
+from exactspline.language.operand import (
+    CONSTANTS,
+    Constant,
+    Counted,
+    D,
+    D_co,
+    HasDegree,
+    Operand,
+    OwnJoining,
+    OwnProducts,
+    larger,
+)
 from exactspline.language.provenance import same
 from exactspline.language.vector import Vector
 
@@ -71,6 +82,15 @@ def _agree(a: Any, b: Any) -> bool:
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
+class _HasParts(Protocol[D_co]):
+    """What has a numerator and a denominator with degrees of one kind."""
+
+    @property
+    def numerator(self) -> HasDegree[D_co]: ...
+    @property
+    def denominator(self) -> HasDegree[D_co]: ...
+
+
 class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
 
@@ -106,7 +126,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return isinstance(self.numerator, Vector)
 
     @property
-    def degree(self) -> Any:
+    def degree(self: _HasParts[D]) -> D:
         """The larger of the degrees of numerator and denominator."""
         return larger(self.numerator.degree, self.denominator.degree)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from exactspline.errors import InapplicableError
 from exactspline.language.argument import Argument
@@ -24,7 +24,7 @@ class Reading(ABC):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
         """What formulas of a kind are handed, in a dimension; polynomial curves have no denominator."""
 
-    def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> Any:
+    def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> object:
         """The value of a formula in this reading.
 
         >>> from exactspline.papers import find

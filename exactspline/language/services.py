@@ -9,7 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Literal, Protocol, overload
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from exactspline.exact import mpq
+    from exactspline.language.operand import Operand
+    from exactspline.roots.enclosure import Enclosure
+    from exactspline.splines.surd import Surd
 
 _homes: dict[str, str] = {}
 
@@ -28,12 +36,44 @@ def registered() -> dict[str, str]:
     return dict(_homes)
 
 
+@overload
+def service(name: Literal["html", "latex"]) -> Callable[[object], str | None]: ...
+@overload
+def service(name: Literal["short", "formula_text"]) -> Callable[[object], str]: ...
+@overload
+def service(name: Literal["at_floats"]) -> Callable[..., list[tuple[float, ...]]]: ...
+@overload
+def service(name: Literal["curvature_floats", "torsion_floats"]) -> Callable[..., list[float]]: ...
+@overload
+def service(name: Literal["at"]) -> Callable[..., tuple[mpq | Enclosure, ...]]: ...
+@overload
+def service(name: Literal["curvature"]) -> Callable[..., mpq | Surd | Enclosure]: ...
+@overload
+def service(name: Literal["torsion"]) -> Callable[..., mpq | Enclosure]: ...
+@overload
+def service(name: Literal["plot"]) -> Callable[..., Axes]: ...
+@overload
+def service(name: Literal["quotient"]) -> Callable[[object, object], Operand]: ...
+def service(name: str) -> Callable[..., object]:
+    """The service with this name, imported at the first call.
+
+    A new one is declared above with what it gives.
+    """
+    return _imported(name)
+
+
 @cache
-def service(name: str) -> Callable[..., Any]:
-    """The service with this name, imported at the first call."""
+def _imported(name: str) -> Callable[..., object]:
     module, _, function = _homes[name].partition(":")
-    found: Callable[..., Any] = getattr(import_module(module), function)
+    found: Callable[..., object] = getattr(import_module(module), function)
     return found
+
+
+class Printer(Protocol):
+    """What IPython hands to `_repr_pretty_`."""
+
+    def text(self, text: str, /) -> object:
+        """Write a text."""
 
 
 class Displayed:
@@ -42,12 +82,10 @@ class Displayed:
     __slots__ = ()
 
     def _repr_html_(self) -> str | None:
-        shown: str | None = service("html")(self)
-        return shown
+        return service("html")(self)
 
     def _repr_latex_(self) -> str | None:
-        shown: str | None = service("latex")(self)
-        return shown
+        return service("latex")(self)
 
-    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+    def _repr_pretty_(self, printer: Printer, cycle: bool) -> None:
         printer.text(service("short")(self))

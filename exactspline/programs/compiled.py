@@ -16,7 +16,8 @@ Multiplier = tuple[Denominator, Denominator] | int
 #: From the polynomials of the operands, their denominators group by group, and the widths (numerator, denominator) of
 #: the segments to the polynomials and the denominators of every output, segment by segment.
 Run = Callable[
-    [Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]], Sequence[tuple[fmpz, fmpz]]], list[tuple[Any, ...]]
+    [Sequence[Sequence[fmpz_poly]], Sequence[Sequence[fmpz]], Sequence[tuple[fmpz, fmpz]]],
+    list[tuple[fmpz_poly | fmpz, ...]],
 ]
 
 

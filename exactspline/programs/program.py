@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -111,7 +111,8 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
         splines = coordinates if polynomial else (*coordinates, argument.w)
     else:
         polynomial = bool(getattr(argument, "polynomial", False))
-        dimension, named = getattr(argument, "dimension", kind.dimensions[-1]), argument.operands()
+        dimension = getattr(argument, "dimension", kind.dimensions[-1])
+        named: Mapping[str, Any] = argument.operands()
         places, count = _places(kind, dimension, polynomial), _functions(kind, dimension, polynomial)
         splines = tuple([named[name] if i is None else named[name][i] for name, i in places])
     mesh = splines[0].mesh
@@ -148,7 +149,8 @@ def _places(kind: Kind, dimension: int, polynomial: bool) -> tuple[tuple[str, in
     count = len(kind.symbols(dimension, polynomial=polynomial))
     reading = ProgramReading([0] * count, [0] * count, unit_widths=True)
     found: dict[int, tuple[str, int | None]] = {}
-    for name, operand in reading.argument(kind, dimension, polynomial=polynomial).operands().items():
+    named: Mapping[str, Any] = reading.argument(kind, dimension, polynomial=polynomial).operands()
+    for name, operand in named.items():
         parts = list(enumerate(operand)) if isinstance(operand, Vector) else [(None, operand)]
         for index, term in parts:
             if term.orders[-1] < 0:

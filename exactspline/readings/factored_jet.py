@@ -171,6 +171,11 @@ def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
     return factorization.multiplied(in_order, ring.context.constant(1))
 
 
+def _factored(operand: Operand) -> FactoredJet:
+    assert isinstance(operand, Jet)  # what the reading of jets is made of
+    return FactoredJet.of(operand)
+
+
 class FactoredJetReading(Reading):
     """The indeterminate argument, whose products stay products."""
 
@@ -183,5 +188,4 @@ class FactoredJetReading(Reading):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Every operand an indeterminate."""
         jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
-        argument: Evaluated = jets.mapped(FactoredJet.of)
-        return argument
+        return jets.mapped(_factored)

@@ -7,7 +7,7 @@ Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mp
 from __future__ import annotations
 
 from math import factorial
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq
@@ -135,7 +135,10 @@ class TaylorReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The expansion of the argument at hand."""
-        expanded: Evaluated = self.given.mapped(lambda spline: taylor(spline, self.t, self.terms, self.side))
+        # what is given is made of splines: a constructor's argument that this room cannot name
+        expanded: Evaluated = self.given.mapped(
+            lambda operand: taylor(cast("BSpline", operand), self.t, self.terms, self.side)
+        )
         return expanded
 
 

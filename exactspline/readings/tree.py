@@ -5,9 +5,9 @@ any other reading.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from enum import StrEnum
-from operator import add, attrgetter, mul, sub, truediv
+from operator import add, attrgetter, getitem, mul, neg, pow, sub, truediv
 from typing import Any, NamedTuple, cast
 
 from exactspline.errors import FormulaError
@@ -167,8 +167,7 @@ class Node(Operand, OwnVectors):
         return self.args[0]
 
     def __repr__(self) -> str:
-        shown: str = service("formula_text")(self)
-        return shown
+        return service("formula_text")(self)
 
 
 class Derivation(NamedTuple):
@@ -213,7 +212,7 @@ class Traced(Argument):
             )
         return Node(Operation.LEAF, value=self._path + name, vector=names[name])
 
-    def calls(self, formula: Formula) -> Any:
+    def calls(self, formula: Formula) -> object:
         """A formula called by another one: a node with its symbol (only its body where it has none, or when
         expanding).
         """
@@ -272,11 +271,11 @@ def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node
     return node
 
 
-def evaluate(node: Node, c: Any) -> Any:
+def evaluate(node: Node, c: object) -> object:
     """The value of a tree in the reading of the curve `c`; a node that occurs twice is evaluated once."""
-    known: dict[int, Any] = {}
+    known: dict[int, object] = {}
 
-    def visit(n: Node) -> Any:
+    def visit(n: Node) -> object:
         if id(n) not in known:
             known[id(n)] = applied(n, [visit(a) for a in n.args], c)
         return known[id(n)]
@@ -284,13 +283,28 @@ def evaluate(node: Node, c: Any) -> Any:
     return visit(node)
 
 
-_BINARY = {Operation.PLUS: add, Operation.MINUS: sub, Operation.TIMES: mul, Operation.OVER: truediv}
+#: What carries an operation out on the values of the arguments.
+_CARRIED_OUT: dict[Operation, Callable[..., object]] = {
+    Operation.PLUS: add,
+    Operation.MINUS: sub,
+    Operation.TIMES: mul,
+    Operation.OVER: truediv,
+    Operation.NEGATIVE: neg,
+    Operation.DIRECTRIX: attrgetter("directrix"),
+    Operation.GENERATOR: attrgetter("generator"),
+    # functions of vectors have the names of their nodes' operations
+    **{Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)},
+}
+#: What carries an operation out on the values of the arguments and what else the node needs.
+_WITH_VALUE: dict[Operation, Callable[..., object]] = {
+    Operation.DERIVATIVE: lambda a, derivation: a.d(derivation.order, by=derivation.by),
+    Operation.POWER: pow,
+    Operation.COMPONENT: getitem,
+    Operation.LEVEL: lambda normal, height, which: level(normal, height)[which],
+}
 
-#: The functions of vectors by their names, which are the operations of their nodes.
-_PRODUCTS = {Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)}
 
-
-def applied(n: Node, args: list[Any], c: Any) -> Any:
+def applied(n: Node, args: Sequence[object], c: object) -> object:
     """The value of one node from those of its arguments, in the reading of the curve `c`."""
     if n.op is Operation.LEAF:
         return attrgetter(n.value)(c)
@@ -298,21 +312,9 @@ def applied(n: Node, args: list[Any], c: Any) -> Any:
         return n.value
     if n.op is Operation.NAMED:
         return args[0]
-    if n.op in _BINARY:
-        return _BINARY[n.op](*args)
-    if n.op is Operation.NEGATIVE:
-        return -args[0]
-    if n.op is Operation.DERIVATIVE:
-        return args[0].d(n.value.order, by=n.value.by)
-    if n.op is Operation.POWER:
-        return args[0] ** n.value
-    if n.op is Operation.COMPONENT:
-        return args[0][n.value]
-    if n.op is Operation.LEVEL:
-        return level(args[0], args[1])[n.value]
-    if n.op in (Operation.DIRECTRIX, Operation.GENERATOR):
-        return getattr(args[0], n.op)
-    return _PRODUCTS[n.op](*args)
+    if n.op in _WITH_VALUE:
+        return _WITH_VALUE[n.op](*args, n.value)
+    return _CARRIED_OUT[n.op](*args)
 
 
 def operation_counts(node: Node) -> Counter[str]:

@@ -24,10 +24,10 @@ from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halve
 DEPTH = 10
 
 
-class Factor:
+class LocalPolynomial:
     """An integer polynomial in z, non-zero at both ends of the segment, with what its evaluation from either end needs.
 
-    >>> Factor(fmpz_poly([1, -5, 6])).reversed.coeffs()
+    >>> LocalPolynomial(fmpz_poly([1, -5, 6])).reversed.coeffs()
     [6, -5, 1]
     """
 
@@ -35,7 +35,7 @@ class Factor:
         self.polynomial = polynomial
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _factor, tuple(int(x) for x in self.polynomial.coeffs())
+        return _local, tuple(int(x) for x in self.polynomial.coeffs())
 
     @cached_property
     def slope(self) -> fmpz_poly:
@@ -53,8 +53,8 @@ class Factor:
         return self.reversed.derivative()
 
 
-def _factor(*coefficients: int) -> Factor:
-    return Factor(fmpz_poly(list(coefficients)))
+def _local(*coefficients: int) -> LocalPolynomial:
+    return LocalPolynomial(fmpz_poly(list(coefficients)))
 
 
 class LocalZero(NamedTuple):
@@ -69,7 +69,7 @@ class LocalZero(NamedTuple):
     signs: tuple[int, int]
     #: A factor of the form that has this zero once and no other in the interval (any factor that has the zero, when it
     #: is exact).
-    factor: Factor
+    factor: LocalPolynomial
     #: Sign of the factor just left of the zero (0 when it is exact).
     sign: int
 
@@ -96,7 +96,7 @@ class Isolation(NamedTuple):
     points: list[tuple[int, int]]
     #: Square-free factors with their multiplicities, when they were needed; the leaves then belong to the product of
     #: the factors, each taken once.
-    factors: Factorization[Factor] | None
+    factors: Factorization[LocalPolynomial] | None
 
 
 #: The leaves where all coefficients have one sign.
@@ -121,7 +121,7 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     search = _Search(inner, DEPTH)
     if search.finished:
         return Isolation(at_left, at_right, signs, search.zeros(), search.leaves, search.points(), None)
-    factors = Factorization((Factor(g), int(k)) for g, k in inner.factor_squarefree()[1])
+    factors = Factorization((LocalPolynomial(g), int(k)) for g, k in inner.factor_squarefree()[1])
     radical = multiplied(Factorization((factor.polynomial, 1) for factor, _ in factors), fmpz_poly([1]))
     search = _Search(radical, None)
     zeros = _attributed(inner, factors, search.zeros())
@@ -134,7 +134,7 @@ class _Search:
     """
 
     def __init__(self, polynomial: fmpz_poly, cap: int | None) -> None:
-        self.factor, self.cap = Factor(polynomial), cap
+        self.factor, self.cap = LocalPolynomial(polynomial), cap
         self.leaves: list[Leaf] = []
         self._found: list[
             tuple[int, int, int, tuple[int, int]]
@@ -191,7 +191,7 @@ def certainly_square_free(c: fmpz_poly) -> bool:
     return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
 
 
-def _attributed(c: fmpz_poly, factors: Factorization[Factor], zeros: list[LocalZero]) -> list[LocalZero]:
+def _attributed(c: fmpz_poly, factors: Factorization[LocalPolynomial], zeros: list[LocalZero]) -> list[LocalZero]:
     """The zeros of the product of the factors, each with the one factor it belongs to, and with the signs of the form
     itself.
     """

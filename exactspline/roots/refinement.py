@@ -22,7 +22,7 @@ from typing import Any
 from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
 from exactspline.exact import mpq, mpz, to_fmpq
-from exactspline.roots.isolation import Factor
+from exactspline.roots.isolation import LocalPolynomial
 
 #: Working precision to begin with, and guard bits of every later step.
 START, GUARD = 64, 12
@@ -50,7 +50,7 @@ def sign_at(c: fmpz_poly, t: mpq) -> int:
     return int(at > 0) - int(at < 0)
 
 
-def enclosures(factor: Factor, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:
+def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:
     """Ever smaller rational intervals around the one zero in (low, high), the last at most ``2^−bits`` wide; ``(t, t)``
     when t is found to be the zero.
 
@@ -58,7 +58,7 @@ def enclosures(factor: Factor, low: mpq, high: mpq, sign: int, bits: int) -> Ite
     every interval, and the factor is not zero at an end unless it was so at `low` or `high` from the beginning. Every
     interval stands on its own: whoever stops early continues from the last one.
 
-    >>> *_, (a, b) = enclosures(Factor(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
+    >>> *_, (a, b) = enclosures(LocalPolynomial(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
     >>> b - a < mpq(1, 2**200), a < mpq(5, 18) < b, mpq(276, 1000) < a < mpq(277, 1000)
     (True, False, True)
     """

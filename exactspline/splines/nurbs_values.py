@@ -47,8 +47,7 @@ class ValuesAlong:
 
         Raises `DomainError` outside the domain.
         """
-        point: tuple[mpq | Enclosure, ...] = service("at")(self, t, digits=digits, side=side)
-        return point
+        return service("at")(self, t, digits=digits, side=side)
 
     def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the one from the `side`.
@@ -127,8 +126,7 @@ class ValuesAlong:
 
         Raises `DomainError` where γ′ = 0 and outside the domain, `ShapeError` unless in the plane or in space.
         """
-        value: Exact | Enclosure = service("curvature")(self, t, digits=digits, side=side)
-        return value
+        return service("curvature")(self, t, digits=digits, side=side)
 
     def torsion(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
         """The torsion of a space curve (where κ = 0 its limit), positive for a right-handed helix. Exact at a rational
@@ -141,8 +139,7 @@ class ValuesAlong:
         Raises `DomainError` where γ′ = 0 or the torsion has a pole, `ShapeError` unless the curve is in space and not
         straight there.
         """
-        value: mpq | Enclosure = service("torsion")(self, t, digits=digits, side=side)
-        return value
+        return service("torsion")(self, t, digits=digits, side=side)
 
     def at_floats(
         self,
@@ -163,8 +160,7 @@ class ValuesAlong:
 
         Raises what `at` and `derivative` raise, and `OverflowError` beyond the largest double.
         """
-        found: list[tuple[float, ...]] = service("at_floats")(self, ts, order=order, rounding=rounding, side=side)
-        return found
+        return service("at_floats")(self, ts, order=order, rounding=rounding, side=side)
 
     def curvature_floats(
         self, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
@@ -175,8 +171,7 @@ class ValuesAlong:
         >>> example("cubic_s").curvature_floats([0, 0.5, 0.75])
         [-0.35777087639996635, 0.0, 1.82615058850886]
         """
-        found: list[float] = service("curvature_floats")(self, ts, rounding=rounding, side=side)
-        return found
+        return service("curvature_floats")(self, ts, rounding=rounding, side=side)
 
     def torsion_floats(
         self, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
@@ -187,8 +182,7 @@ class ValuesAlong:
         >>> example("twisted_cubic").torsion_floats([0, 0.1])
         [3.0, 2.7500229168576404]
         """
-        found: list[float] = service("torsion_floats")(self, ts, rounding=rounding, side=side)
-        return found
+        return service("torsion_floats")(self, ts, rounding=rounding, side=side)
 
     def plot(self, ax: Axes | None = None, **how: object) -> Axes:
         """The curve with its control polygon in matplotlib's axes (None: those of a new figure), which are returned;
@@ -198,8 +192,7 @@ class ValuesAlong:
         >>> example("circle").plot().get_aspect()
         1.0
         """
-        drawn: Axes = service("plot")(self, ax, **how)
-        return drawn
+        return service("plot")(self, ax, **how)
 
 
 def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Exact, ...]:

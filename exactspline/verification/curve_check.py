@@ -92,12 +92,4 @@ def spline_table(d1: int = 2, d2: int = 3) -> Operands:
         return BSpline(d, knots, [number() for _ in range(len(knots) - d - 1)])
 
     one, two = [spline(d1, [1, 2]) for _ in range(5)], [spline(d2, ["1/2", 2, 2]) for _ in range(5)]
-    return Operands(
-        p1=one[0],
-        w1=one[1],
-        v1=Vector(*one[2:]),
-        p2=two[0],
-        w2=two[1],
-        v2=Vector(*two[2:]),
-        degrees={"d1": d1, "d2": d2},
-    )
+    return Operands(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))

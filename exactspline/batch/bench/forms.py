@@ -75,7 +75,7 @@ def _form(
     by_hand, own = BY_HAND[name], list(forms(c))
 
     def flint(_: object) -> list[fmpz_poly]:
-        return [by_hand(*row, c.degree) for row, _ in own]
+        return [by_hand(*row, c.degree, inline.form_derivative) for row, _ in own]
 
     timed: dict[str, Timed] = {OURS: _afresh(find(name), c), INLINE: (flint, lambda: None)}
     if with_peers:
@@ -126,7 +126,10 @@ def _torsion() -> Iterator[Row]:
     c = curve(3, dimension=3)
     ((*p, w), _), *_ = forms(c)
     took = best(
-        {OURS: _afresh(find("torsion_reduced"), c), INLINE: (lambda _: inline.torsion(p, w, c.degree), lambda: None)}
+        {
+            OURS: _afresh(find("torsion_reduced"), c),
+            INLINE: (lambda _: inline.torsion(p, w, c.degree, inline.form_derivative), lambda: None),
+        }
     )
     yield from compared(FORMS, "torsion, rational cubic, 1 segment", took, {INLINE: TWICE})
 
@@ -137,9 +140,10 @@ STRIDE = 12
 
 def packed_bisector(one: Nurbs, two: Nurbs) -> list[tuple[list[fmpz_poly], fmpz_poly]]:
     """The symmetric bisector of two cubics, all patches, the second parameter a power of the first."""
-    rows = [inline.one_parameter(x, y, z, w, one.degree) for (x, y, z, w), _ in forms(one)]
+    rows = [inline.one_parameter(x, y, z, w, one.degree, inline.form_derivative) for (x, y, z, w), _ in forms(one)]
     columns = [
-        [p.inflate(STRIDE) for p in inline.one_parameter(x, y, z, w, two.degree)] for (x, y, z, w), _ in forms(two)
+        [p.inflate(STRIDE) for p in inline.one_parameter(x, y, z, w, two.degree, inline.form_derivative)]
+        for (x, y, z, w), _ in forms(two)
     ]
     return [inline.bisector_patch(row, column) for row, column in product(rows, columns)]
 

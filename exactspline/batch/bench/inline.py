@@ -7,14 +7,25 @@ python-flint's polynomials are the forms of the library in ``z = v/u``, those of
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Protocol, Self, TypeVar
 
 from flint import fmpz_poly
 
 U_PLUS_V = fmpz_poly([1, 1])
-#: A polynomial of whatever library, and its derivative by the parameter, given its degree.
-Poly = Any
-D = Callable[[Poly, int], Poly]
+
+
+class Polynomial(Protocol):
+    """A polynomial of whatever library."""
+
+    def __add__(self, other: Self, /) -> Self: ...
+    def __sub__(self, other: Self, /) -> Self: ...
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __rmul__(self, other: int, /) -> Self: ...
+
+
+P = TypeVar("P", bound=Polynomial)
+#: The derivative of a polynomial by the parameter, given its degree.
+D = Callable[[P, int], P]
 
 
 def form_derivative(p: fmpz_poly, degree: int) -> fmpz_poly:
@@ -22,14 +33,14 @@ def form_derivative(p: fmpz_poly, degree: int) -> fmpz_poly:
     return p.derivative() * U_PLUS_V - degree * p
 
 
-def f2(x: Poly, y: Poly, w: Poly, n: int, d: D = form_derivative) -> Poly:
+def f2(x: P, y: P, w: P, n: int, d: D[P]) -> P:
     """``[X X′ X″]`` of ``X = (x, y, w)``: the inflections."""
     x1, y1, w1 = d(x, n), d(y, n), d(w, n)
     x2, y2, w2 = d(x1, n - 1), d(y1, n - 1), d(w1, n - 1)
     return (x1 * y2 - y1 * x2) * w - (x * y2 - y * x2) * w1 - (x1 * y - y1 * x) * w2
 
 
-def g2(x: Poly, y: Poly, w: Poly, n: int, d: D = form_derivative) -> Poly:
+def g2(x: P, y: P, w: P, n: int, d: D[P]) -> P:
     """The critical points of the curvature, as the paper reduces them."""
     x1, y1, w1 = d(x, n), d(y, n), d(w, n)
     x2, y2, w2 = d(x1, n - 1), d(y1, n - 1), d(w1, n - 1)
@@ -42,7 +53,7 @@ def g2(x: Poly, y: Poly, w: Poly, n: int, d: D = form_derivative) -> Poly:
     return ((ax * (cy + ey) - ay * (cx + ex)) * w + 2 * w1 * turn) * speed - 3 * (ax * bx + ay * by) * turn * w
 
 
-def vertices(x: Poly, y: Poly, w: Poly, n: int, d: D = form_derivative) -> Poly:
+def vertices(x: P, y: P, w: P, n: int, d: D[P]) -> P:
     """``[X X′ X″ X‴]`` of ``X = (x² + y², x w, y w, w²)``, expanded by pairs of rows."""
     rows = [[x * x + y * y, x * w, y * w, w * w]]
     for k in range(3):
@@ -58,17 +69,17 @@ def vertices(x: Poly, y: Poly, w: Poly, n: int, d: D = form_derivative) -> Poly:
     )
 
 
-def cross(a: Sequence[Poly], b: Sequence[Poly]) -> list[Poly]:
+def cross(a: Sequence[P], b: Sequence[P]) -> list[P]:
     """a × b."""
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
-def dot(a: Sequence[Poly], b: Sequence[Poly]) -> Poly:
+def dot(a: Sequence[P], b: Sequence[P]) -> P:
     """a · b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def differences(p: Sequence[Poly], w: Poly, n: int, d: D = form_derivative) -> list[list[Poly]]:
+def differences(p: Sequence[P], w: P, n: int, d: D[P]) -> list[list[P]]:
     """``p⁽ᵏ⁾ w − p w⁽ᵏ⁾`` for k = 1, 2, 3."""
     weights, points = [w], [list(p)]
     for k in range(3):
@@ -77,21 +88,21 @@ def differences(p: Sequence[Poly], w: Poly, n: int, d: D = form_derivative) -> l
     return [[x * w - y * weights[k] for x, y in zip(points[k], p, strict=True)] for k in (1, 2, 3)]
 
 
-def torsion(p: Sequence[Poly], w: Poly, n: int, d: D = form_derivative) -> tuple[Poly, Poly]:
+def torsion(p: Sequence[P], w: P, n: int, d: D[P]) -> tuple[P, P]:
     """Numerator and denominator of the reduced torsion of a space curve."""
     a, b, c = differences(p, w, n, d)
     binormal = cross(a, b)
     return w * w * dot(binormal, c), dot(binormal, binormal)
 
 
-def one_parameter(x: Poly, y: Poly, z: Poly, w: Poly, degree: int, d: D = form_derivative) -> tuple[Poly, ...]:
+def one_parameter(x: P, y: P, z: P, w: P, degree: int, d: D[P]) -> tuple[P, ...]:
     """What the symmetric bisector needs of one curve: D1, its height, the squared length of p, p, w and w²."""
     x1, y1, z1, w1 = (d(p, degree) for p in (x, y, z, w))
     a = x1 * w - x * w1, y1 * w - y * w1, z1 * w - z * w1
     return (*a, x * a[0] + y * a[1] + z * a[2], x * x + y * y + z * z, x, y, z, w, w * w)
 
 
-def bisector_patch(one: Sequence[Poly], two: Sequence[Poly]) -> tuple[list[Poly], Poly]:
+def bisector_patch(one: Sequence[P], two: Sequence[P]) -> tuple[list[P], P]:
     """The numerators of the symmetric bisector of two curves, doubled, and its denominator, on one patch."""
     *a, h, n, x, y, z, w, w2 = one
     *b, k, m, p, q, r, v, v2 = two

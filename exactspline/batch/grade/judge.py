@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import isfinite, ulp
 from typing import Any
 
 from exactspline.batch.grade.cases import Case
+from exactspline.batch.grade.data import Answer, Reply
 from exactspline.batch.grade.recheck import at
 from exactspline.batch.grade.truth import bend, rows
 from exactspline.errors import ExactSplineError
@@ -68,20 +69,19 @@ class _Size:
         return double(error / (self.unit * self.speed**order))
 
 
-def judged(case: Case, question: str, truth: dict[str, Any], reply: dict[str, Any]) -> Verdict:
+def judged(case: Case, question: str, truth: Answer, reply: Reply) -> Verdict:
     """The verdict on a library's reply to a question about a case, given the exact answer."""
     if "declined" in reply:
         return Verdict(DECLINED, note=reply["declined"])
     if "raised" in reply:
         return Verdict(CRASHED, note=reply["raised"])
     try:
-        found: Verdict = _JUDGES[question](case, question, truth, reply["answer"])
-        return found
+        return _JUDGES[question](case, question, truth, reply["answer"])
     except (TypeError, ValueError, KeyError, IndexError, ExactSplineError) as error:
         return Verdict(OFF, note=f"no answer of the kind asked for ({type(error).__name__})")
 
 
-def _middles(truth: dict[str, Any]) -> list[mpq]:
+def _middles(truth: Answer) -> list[mpq]:
     return [(mpq(low) + mpq(high)) / 2 for low, high in truth["numbers"]]
 
 
@@ -98,7 +98,7 @@ def _errors(exact: Sequence[mpq], found: Sequence[float]) -> list[mpq] | None:
 _NAN = Verdict(OFF, float("inf"), "not a finite number")
 
 
-def _vector(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _vector(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     order, size = ("value", "first", "second").index(question), _Size.of(case.curve)
     errors = _errors(_middles(truth), answer)
     if errors is None:
@@ -112,7 +112,7 @@ def _norms(case: Case) -> list[mpq]:
     return [max(map(abs, case.curve.derivative(k, case.parameter))) for k in (1, 2, 3)]
 
 
-def _quotient(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _quotient(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     """Tangent, curvature and torsion: quotients, to which the errors of the derivatives go through."""
     size, (v, a, j), exact = _Size.of(case.curve), _norms(case), _middles(truth)
     errors = _errors(exact, answer)
@@ -136,7 +136,7 @@ def _quotient(case: Case, question: str, truth: dict[str, Any], answer: Any) -> 
     return Verdict(RIGHT if worst <= allowed else OFF, double(worst / unit))
 
 
-def _rows(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _rows(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     size = _Size.of(case.curve)
     exact = [[mpq(x) for x in row] for part in truth["curves"] for row in part["rows"]]
     if isinstance(answer, dict):
@@ -162,7 +162,7 @@ def _rows(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verd
     return Verdict(OFF if bad else RIGHT, size.ulps(worst))
 
 
-def _as_functions(case: Case, size: _Size, answer: dict[str, Any]) -> Verdict:
+def _as_functions(case: Case, size: _Size, answer: Any) -> Verdict:
     """A curve over knots of its own beside the exact one: with other control points, but perhaps the same function."""
     curve, found = case.curve, answer["rows"]
     n = case.curve.dimension
@@ -186,7 +186,7 @@ def _over_knots(curve: Nurbs, knots: Sequence[float]) -> list[list[mpq]]:
     return rows(curve)
 
 
-def _box(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _box(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     size, exact = _Size.of(case.curve), _middles(truth)
     slack = from_float(float(answer[len(exact)])) if len(answer) > len(exact) else mpq(0)
     errors = _errors(exact, answer[: len(exact)])
@@ -196,7 +196,7 @@ def _box(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdi
     return Verdict(RIGHT if worst <= DIVIDED * size.allowed() + slack else OFF, size.ulps(worst))
 
 
-def _length(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _length(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     [exact] = _middles(truth)
     errors = _errors([exact], answer[:1])
     if errors is None:
@@ -207,7 +207,7 @@ def _length(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Ve
     return Verdict(RIGHT if errors[0] <= allowed else OFF, double(errors[0] / unit))
 
 
-def _area(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _area(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     size, errors = _Size.of(case.curve), _errors(_middles(truth), answer)
     if errors is None:
         return _NAN
@@ -228,7 +228,8 @@ class _Place:
 class _Form:
     """A form and its zeros, as the certificate has them."""
 
-    def __init__(self, certificate: dict[str, Any]) -> None:
+    def __init__(self, certified: dict[str, object]) -> None:
+        certificate: dict[str, Any] = certified  # data, as `exactspline.roots.certificate` writes it
         self.breaks = [mpq(t) for t in certificate["breakpoints"]]
         self.segments = [[int(x) for x in s["coefficients"]] for s in certificate["segments"]]
         self.roots = [
@@ -295,7 +296,7 @@ def _is_straight(curve: Nurbs) -> bool:
     return max((abs(c) for c in turning), default=mpq(0)) <= STRAIGHT * sizes[0] * sizes[1]
 
 
-def _places(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Verdict:
+def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     soft: list[mpq] = []
     if question in ("inflections", "extrema") and _is_straight(case.curve):
         return Verdict(RIGHT, note="straight within the tolerance: whatever is named is right")
@@ -320,7 +321,8 @@ def _places(case: Case, question: str, truth: dict[str, Any], answer: Any) -> Ve
     return Verdict(RIGHT)
 
 
-_JUDGES: dict[str, Any] = {
+#: An answer of a library may be anything: what is no answer of the kind asked for raises, and counts as off.
+_JUDGES: dict[str, Callable[[Case, str, Answer, Any], Verdict]] = {
     **dict.fromkeys(("value", "first", "second"), _vector),
     **dict.fromkeys(("tangent", "curvature", "torsion"), _quotient),
     **dict.fromkeys(("insert", "remove", "elevate", "split"), _rows),

@@ -6,12 +6,18 @@ control points are compared with the given one at as many parameters as determin
 the form behind a zero set, likewise, with what it must be a positive multiple of on every segment.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from itertools import pairwise
 from math import factorial, isqrt
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.exact import mpq
 from exactspline.roots.checker import check
+
+if TYPE_CHECKING:
+    from exactspline.batch.grade.data import Answer, CurveData, ExactCurve
 
 #: Terms of a Taylor series: value and three derivatives.
 TERMS = 4
@@ -22,13 +28,30 @@ CHORDS = 24
 Jet = list[list[mpq]]
 
 
-def recheck(curve: dict[str, Any], parameter: str, question: str, answer: dict[str, Any]) -> None:
+class Curve(NamedTuple):
+    """A curve in numbers, its control points homogeneous."""
+
+    degree: int
+    knots: list[mpq]
+    rows: list[list[mpq]]
+    rational: bool
+
+
+#: The value of a form of a curve at a parameter.
+Form = Callable[[Curve, mpq], mpq]
+
+
+def recheck(curve: CurveData, parameter: str, question: str, answer: Answer) -> None:
     """Raise ValueError unless the answer to a question about a curve is proved right.
 
     `curve` has degree, knots, rows of homogeneous control points, and whether it is rational; all numbers as text.
     """
-    own = {**curve, "knots": list(map(mpq, curve["knots"])), "rows": [list(map(mpq, r)) for r in curve["rows"]]}
+    own = Curve(curve["degree"], list(map(mpq, curve["knots"])), _numbers(curve["rows"]), curve["rational"])
     _CHECKS[question](own, mpq(parameter), question, answer)
+
+
+def _numbers(rows: list[list[str]]) -> list[list[mpq]]:
+    return [list(map(mpq, row)) for row in rows]
 
 
 def _require(condition: bool, flaw: str) -> None:
@@ -39,9 +62,9 @@ def _require(condition: bool, flaw: str) -> None:
 # ---- evaluation
 
 
-def jets(curve: dict[str, Any], t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
+def jets(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
     """The Taylor coefficients of the homogeneous coordinates at a parameter."""
-    degree, knots, rows = curve["degree"], curve["knots"], curve["rows"]
+    degree, knots, rows = curve.degree, curve.knots, curve.rows
     spans = [j for j in range(degree, len(knots) - degree - 1) if knots[j] < knots[j + 1]]
     inside = [j for j in spans if (knots[j] < t <= knots[j + 1] if left else knots[j] <= t < knots[j + 1])]
     j = inside[0] if inside else spans[-1] if t >= knots[spans[-1] + 1] else spans[0]
@@ -65,7 +88,7 @@ def _times_linear(share: list[mpq], p: list[mpq]) -> list[mpq]:
     return [share[0] * p[k] + (share[1] * p[k - 1] if k else 0) for k in range(len(p))]
 
 
-def cartesian(curve: dict[str, Any], t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
+def cartesian(curve: Curve, t: mpq, left: bool = False, terms: int = TERMS) -> Jet:
     """Value and derivatives of every coordinate."""
     *tops, w = jets(curve, t, left, terms)
     found = []
@@ -91,14 +114,14 @@ def _is_root(interval: list[str], square: mpq, sign: int = 1) -> bool:
     return narrow and max(low, mpq(0)) ** 2 <= square <= high**2 and high >= 0
 
 
-def _derivatives(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
+def _derivatives(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     order = ("value", "first", "second").index(question)
     values = [x[order] for x in cartesian(curve, t)]
     _require(len(values) == len(answer["numbers"]), "another dimension")
     _require(all(map(_is, answer["numbers"], values)), "another derivative")
 
 
-def _tangent(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
+def _tangent(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     velocity = [x[1] for x in cartesian(curve, t)]
     length = sum((x * x for x in velocity), start=mpq(0))
     signs = [(x > 0) - (x < 0) for x in velocity]
@@ -113,13 +136,13 @@ def _bend(x: Jet) -> list[mpq]:
     return [v[1] * a[2] - v[2] * a[1], v[2] * a[0] - v[0] * a[2], v[0] * a[1] - v[1] * a[0]]
 
 
-def _curvature(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
+def _curvature(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
     square = sum((b * b for b in _bend(x)), start=mpq(0)) / sum(c[1] * c[1] for c in x) ** 3
     _require(_is_root(answer["numbers"][0], square), "another curvature")
 
 
-def _torsion(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
+def _torsion(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
     bend = _bend(x)
     value = sum((b * c[3] for b, c in zip(bend, x, strict=True)), start=mpq(0)) / sum(b * b for b in bend)
@@ -129,35 +152,35 @@ def _torsion(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any
 # ---- curves with other control points
 
 
-def _parsed(part: dict[str, Any], rational: bool) -> dict[str, Any]:
-    rows = [list(map(mpq, row)) for row in part["rows"]]
+def _parsed(part: ExactCurve, rational: bool) -> Curve:
+    rows = _numbers(part["rows"])
     lifted = [[*(x * row[-1] for x in row[:-1]), row[-1]] if rational else [*row, mpq(1)] for row in rows]
-    return {"degree": part["degree"], "knots": list(map(mpq, part["knots"])), "rows": lifted}
+    return Curve(part["degree"], list(map(mpq, part["knots"])), lifted, rational)
 
 
-def _domain(curve: dict[str, Any]) -> list[mpq]:
-    n, knots = curve["degree"], curve["knots"]
+def _domain(curve: Curve) -> list[mpq]:
+    n, knots = curve.degree, curve.knots
     return sorted({t for t in knots if knots[n] <= t <= knots[-n - 1]})
 
 
-def _same_curve(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
-    parts = [_parsed(part, curve["rational"]) for part in answer["curves"]]
+def _same_curve(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    parts = [_parsed(part, curve.rational) for part in answer["curves"]]
     domain = _domain(curve)
     ends = [_domain(part) for part in parts]
     _require(ends[0][0] == domain[0] and ends[-1][-1] == domain[-1], "another domain")
     _require(all(a[-1] == b[0] == t for a, b in pairwise(ends)), "the parts do not meet at the parameter")
-    count = {"insert": len(curve["knots"]) + 1, "remove": len(curve["knots"]), "elevate": 0, "split": 0}[question]
-    _require(not count or len(parts[0]["knots"]) == count, "a wrong number of knots")
+    count = {"insert": len(curve.knots) + 1, "remove": len(curve.knots), "elevate": 0, "split": 0}[question]
+    _require(not count or len(parts[0].knots) == count, "a wrong number of knots")
     for part in parts:
-        _require(len(part["rows"]) == len(part["knots"]) - part["degree"] - 1, "a wrong number of control points")
+        _require(len(part.rows) == len(part.knots) - part.degree - 1, "a wrong number of control points")
         for a, b in pairwise(_domain(part)):
             # two quotients of degree n agree where their cross products of degree 2n do at 2n + 1 parameters
-            n = part["degree"] + curve["degree"] + 1
+            n = part.degree + curve.degree + 1
             for s in (a + (b - a) * mpq(2 * k + 1, 2 * n) for k in range(n)):
                 _require(_point(part, s) == _point(curve, s), "another curve")
 
 
-def _point(curve: dict[str, Any], t: mpq) -> list[mpq]:
+def _point(curve: Curve, t: mpq) -> list[mpq]:
     *tops, w = (x[0] for x in jets(curve, t, terms=1))
     return [p / w for p in tops]
 
@@ -165,9 +188,10 @@ def _point(curve: dict[str, Any], t: mpq) -> list[mpq]:
 # ---- zeros
 
 
-def _proved(certificate: dict[str, Any], curve: dict[str, Any], form: Any, degree: int) -> None:
+def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
     """That the certificate is right, and that it is about a positive multiple of a form on every segment."""
-    check(certificate, sturm=certificate["degree"] <= STURM)
+    certificate: dict[str, Any] = certified  # what it holds is what is checked
+    check(certified, sturm=certificate["degree"] <= STURM)
     breaks = list(map(mpq, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
     for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):
@@ -188,47 +212,48 @@ def at(c: list[int], u: mpq) -> mpq:
     return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=mpq(0))
 
 
-def _slope(axis: int) -> Any:
-    def form(curve: dict[str, Any], t: mpq) -> mpq:
+def _slope(axis: int) -> Form:
+    def form(curve: Curve, t: mpq) -> mpq:
         *tops, w = jets(curve, t, terms=2)
         return tops[axis][1] * w[0] - tops[axis][0] * w[1]
 
     return form
 
 
-def _height(curve: dict[str, Any], t: mpq) -> mpq:
+def _height(curve: Curve, t: mpq) -> mpq:
     return jets(curve, t, terms=1)[1][0]
 
 
-def _turning(curve: dict[str, Any], t: mpq) -> mpq:
+def _turning(curve: Curve, t: mpq) -> mpq:
     w = jets(curve, t, terms=1)[-1][0]
     return _bend(cartesian(curve, t, terms=3))[0] * w**3
 
 
-def _change(curve: dict[str, Any], t: mpq) -> mpq:
+def _change(curve: Curve, t: mpq) -> mpq:
     x, y = cartesian(curve, t)
     speed, along = x[1] * x[1] + y[1] * y[1], x[1] * x[2] + y[1] * y[2]
     return (x[1] * y[3] - y[1] * x[3]) * speed - 3 * (x[1] * y[2] - y[1] * x[2]) * along
 
 
-def _places(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
-    dimension, n = len(curve["rows"][0]) - 1, curve["degree"]
-    forms = {
+def _places(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    dimension, n = len(curve.rows[0]) - 1, curve.degree
+    forms: dict[str, list[tuple[Form, int]]] = {
         "turns": [(_slope(axis), 2 * n) for axis in range(dimension)],
         "roots": [(_height, n)],
         "inflections": [(_turning, 3 * n)],
         "extrema": [(_change, 4 * n)],
-    }[question]
-    for certificate, (form, degree) in zip(answer["certificates"], forms, strict=True):
+    }
+    for certificate, (form, degree) in zip(answer["certificates"], forms[question], strict=True):
         _proved(certificate, curve, form, degree)
 
 
-def _box(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
-    n = curve["degree"]
+def _box(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
+    n = curve.degree
     for axis, certificate in enumerate(answer["certificates"]):
         _proved(certificate, curve, _slope(axis), 2 * n)
         values = [cartesian(curve, s, left, 1)[axis][0] for s in _domain(curve) for left in (False, True)]
-        for root in certificate["roots"]:
+        roots: Any = certificate["roots"]  # proved just now
+        for root in roots:
             low, high = mpq(root["low"]), mpq(root["high"])
             values += [cartesian(curve, s, terms=1)[axis][0] for s in (low, high)]
         slack = mpq(1, 10**9) * (1 + max(map(abs, values)))
@@ -241,7 +266,7 @@ def _box(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -
 # ---- measures
 
 
-def _length(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
+def _length(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     """A chord is shorter; with more chords the sum grows, and what it lacks falls to a quarter, or less fast."""
     low, high = map(mpq, answer["numbers"][0])
     sums = []
@@ -261,9 +286,9 @@ def _distance(p: list[mpq], q: list[mpq]) -> mpq:
     return mpq(isqrt(int(square * 10**24)), 10**12)
 
 
-def _area(curve: dict[str, Any], t: mpq, question: str, answer: dict[str, Any]) -> None:
+def _area(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
     """``∮ x dy``, the integrand interpolated at as many parameters as determine it."""
-    n, total = 2 * curve["degree"], mpq(0)
+    n, total = 2 * curve.degree, mpq(0)
     nodes = [mpq(2 * k + 1, 2 * n) for k in range(n)]
     weights = [_integral_of_lagrange(nodes, k) for k in range(n)]
     for a, b in pairwise(_domain(curve)):
@@ -285,7 +310,7 @@ def _integral_of_lagrange(nodes: list[mpq], k: int) -> mpq:
     return sum((c / (j + 1) for j, c in enumerate(powers)), start=mpq(0))
 
 
-_CHECKS: dict[str, Any] = {
+_CHECKS: dict[str, Callable[[Curve, mpq, str, Answer], None]] = {
     **dict.fromkeys(("value", "first", "second"), _derivatives),
     "tangent": _tangent,
     "curvature": _curvature,

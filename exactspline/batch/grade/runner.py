@@ -11,10 +11,10 @@ import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.batch.grade.cases import VERSION, Case
+from exactspline.batch.grade.data import Answer, CurveData, GivenData, Reply
 from exactspline.batch.grade.judge import Verdict, judged
 from exactspline.batch.grade.questions import QUESTIONS
 from exactspline.batch.grade.recheck import recheck
@@ -54,7 +54,7 @@ def questions_for(case: Case, number: int) -> list[str]:
     return [q for q in QUESTIONS if q != "length" or number % LENGTH_EVERY == 0 or case.family == "named"]
 
 
-def given_data(curve: Nurbs, case: Case) -> dict[str, Any]:
+def given_data(curve: Nurbs, case: Case) -> GivenData:
     """A curve as a library is given it."""
     return {
         "degree": curve.degree,
@@ -65,13 +65,13 @@ def given_data(curve: Nurbs, case: Case) -> dict[str, Any]:
     }
 
 
-def request_data(case: Case) -> dict[str, Any]:
+def request_data(case: Case) -> GivenData:
     """A case as a library is given it."""
     finer = inserted(case)
-    return given_data(case.curve, case) | {"finer": None if finer is None else given_data(finer, case)}
+    return {**given_data(case.curve, case), "finer": None if finer is None else given_data(finer, case)}
 
 
-def curve_data(curve: Nurbs) -> dict[str, Any]:
+def curve_data(curve: Nurbs) -> CurveData:
     """A curve as the independent checker is given it."""
     rows = [[*lifted(p, w), w] for p, w in zip(curve.control_points, curve.weights, strict=True)]
     return {
@@ -89,7 +89,7 @@ class Truths:
     """
 
     def __init__(self, place: Path | None) -> None:
-        self.place, self.known, self.grown = place, dict[str, dict[str, Any]](), False
+        self.place, self.known, self.grown = place, dict[str, dict[str, Answer | None]](), False
         self.uncertified: list[tuple[str, str, str]] = []
         if place is not None and place.exists():
             with gzip.open(place, "rt", encoding="utf-8") as stream:
@@ -97,7 +97,7 @@ class Truths:
                     row = json.loads(line)
                     self.known[row["key"]] = row["answers"]
 
-    def of(self, case: Case, questions: Iterable[str]) -> dict[str, dict[str, Any]]:
+    def of(self, case: Case, questions: Iterable[str]) -> dict[str, Answer]:
         """The certified answers to the questions that apply to a case."""
         curve = curve_data(case.curve)
         key = hashlib.sha256(json.dumps([VERSION, curve, text(case.parameter)]).encode()).hexdigest()
@@ -148,7 +148,7 @@ class Worker:
         ready, _, _ = select.select([self.process.stdout], [], [], seconds)
         return (self.process.stdout.readline() or None) if ready else None
 
-    def ask(self, given: dict[str, Any], questions: list[str]) -> dict[str, dict[str, Any]]:
+    def ask(self, given: GivenData, questions: list[str]) -> dict[str, Reply]:
         """The replies; where the process dies, it is asked again question by question."""
         assert self.process.stdin is not None
         try:
@@ -158,7 +158,7 @@ class Worker:
         except BrokenPipeError:
             line = None
         if line is not None:
-            found: dict[str, dict[str, Any]] = json.loads(line)["answers"]
+            found: dict[str, Reply] = json.loads(line)["answers"]
             return found
         hung = self.process.poll() is None
         self.close()

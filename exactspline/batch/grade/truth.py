@@ -7,9 +7,9 @@ be kept in a file and checked again by `exactspline.batch.grade.recheck`, which 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeAlias
 
 from exactspline.batch.grade.cases import Case
+from exactspline.batch.grade.data import Answer, ExactCurve
 from exactspline.batch.oracle_values import unit
 from exactspline.errors import ExactSplineError
 from exactspline.exact import double, from_float, mpq, text
@@ -25,10 +25,9 @@ from exactspline.splines.nurbs import Nurbs
 
 #: Digits behind the point of an interval.
 DIGITS = 30
-Data: TypeAlias = dict[str, object]
 
 
-def truth(case: Case, question: str) -> Data | None:
+def truth(case: Case, question: str) -> Answer | None:
     """The exact answer to a question about a case; None where the question does not apply.
 
     >>> from exactspline.batch.grade.cases import all_cases
@@ -42,7 +41,7 @@ def truth(case: Case, question: str) -> Data | None:
         return None
 
 
-def _numbers(values: list[Real]) -> Data:
+def _numbers(values: list[Real]) -> Answer:
     return {"numbers": [_interval(value) for value in values]}
 
 
@@ -51,21 +50,21 @@ def _interval(value: Real) -> list[str]:
     return [text(low), text(high)]
 
 
-def _derivative(order: int) -> Callable[[Case], Data]:
+def _derivative(order: int) -> Callable[[Case], Answer]:
     return lambda case: _numbers(list(point_at(case.curve, case.parameter, order)))
 
 
-def _tangent(case: Case) -> Data:
+def _tangent(case: Case) -> Answer:
     return _numbers(unit(list(analyse(case.curve).velocity), case.parameter))
 
 
-def _curvature(case: Case) -> Data:
+def _curvature(case: Case) -> Answer:
     found = curvature_at(case.curve, case.parameter)
     low, high = sorted(abs(t) for t in found.enclosed(DIGITS))
     return {"numbers": [[text(low), text(high)]]}
 
 
-def _torsion(case: Case) -> Data:
+def _torsion(case: Case) -> Answer:
     return _numbers([torsion_at(case.curve, case.parameter)])
 
 
@@ -76,8 +75,8 @@ def rows(curve: Nurbs) -> list[list[mpq]]:
     return [[*p, w / curve.weights[0]] for p, w in zip(curve.control_points, curve.weights, strict=True)]
 
 
-def _curves(*curves: Nurbs) -> Data:
-    parts = [
+def _curves(*curves: Nurbs) -> Answer:
+    parts: list[ExactCurve] = [
         {"degree": c.degree, "knots": [text(t) for t in c.knots], "rows": [[text(x) for x in row] for row in rows(c)]}
         for c in curves
     ]
@@ -93,11 +92,11 @@ def inserted(case: Case) -> Nurbs | None:
     return finer if all(from_float(double(x)) == x for x in numbers) else None
 
 
-def _remove(case: Case) -> Data | None:
+def _remove(case: Case) -> Answer | None:
     return None if inserted(case) is None else _curves(case.curve)
 
 
-def _box(case: Case) -> Data:
+def _box(case: Case) -> Answer:
     ranges = [coordinate_range(case.curve, axis) for axis in range(case.curve.dimension)]
     found = _numbers([end for ends in ranges for end in ends])
     return found | {"certificates": [_certificate(slope(case.curve, i)) for i in range(case.curve.dimension)]}
@@ -111,7 +110,7 @@ def _certificate(form: BSpline) -> dict[str, object]:
     return found.certificate()
 
 
-def _places(*forms: BSpline) -> Data | None:
+def _places(*forms: BSpline) -> Answer | None:
     """Zeros of several forms; None where one of them vanishes on a whole segment: no library is asked that."""
     certificates = [_certificate(form) for form in forms]
     return None if any(c["intervals"] for c in certificates) else {"certificates": certificates}
@@ -128,19 +127,19 @@ def bend(curve: Nurbs) -> BSpline:
     return found
 
 
-def _turns(case: Case) -> Data | None:
+def _turns(case: Case) -> Answer | None:
     return _places(*[slope(case.curve, axis) for axis in range(case.curve.dimension)])
 
 
-def _roots(case: Case) -> Data | None:
+def _roots(case: Case) -> Answer | None:
     return _places(case.curve.p[1])
 
 
-def _inflections(case: Case) -> Data | None:
+def _inflections(case: Case) -> Answer | None:
     return _places(bend(case.curve)) if case.curve.dimension == 2 else None
 
 
-def _extrema(case: Case) -> Data | None:
+def _extrema(case: Case) -> Answer | None:
     if case.curve.dimension != 2 or not case.curve.polynomial or case.curve.segments > 1:
         return None
     x, y = (tuple(f.d(k) for k in range(4)) for f in case.curve.p)
@@ -149,11 +148,11 @@ def _extrema(case: Case) -> Data | None:
     return _places(jerk * speed - (turning * along).scaled(3))
 
 
-def _length(case: Case) -> Data:
+def _length(case: Case) -> Answer:
     return _numbers([balls.length(case.curve)])
 
 
-def _area(case: Case) -> Data | None:
+def _area(case: Case) -> Answer | None:
     c = case.curve
     if c.dimension != 2 or not c.polynomial or not c.closed or c.segments < 3:
         return None
@@ -162,7 +161,7 @@ def _area(case: Case) -> Data | None:
     return _numbers([oracle(c, "area").items[0].values["area"]])
 
 
-_ANSWERS: dict[str, Callable[[Case], Data | None]] = {
+_ANSWERS: dict[str, Callable[[Case], Answer | None]] = {
     "value": _derivative(0),
     "first": _derivative(1),
     "second": _derivative(2),

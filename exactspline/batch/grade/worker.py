@@ -10,15 +10,15 @@ import json
 import os
 import sys
 import warnings
-from typing import Any
 
 from exactspline.batch.grade.adapters import adapter
 from exactspline.batch.grade.adapters.common import Adapter, DeclinedError, Given
+from exactspline.batch.grade.data import Reply, Request
 
 
-def answers(library: Adapter, request: dict[str, Any]) -> dict[str, dict[str, Any]]:
+def answers(library: Adapter, request: Request) -> dict[str, Reply]:
     """The answers to the questions that the library takes."""
-    given, found = Given.of(request["given"]), dict[str, dict[str, Any]]()
+    given, found = Given.of(request["given"]), dict[str, Reply]()
     for question in request["questions"]:
         if not library.can(question, given):
             continue

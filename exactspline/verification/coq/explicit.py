@@ -9,7 +9,7 @@ from typing import Any
 from flint import fmpq_poly
 
 from exactspline.exact import rational, to_fmpq
-from exactspline.language.arguments import COORDINATES, POINT
+from exactspline.language.arguments import COORDINATES, POINT, Curve
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 
@@ -91,7 +91,7 @@ class ExplicitCurve:
     denominator: tuple[int, ...]
     point: tuple[int, ...]
 
-    def argument(self, kind: Kind) -> Any:
+    def argument(self, kind: Kind) -> Curve[RationalFunction]:
         """The argument of formulas."""
         dimension = len(self.numerators)
         functions = dict(zip(COORDINATES, self.numerators, strict=False)) | {"w": self.denominator}
@@ -100,7 +100,9 @@ class ExplicitCurve:
         def operand(symbol: Symbol) -> RationalFunction:
             return RationalFunction(fmpq_poly(list(functions[symbol.name])))
 
-        return kind.argument(dimension, operand, RationalFunction(fmpq_poly([1])))
+        made = kind.argument(dimension, operand, RationalFunction(fmpq_poly([1])))
+        assert isinstance(made, Curve)  # there are explicit curves of kinds of one curve alone
+        return made
 
 
 #: The numerators, denominators and points that are tried, the simplest first.

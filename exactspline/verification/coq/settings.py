@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT
 from exactspline.language.kinds import CurveKind, Kind, PairKind, Symbol, TableKind
 from exactspline.readings.jet import JetRing
@@ -69,7 +69,7 @@ class Setting:
         return {"pair": ("w", "W"), "table": ("w1", "w2")}.get(self.shape, ("w",))
 
     @cached_property
-    def argument(self) -> Any:
+    def argument(self) -> Evaluated:
         """The argument in the fraction reading, its numerators w γ."""
         one = self.ring.context.constant(1)
         return self.kind.argument(self.dimension, self._operand, JetFraction(self.ring, one, one))

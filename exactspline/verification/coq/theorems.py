@@ -8,7 +8,7 @@ from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational
-from exactspline.language.arguments import embedded
+from exactspline.language.arguments import Curve, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.vector import Vector
@@ -154,7 +154,9 @@ class _Theorem(Statement):
         """A statement that a plane curve is the directrix of a ruled surface of the same curve in space."""
         inside = Calling(POINT_IN_SPACE, 3)
         directrix = inside.calls(right).directrix
-        in_space = Evaluation(embedded(self.setting.argument))
+        argument = self.setting.argument
+        assert isinstance(argument, Curve)  # of a plane curve such a claim is made
+        in_space = Evaluation(embedded(argument))
         in_space(directrix)
         self.evaluation(left)
         self.evaluation.denominators += in_space.denominators

@@ -127,9 +127,9 @@ class DegreeClaim(Claim):
 
     def _claimed(self, argument: Any) -> int:
         degree = parse(self.claimed)
-        if self.curve == ArgumentKind.TABLE:
-            return degree.at({name: argument.degrees[name] for name in degree.names})
         known, values = argument.operands(), dict[str, int]()
+        if self.curve == ArgumentKind.TABLE:
+            return degree.at({name: known[name.replace("d", "p")].degree for name in degree.names})
         for each in kind_of(self.curve).symbols(argument.dimension):
             if each.parameter == self.parameter and each.degree.isidentifier() and each.name in known:
                 own = self._own(known[each.name].degree)

@@ -67,15 +67,15 @@ class SameSurface(Claim):
             witness = self.refuted_on_examples().witness
             told = "the generators are not parallel, or the directrices differ across them"
             return Finding(REFUTED, ONE, "two surfaces", witness=witness or told)
-        stretch, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
-        if stretch is None or shift is None:
+        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
+        if scale is None or shift is None:
             raise ContradictionError("parallel vectors are not proportional", remedy="report this")
         moved = "" if offset.is_zero else f"{shift} + "
-        bad, used = harmful(stretch, self.assumes)
+        bad, used = harmful(scale, self.assumes)
         also, others = ([], ()) if offset.is_zero else harmful(_poles(shift), self.assumes)
         bad = list(dict.fromkeys([*bad, *also]))
         where = f", but where {' or '.join(bad)} vanishes" if bad else ""
-        factor = f"ζ = {moved}{stretch} λ".replace("1 λ", "λ")
+        factor = f"ζ = {moved}{scale} λ".replace("1 λ", "λ")
         return Finding(PROVED, ONE, ONE + where, factor, assumptions=tuple(dict.fromkeys([*used, *others])))
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:

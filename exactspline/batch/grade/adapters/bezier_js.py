@@ -12,7 +12,6 @@ import shutil
 import subprocess
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
 from exactspline.batch.grade.adapters.common import Adapter, Given
 
@@ -55,7 +54,7 @@ class BezierJs(Adapter):
         usual = given.weights is None and given.dimension == 2 and given.degree in (2, 3)
         return question in QUESTIONS and usual and given.is_bezier
 
-    def ask(self, question: str, given: Given) -> Any:
+    def ask(self, question: str, given: Given) -> object:
         """The answer of the node process."""
         assert self.process.stdin is not None
         assert self.process.stdout is not None

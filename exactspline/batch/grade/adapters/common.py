@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import SupportsFloat
 
-Rows = list[list[float]]
+from exactspline.batch.grade.data import GivenData, Rows, WithKnots
 
 
 @dataclass
@@ -24,10 +24,11 @@ class Given:
     finer: Given | None = None
 
     @classmethod
-    def of(cls, data: dict[str, Any]) -> Given:
+    def of(cls, data: GivenData) -> Given:
         """What came as JSON."""
         finer = data.get("finer")
-        return cls(**{**data, "finer": cls.of(finer) if finer else None})
+        own = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
+        return cls(*own, finer=cls.of(finer) if finer else None)
 
     @property
     def dimension(self) -> int:
@@ -76,28 +77,28 @@ class Adapter:
 
         return version(self.package or self.name)
 
-    def ask(self, question: str, given: Given) -> Any:
+    def ask(self, question: str, given: Given) -> object:
         """The library's answer."""
-        answer: Callable[[Given], Any] = getattr(self, question)
+        answer: Callable[[Given], object] = getattr(self, question)
         return answer(given)
 
 
-def floats(values: Iterable[Any]) -> list[float]:
+def floats(values: Iterable[SupportsFloat]) -> list[float]:
     """Numbers of a library as Python's."""
     return [float(x) for x in values]
 
 
-def rows(values: Iterable[Iterable[Any]]) -> Rows:
+def rows(values: Iterable[Iterable[SupportsFloat]]) -> Rows:
     """Rows of numbers of a library as Python's."""
     return [floats(row) for row in values]
 
 
-def with_knots(points: Rows, knots: Iterable[Any]) -> dict[str, Any]:
+def with_knots(points: Rows, knots: Iterable[SupportsFloat]) -> WithKnots:
     """Control points and the knots that the library chose for them."""
     return {"rows": points, "knots": floats(knots)}
 
 
-def with_weights(points: Iterable[Iterable[Any]], weights: Iterable[Any] | None) -> Rows:
+def with_weights(points: Iterable[Iterable[SupportsFloat]], weights: Iterable[SupportsFloat] | None) -> Rows:
     """Control points, of a rational curve with the weights over the first one."""
     if weights is None:
         return rows(points)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, Given, Rows, rows
+from exactspline.batch.grade.adapters.common import Adapter, Given, rows
+from exactspline.batch.grade.data import Rows
 
 #: The tolerance of ``calcCubicArcLength``: until where it subdivides. It promises no error; its part of the length is
 #: taken for right.

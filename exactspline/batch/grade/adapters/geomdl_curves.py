@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, Given, Rows, floats, with_knots, with_weights
+from exactspline.batch.grade.adapters.common import Adapter, Given, floats, with_knots, with_weights
+from exactspline.batch.grade.data import Rows, WithKnots
 
 
 class Geomdl(Adapter):
@@ -58,7 +59,7 @@ class Geomdl(Adapter):
         assert given.finer is not None
         return self._rows(operations.remove_knot(self._curve(given.finer), [given.t], [1]))
 
-    def elevate(self, given: Given) -> dict[str, Any]:
+    def elevate(self, given: Given) -> WithKnots:
         """``operations.degree_operations(curve, [1])``."""
         from geomdl import operations
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, DeclinedError, Given, Rows
+from exactspline.batch.grade.adapters.common import Adapter, DeclinedError, Given
+from exactspline.batch.grade.data import Rows
 
 #: ``Precision::Confusion()``: what the library takes for one point, and adds to boxes.
 CONFUSION = 1e-7

@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import isnan
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, Given, Rows, floats, rows
+from exactspline.batch.grade.adapters.common import Adapter, Given, floats, rows
+from exactspline.batch.grade.data import Rows
 
 
 class SciPy(Adapter):

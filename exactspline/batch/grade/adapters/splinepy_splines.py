@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, Given, Rows, floats, with_knots, with_weights
+from exactspline.batch.grade.adapters.common import Adapter, Given, floats, with_knots, with_weights
+from exactspline.batch.grade.data import Rows, WithKnots
 
 
 class Splinepy(Adapter):
@@ -53,7 +54,7 @@ class Splinepy(Adapter):
         curve.remove_knots(0, [given.t], tolerance=1e-9)
         return self._rows(curve)
 
-    def elevate(self, given: Given) -> dict[str, Any]:
+    def elevate(self, given: Given) -> WithKnots:
         """``curve.elevate_degrees([0])``."""
         curve = self._curve(given)
         curve.elevate_degrees([0])

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, Given, Rows
+from exactspline.batch.grade.adapters.common import Adapter, Given
+from exactspline.batch.grade.data import Rows
 
 
 def _pair(z: complex) -> list[float]:
