@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from exactspline.batch.families import Family as Family
     from exactspline.batch.oracle import oracle as oracle
     from exactspline.batch.sweep import sweep as sweep
+    from exactspline.classroom.topics import exercise as exercise
     from exactspline.display.figures.bisectors import figure_4 as figure_4
     from exactspline.display.figures.bisectors import figure_5 as figure_5
     from exactspline.display.figures.bisectors import figure_6 as figure_6
@@ -208,7 +209,8 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
-    # the algorithms step by step
+    # the classroom: exercises, and the algorithms step by step
+    "exercise": "classroom.topics:exercise",
     "de_boor_triangle": "splines.triangles:de_boor_triangle",
     "elevation_triangles": "splines.triangles:elevation_triangles",
     "insertion_triangle": "splines.triangles:insertion_triangle",

@@ -20,8 +20,8 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from mutation.coverage_map import MAP, ROOT, fingerprint
-from mutation.mutants import Mutant, drawn, node_of
+from mutation.coverage_map import MAP, ROOT
+from mutation.mutants import Mutant, drawn
 
 RESULTS = MAP.parent / "results.jsonl"
 SURVIVORS = ROOT / "mutation" / "survivors.toml"
@@ -34,9 +34,8 @@ Known = dict[str, dict[str, Any]]
 
 @cache
 def key(mutant: Mutant) -> str:
-    """A mutant by what it changes, wherever that stands now."""
-    node = node_of(mutant.file, mutant.function)
-    return f"{mutant.file}:{mutant.function}#{mutant.number}@{fingerprint(node)}"
+    """What tells it from every other."""
+    return mutant.key
 
 
 def read(path: Path) -> Known:
@@ -126,7 +125,7 @@ def judge_engines(
     everything = engines.all_mutants()
     if options.witnesses:
         witnesses = engines.Witnesses()
-        chosen = _drawn([m for m in everything if m.stable in witnesses.recorded], options, 60)
+        chosen = _drawn([m for m in everything if m.key in witnesses.recorded], options, 60)
         engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
         return chosen
     chosen = _drawn(everything, options, 500)

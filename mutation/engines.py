@@ -103,8 +103,8 @@ class Witnesses:
 
     def of(self, mutant: Mutant) -> list[str]:
         """Its own, then those of other mutants of the function."""
-        beside = [test for name, test in self.recorded.items() if name.startswith(f"{place(mutant)}: ")]
-        return list(dict.fromkeys([self.recorded[mutant.stable], *beside]))
+        beside = [test for name, test in self.recorded.items() if name.startswith(f"{place(mutant)}#")]
+        return list(dict.fromkeys([self.recorded[mutant.key], *beside]))
 
     def files(self, chosen: list[Mutant]) -> list[str]:
         """The files of these tests."""
@@ -113,7 +113,7 @@ class Witnesses:
 
 def recorded(known: Iterable[tuple[Mutant, Result]]) -> dict[str, str]:
     """Every mutant that a test noticed, by what it says, with that test."""
-    return {m.stable: r["by"] for m, r in known if r["verdict"] == "killed" and "::" in r["by"]}
+    return {m.key: r["by"] for m, r in known if r["verdict"] == "killed" and "::" in r["by"]}
 
 
 class Judge:

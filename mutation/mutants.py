@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import copy
+import gc
 import inspect
 import random
 import sys
@@ -18,6 +19,8 @@ from importlib import import_module
 from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
+
+from mutation.coverage_map import fingerprint
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -71,6 +74,11 @@ class Mutant:
         return f"{self.file}:{self.function}:{self.line}:{self.column}: {self.says} [{self.kind}]"
 
     @property
+    def key(self) -> str:
+        """It alone, as long as its function says what it says, wherever that stands."""
+        return f"{self.file}:{self.function}#{self.number}@{fingerprint(node_of(self.file, self.function))}"
+
+    @property
     def stable(self) -> str:
         """The same without line and column, which change with every edit above it."""
         return f"{self.file}:{self.function}: {self.says} [{self.kind}]"
@@ -88,7 +96,13 @@ class Mutant:
         _Replaced(change[0], change[1][2]).visit(node)
         ast.fix_missing_locations(tree)
         code = compile(tree, str(ROOT / self.file), "exec")
-        live(self.module, self.function).__code__ = _found(code, self.function.split("."))
+        function = live(self.module, self.function)
+        old, new = function.__code__, _found(code, self.function.split("."))
+        function.__code__ = new
+        inner = dict(zip(_inner(old), _inner(new), strict=False))
+        for made in [f for f in gc.get_objects() if type(f) is FunctionType and f.__code__ in inner]:
+            # what the function has made before, as a module was imported
+            made.__code__ = inner[made.__code__]
 
 
 class _Replaced(ast.NodeTransformer):
@@ -127,6 +141,11 @@ def _found(code: CodeType, path: list[str]) -> CodeType:
         return code
     inner = [c for c in code.co_consts if isinstance(c, CodeType) and c.co_name == path[0]]
     return _found(inner[-1], path[1:])
+
+
+def _inner(code: CodeType) -> list[CodeType]:
+    """The code of the functions made inside, in order."""
+    return [c for c in code.co_consts if isinstance(c, CodeType)]
 
 
 def live(module: str, function: str) -> FunctionType:

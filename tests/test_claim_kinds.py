@@ -132,6 +132,8 @@ def test_what_is_rational_is_told_with_its_degree():
     assert found.verdict == REFUTED
     assert found.computed == f"rational of degree {value.degree}"
     assert found.witness == f"degree {value.degree} over 1 segments"
+    polynomial = replace(one, formula="D1")
+    assert on(polynomial, cubic).witness == "degree 2 over 1 segments"
     line = curve(T, T, T)
     assert on(one, line).verdict == UNDECIDED
 

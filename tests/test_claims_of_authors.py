@@ -212,6 +212,13 @@ def test_signs():
             sign("D1_squared", "≥ 0", ("D1",), factor=wrong)
 
 
+def test_a_square_that_is_zero_makes_nothing_positive(monkeypatch):
+    monkeypatch.setitem(OWN, "zero", formula("a test", on="plane")(lambda c: c.w - c.w))
+    assert combined(sign("D1_squared", "≥ 0", ("D1", "zero")))[1].verdict == PROVED
+    assert combined(sign("D1_squared", "> 0", ("D1", "zero")))[1].verdict == REFUTED
+    assert combined(sign("D1_squared", "> 0", ("zero", "D1"), assumes=("w",)))[1].verdict == REFUTED
+
+
 def test_a_square_with_a_positive_factor_only(monkeypatch):
     def product(c):
         return 3 * c.w**2 * norm2(find("D1")(c))

@@ -104,6 +104,24 @@ def test_every_corner_of_a_glyph_has_a_row(file, monkeypatch):
             assert (joint.angle is not None) == turns
 
 
+def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
+    pytest.importorskip("matplotlib")
+    drawing, picture = tmp_path / "drawing.svg", tmp_path / "features.svg"
+    drawing.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg"><path id="s" d="M0 0C1 2 2 -2 3 0"/><path id="v" d="M0 1L1 2L2 1"/>'
+        "<text>skipped</text></svg>"
+    )
+    done = CliRunner().invoke(app, ["inspect", str(drawing), "--coordinates", "--plot", str(picture), "--json"])
+    assert done.exit_code == 0
+    assert "skipped: text" in done.stderr
+    rows = json.loads(done.stdout)["rows"]
+    assert [row["curve"] for row in rows] == ["s", "v"]
+    assert [f["parameter"] for f in rows[0]["inflections"]] == ["1/2"]
+    turns = [(f["coordinate"], f["kind"]) for row in rows for f in row["coordinate_extrema"]]
+    assert turns == [(1, "maximum"), (1, "minimum"), (1, "maximum")]
+    assert picture.read_text(encoding="utf-8").count("inflections (1)") >= 1
+
+
 def test_an_unknown_approach_is_told_all_that_there_are():
     found = run("inspect", "circle", "--approach", "sqaring")
     words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()

@@ -24,8 +24,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification import coq_judge
 from exactspline.verification.claims import select
 from exactspline.verification.coq.answers import answers, theorem_of
-from exactspline.verification.coq.emission import BY_HAND, ROOT, library
-from exactspline.verification.vocabulary import Verdict
+from exactspline.verification.coq.emission import BY_HAND, ROOT, library, too_large
+from exactspline.verification.vocabulary import Scope, Verdict
 
 COMMITTED = Path(__file__).parent.parent / "proofs" / "coq"
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
@@ -44,8 +44,12 @@ def test_the_committed_files_are_those_that_the_papers_give() -> None:
 def test_nothing_is_assumed_or_left_out() -> None:
     for name, text in library().files.items():
         assert not re.search(r"\b(Axiom|Parameter|Admitted|admit|Conjecture|Abort)\b", text), name
-    reasons = {each.reason for each in library().unstated}
-    assert all(reason.startswith("arguments of the kind") for reason in reasons)
+    for each in library().unstated:
+        if each.reason == "the checker takes too long":
+            assert each.claim.key in too_large()
+            continue
+        alone = each.reason == "it fails on rational curves" and each.claim.of == Scope.POLYNOMIAL
+        assert alone or each.reason.startswith("arguments of the kind"), each
 
 
 def test_every_refuted_claim_is_denied() -> None:
@@ -151,7 +155,7 @@ def test_a_multiple_zero_has_a_witness(room: Path) -> None:
 
 
 def corrupted(text: str, chance: Random) -> str:
-    """A theorem about a curve with a number of its certificate or its form changed, a zero dropped, or a sign turned."""
+    """A theorem about a curve with a number of its certificate or its form changed, a zero dropped, a sign turned."""
     kind = chance.randrange(4)
     statement = re.search(r"vanishes_exactly .*?\n    \[(.*?)\]\n", text, re.DOTALL)
     assert statement is not None

@@ -322,6 +322,7 @@ def test_the_degree_of_a_product_is_the_sum_and_lower_where_a_factor_is():
     assert plain == b
     same = TrueDegree(1, 0, 0, ((4, 4),))
     assert product_of([(same, 1)]).lower == ()
+    assert product_of([(TrueDegree(1, 1, 0, ((4, 2),)), 1)]).lower == ()
 
 
 def test_a_product_in_jets_has_the_degree_of_its_factors():

@@ -3,13 +3,15 @@
 import copy
 import json
 from collections import Counter
+from pathlib import Path
 
 import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline.batch.grade.adapters import LIBRARIES
 from exactspline.batch.grade.adapters.common import Given, with_weights
-from exactspline.batch.grade.cases import FAMILIES, Case, all_cases
+from exactspline.batch.grade.cases import FAMILIES, VERSION, Case, all_cases
 from exactspline.batch.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, judged
 from exactspline.batch.grade.named_cases import NAMED
 from exactspline.batch.grade.questions import QUESTIONS
@@ -226,3 +228,15 @@ def test_the_page_tells_everything():
     found = {row["question"]: row for row in rows([report], [defect])}
     assert (found["value"]["crashed"], found["first"]["right"]) == (1, 1)
     assert found["value"]["example"]["note"] == "ValueError: no"
+
+
+SCOREBOARD = Path(__file__).resolve().parents[1] / "docs" / "scoreboard.md"
+
+
+@pytest.mark.skipif(not SCOREBOARD.exists(), reason="the documents are in the checkout only")
+def test_the_scoreboard_says_what_is_asked_today():
+    text = SCOREBOARD.read_text(encoding="utf-8")
+    assert f"{sum(1 for _ in all_cases())} cases (version {VERSION}:" in text
+    assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
+    assert all(named.link in text for named in NAMED)
+    assert all(f"### {library} " in text for library in LIBRARIES)

@@ -129,3 +129,58 @@ def test_open_cascade_a_box_that_does_not_hold_the_curve():
     assert curve.Value(knots[2]).X() > 0.998
     exact = xs.Nurbs.from_floats(2, [0, 0, 0, *knots[1:3], 1, 1, 1], points)
     assert xs.oracle(exact, "bounding_box").items[0].values["high"].double() > 0.998
+
+
+def test_fonttools_roots_at_the_ends_that_are_half_a_percent_inside():
+    needs("fonttools", "4.68.0")
+    from fontTools.misc.bezierTools import calcCubicParameters, solveCubic
+
+    y = [0, 2 - 2.0**-24, 2, -(2.0**-24)]
+    found = solveCubic(*[c[1] for c in calcCubicParameters(*[(0, v) for v in y])])
+    assert [t for t in found if 0 <= t <= 1] == [0.005236, 0.994764]
+    exact = xs.floats(xs.zeros(xs.BSpline.bezier(xs.from_floats(map(float, y)))))
+    assert exact[0] == 0
+    assert 1 - 1e-7 < exact[1] < 1
+
+
+def test_open_cascade_an_inflection_at_another_parameter():
+    needs("cadquery-ocp-novtk", "8.0.1.1.0")
+    from OCP.collections import Array1_gp_Pnt2d
+    from OCP.Geom2d import Geom2d_BezierCurve
+    from OCP.GeomLProp import GeomLProp_CurAndInf2d
+    from OCP.gp import gp_Pnt2d
+
+    points, poles = [(0, 0), (1, 1 - 2.0**-12), (2, 2), (3, 3)], Array1_gp_Pnt2d(1, 4)
+    for i, (x, y) in enumerate(points, 1):
+        poles.SetValue(i, gp_Pnt2d(x, y))
+    found = GeomLProp_CurAndInf2d()
+    found.Perform(Geom2d_BezierCurve(poles))
+    assert found.IsDone()
+    assert found.NbPoints() == 1
+    assert abs(found.Parameter(1) - 0.68333) < 1e-4
+    curve = xs.Nurbs.from_floats(3, [0, 0, 0, 0, 1, 1, 1, 1], points)
+    [inflection] = xs.inflections(curve)
+    assert inflection.root.exact == mpq(2, 3)
+    assert inflection.root.sign_change
+
+
+def test_bezier_js_an_inflection_of_an_almost_straight_cubic():
+    """The curve is straight to 1.5e-8, where bezier-js takes it for a line."""
+    found = node(
+        "const p = [[0, 0], [1, 1 - 2 ** -26], [2, 2], [3, 3]].map(([x, y]) => ({x, y}));"
+        "console.log(JSON.stringify(new Bezier(p).inflections()))"
+    )
+    assert found == []
+    curve = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1 - mpq(1, 2**26)), (2, 2), (3, 3)])
+    assert [f.root.exact for f in xs.inflections(curve)] == [mpq(2, 3)]
+
+
+def test_bezier_the_intersection_of_a_point_and_a_line():
+    needs("bezier", "2024.6.20")
+    import bezier
+    import numpy as np
+
+    point = bezier.Curve(np.asfortranarray([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]), degree=2)
+    line = bezier.Curve(np.asfortranarray([[-2.0, 0.0], [0.0, 0.0]]), degree=1)
+    with np.errstate(all="ignore"):
+        assert np.isnan(point.intersect(line)).any()

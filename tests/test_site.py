@@ -176,6 +176,23 @@ def test_the_bisector_is_that_of_the_library(browser, address):
         assert set(shown(tab, "pieces")) <= {"arc", "end point", "corner"}
 
 
+def test_de_boors_triangle_follows_the_point_and_the_curve_stays(browser, address):
+    with opened(browser, address, "play/de-boor.html") as tab:
+        curves = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")
+        curve = next(c for c in curves if c["name"] == "cubic_s")
+        assert shown(tab, "triangle") == in_this_python("triangle", {"curve": curve, "share": "20/60"})
+        tab.evaluate("delete document.body.dataset.triangle")
+        tab.locator(".handle.q").focus()
+        tab.locator(".handle.q").press("ArrowRight")
+        there = shown(tab, "triangle")
+        assert there == in_this_python("triangle", {"curve": curve, "share": "21/60"})
+        tab.evaluate("delete document.body.dataset.triangle")
+        tab.click("#insert")
+        assert shown(tab, "same") is True
+        finer = in_this_python("refined", {"curve": curve, "knot": there["t"]})["curve"]
+        assert shown(tab, "triangle") == in_this_python("triangle", {"curve": finer, "share": "21/60"})
+
+
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize("page", ["curve", "reduce", "claims", "bisector", "degrees", "de-boor"])
 def test_no_page_is_wider_than_its_window(browser, address, page, width):

@@ -96,6 +96,9 @@ def test_where_splines_differ_they_differ_by_what_is_said():
     told = re.fullmatch(r"by (\S+) at the parameter (\S+)", where_it_differs(f))
     assert f(mpq(told[2])) == mpq(told[1]) != 0
     assert where_it_differs(f * 0) == "nowhere"
+    narrow = BSpline(1, [5, 5, "51/10", "51/10"], [1, 2])
+    told = re.fullmatch(r"by (\S+) at the parameter (\S+)", where_it_differs(narrow))
+    assert narrow(mpq(told[2])) == mpq(told[1]) != 0
     product = (T - mpq(1, 3)) * (T - mpq(1, 4))
     told = re.fullmatch(r"by (\S+) at the parameter (\S+)", where_it_differs(product))
     assert product(mpq(told[2])) == mpq(told[1]) != 0
@@ -398,3 +401,12 @@ def test_a_formula_is_known_by_a_name_that_finds_it():
     curve = example("rational_cubic")
     told = [measure(f, curve).formula for f in measurable(2)]
     assert len(set(told)) == len(told)
+
+
+@pytest.mark.parametrize(("relation", "sign"), [("=", ""), ("≤", "≤ "), ("≥", "≥ ")])
+def test_a_bound_is_claimed_with_its_sign(relation, sign):
+    from dataclasses import replace
+
+    one = replace(claim("C42g-g2"), relation=relation, expected="PROVED")
+    assert one.claims == f"{sign}9d − 6"
+    assert "\\" not in one.claims

@@ -13,7 +13,7 @@ from exactspline.exact import lcm, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
-#: Largest number in a task or an answer.
+#: Largest number in a task or an answer, but for squares of radii.
 LARGEST = 30
 
 

@@ -13,6 +13,8 @@ from exactspline.exact import mpq, rational, to_fmpq
 
 #: Longest answer and highest degree that are read.
 MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
+#: Longest coefficient on the way.
+MAX_BITS = 20_000
 _GROUP = re.compile(r"\(([^()]*)\)")
 _SIGNS = str.maketrans({"−": "-", "[": "(", "]": ")", ";": ",", '"': " ", "'": " ", "\ufeff": " "})
 _POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
@@ -142,6 +144,8 @@ def _combined(operation: ast.operator, a: fmpq_poly, b: fmpq_poly) -> fmpq_poly:
 
 
 def _checked(p: fmpq_poly, power: int) -> fmpq_poly:
-    if p.degree() * power > MAX_DEGREE:
+    """The polynomial, if its power is neither of high degree nor of enormous coefficients."""
+    bits = max((max(int(c.p).bit_length(), int(c.q).bit_length()) for c in p.coeffs()), default=0)
+    if p.degree() * power > MAX_DEGREE or bits * power > MAX_BITS:
         raise ValueError
     return p

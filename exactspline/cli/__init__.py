@@ -95,7 +95,7 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     ),
     check_answer.check_answer: (
         "Is a student's answer right?",
-        "check-answer --topic evaluation --seed 1 --text '1, -1'",
+        "check-answer --topic evaluation --seed 0 --text '1, -1'",
         "check-answer my.json --reference cubic_s",
         "check-answer mine.py:kappa --reference f2 --factor w",
     ),

@@ -56,6 +56,11 @@ def exercise(
         # in a pipe, too, these are paragraphs
         width = min(console.width(), 80)
         sys.stdout.write("\n".join(text_lines(made, width, solutions=solutions)) + "\n")
+        if not (solutions or out.quiet):
+            first = made[0]
+            command = f"exactspline check-answer --topic {first.topic} --seed {first.seed} --text '…'"
+            sys.stdout.write("\n")
+            console.lines(console.console(), f"Check an answer: {command}")
 
     out.give("exercise", lambda: [exercise_data(each, solutions=solutions) for each in made], sheets, people)
 

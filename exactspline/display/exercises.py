@@ -77,7 +77,8 @@ def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list
     """The exercises, numbered, and the solutions behind them."""
     lines: list[str] = []
     for i, each in enumerate(made, 1):
-        lines += [*_paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width), ""]
+        lines += _paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width)
+        lines += [*_paragraph(f"   Answer: {each.answer.form}.", width, 3), ""]
     if solutions:
         lines += ["Solutions", ""]
         for i, each in enumerate(made, 1):
@@ -174,6 +175,11 @@ def _part_html(part: Part) -> str:
     name = f"<i>{escape(part.name)}</i>" if part.name else ""
     values = ", ".join(shown)
     return f"{name} = {values}" if name and values else name or values
+
+
+def task_html(made: Exercise) -> str:
+    """What is asked, and how the answer is written."""
+    return f"<p>{''.join(map(_part_html, made.task))}</p><p><small>Answer: {escape(made.answer.form)}</small></p>"
 
 
 def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:

@@ -8,7 +8,9 @@ from html import escape
 from io import BytesIO
 from typing import Any, cast
 
-from exactspline.display.latex import fraction, mathematics
+from exactspline.classroom.exercise import Exercise
+from exactspline.display.exercises import task_html
+from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
@@ -21,6 +23,7 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.triangles import ProductTable, Triangle
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
 from exactspline.verification.statement import Side, Statement, latex_of, sides
@@ -239,13 +242,16 @@ def short(x: object) -> str:
 
 
 def load_ipython_extension(shell: object) -> None:
-    """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, and figures and axes as
-    pictures.
+    """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, triangles of fractions,
+    exercises, and figures and axes as pictures.
     """
     formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):
         formatters["image/png"].for_type_by_name(module, name, _png)
+    formatters["text/html"].for_type(Exercise, task_html)
     formatter = formatters["text/latex"]
+    for scheme in (Triangle, ProductTable):
+        formatter.for_type(scheme, latex)
     formatter.for_type(type(mpq()), lambda x: f"${fraction(x)}$")
     formatter.for_type(
         tuple,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
 from typing import ClassVar, TypeVar
@@ -395,13 +395,51 @@ def combined(claim: Claim) -> tuple[str, Finding]:
         return _combined(claim)
 
 
+def only_component(claim: Claim, name: str, components: Sequence[V]) -> V:
+    """The one component of a scalar.
+
+    Raises `ClaimError` for a vector.
+    """
+    if len(components) > 1:
+        raise ClaimError(f"{name!r} is a vector", where=claim.key, remedy="name a formula whose value is a scalar")
+    return components[0]
+
+
+def fitting(claim: Claim, call: Callable[[], V]) -> V:
+    """What a call decides of a claim.
+
+    Raises `ClaimError` where formulas of others do not fit what is claimed of them; those that come with the library
+    do, and whatever goes wrong with them is a mistake of ours.
+    """
+    try:
+        return call()
+    except ExactSplineError:
+        raise
+    except (
+        TypeError,
+        ValueError,
+        AttributeError,
+        LookupError,
+        ArithmeticError,
+        AssertionError,
+        RecursionError,
+    ) as error:
+        if claim.source_paper.package:
+            raise
+        raise ClaimError(
+            f"{type(error).__name__}: {' '.join(str(error).split())}",
+            where=f"{claim.paper}, {claim.key}",
+            remedy="the formulas do not fit what is claimed of them",
+        ) from None
+
+
 def _combined(claim: Claim) -> tuple[str, Finding]:
     try:
-        reading, finding = claim.prove()
+        reading, finding = fitting(claim, claim.prove)
     except ExactSplineError as error:
         return claim.reading, undecided(claim.claims, error)
     if finding.verdict in (PROVED, UNDECIDED):
-        example_finding = claim.refuted_on_examples()
+        example_finding = fitting(claim, claim.refuted_on_examples)
         if example_finding.verdict == REFUTED:
             contradict(claim, finding, example_finding)
             return reading, example_finding

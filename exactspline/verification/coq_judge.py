@@ -97,7 +97,8 @@ def compile_file(place: Path, name: str) -> bool:
 
 def _alone(place: Path, name: str, theorem: Stated) -> bool:
     """Whether one theorem of a file that is not accepted is accepted."""
-    (place / f"{name}_{theorem.name}.v").write_text(claims_header(theorem.claim.paper) + theorem.text, encoding="utf-8")
+    text = claims_header(theorem.claim.paper, theorem.text) + theorem.text
+    (place / f"{name}_{theorem.name}.v").write_text(text, encoding="utf-8")
     return compile_file(place, f"{name}_{theorem.name}")
 
 

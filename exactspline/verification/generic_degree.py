@@ -41,7 +41,7 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
 
 def joined_degree(found: Reduction) -> Degree:
     """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator."""
-    return generic_degree([jet for jet in found.joined if not jet.is_zero and jet.polynomial.total_degree() > 0])
+    return generic_degree([jet for jet in found.joined if jet.polynomial.total_degree() > 0])
 
 
 def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | None:

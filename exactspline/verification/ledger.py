@@ -11,7 +11,7 @@ from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import speaking_of
-from exactspline.verification.claim import Claim, contradict
+from exactspline.verification.claim import Claim, contradict, fitting
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.paper_curves import own_curves
@@ -93,7 +93,7 @@ class Proofs:
 def _proof(claim: Claim) -> tuple[str, Finding]:
     try:
         with speaking_of(claim.source_paper):
-            return claim.prove()
+            return fitting(claim, claim.prove)
     except ContradictionError:
         raise
     except ExactSplineError as error:
@@ -112,7 +112,7 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
     start = perf_counter()
     try:
         with speaking_of(claim.source_paper):
-            finding = claim.check(own)
+            finding = fitting(claim, partial(claim.check, own))
     except ContradictionError:
         raise
     except ExactSplineError as error:

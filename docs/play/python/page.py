@@ -103,6 +103,46 @@ def bisector(data: dict[str, Any]) -> dict[str, Any]:
     return {"pieces": [_piece(curve, piece) for piece in found.pieces], "missing": list(found.missing)}
 
 
+def triangle(data: dict[str, Any]) -> dict[str, Any]:
+    """De Boor's triangle at a share of the domain: every entry exactly, and in doubles to draw it."""
+    curve = _curve(data["curve"])
+    low, high = curve.domain
+    t = low + (high - low) * xs.rational(data["share"])
+    found = xs.de_boor_triangle(curve, t)
+    return {
+        "t": str(t),
+        "span": [str(u) for u in found.span],
+        "first": found.first,
+        "weighted": found.rational,
+        "columns": [[[str(x) for x in row] for row in column] for column in found.columns],
+        "ratios": [[str(s) for s in shares] for shares in found.ratios],
+        "drawn": [[[float(x) for x in found.cartesian(row)] for row in column] for column in found.columns],
+        "tip": [str(x) for x in found.tip],
+        "inside": low < t < high and curve.knots.multiplicity(t) < curve.degree,
+    }
+
+
+def refined(data: dict[str, Any]) -> dict[str, Any]:
+    """The same curve by more control points: a knot inserted, or the degree raised."""
+    curve = _curve(data["curve"])
+    if "knot" in data:
+        found = xs.insertion_triangle(curve, data["knot"])
+        rows = [[*found.cartesian(row)] for row in found.made]
+        weights = [row[-1] if found.rational else 1 for row in found.made]
+        made = xs.Nurbs(curve.degree, found.knots, rows, weights)
+    else:
+        made = curve.elevate_degree()
+    return {
+        "same": made == curve,
+        "curve": {
+            "degree": made.degree,
+            "knots": [str(u) for u in made.knots],
+            "points": [[str(x) for x in point] for point in made.control_points],
+            "weights": [str(w) for w in made.weights],
+        },
+    }
+
+
 def _piece(curve: Any, piece: Any, count: int = 48) -> dict[str, Any]:
     low, high = (end.low if isinstance(end, xs.Root) else end for end in (piece.low, piece.high))
     drawn = []
@@ -151,4 +191,6 @@ QUESTIONS: dict[str, Callable[[Any], Any]] = {
     "forms": forms,
     "reduce": reduce,
     "bisector": bisector,
+    "triangle": triangle,
+    "refined": refined,
 }

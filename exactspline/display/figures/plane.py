@@ -5,13 +5,13 @@ from __future__ import annotations
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from exactspline.display.plot.canvas import GREEN, ORANGE, PURPLE, SILVER, VERMILLION, legend_below, new_figure
+from exactspline.display.plot.canvas import GREEN, ORANGE, SILVER, VERMILLION, legend_below, new_figure
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
 from exactspline.exact import mpq
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.features import curvature_extrema
+from exactspline.geometry.features import curvature_extrema, inflections
 from exactspline.geometry.zero_forms import zero_form
 from exactspline.language.rational import Rational
 from exactspline.papers import find
@@ -20,6 +20,7 @@ from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.examples import example
 from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineVector
 
 if TYPE_CHECKING:
@@ -68,8 +69,13 @@ def figure_1() -> Drawn:
     extrema = curvature_extrema(curve)
     inner, jumps = [f.root for f in extrema if not f.by_jump], [f.root for f in extrema if f.by_jump]
     plot_evolute(curve, plot_curve(curve, top, knots=False))
+    # each marker means in (a) what it means in (b) and (c)
     plot_features(curve, inner, top, label="κ′ = 0", color=GREEN)
-    plot_features(curve, jumps, top, marker="s", label="κ′ changes its sign by a jump", color=PURPLE, size=6)
+    plot_features(curve, jumps, top, label="κ′ changes its sign by a jump", color=GREEN, hollow=True)
+    plot_features(
+        curve, [f.root for f in inflections(curve)], top, marker="X", label="inflections, κ = 0", color=VERMILLION
+    )
+    _crop(top, curve)
     top.set_title("(a) curvature critical points")
     squared, squared_zeros = zero_form(curve, "critical_curvature", SQUARING)
     direct, direct_zeros = zero_form(curve, "critical_curvature", "direct")
@@ -96,6 +102,17 @@ def figure_1() -> Drawn:
         f"(c) g0, {cost(direct)}; {len(direct_zeros)} roots. Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
     )
     return captioned(figure, 1, " ".join(parts))
+
+
+def _crop(ax: Axes, curve: Nurbs) -> None:
+    """Show the control polygon and a margin around it: what is far away leaves the picture."""
+    sides = []
+    for values in zip(*curve.control_points, strict=True):
+        margin = (max(values) - min(values)) / 12
+        sides.append((float(min(values) - margin), float(max(values) + margin)))
+    ax.set_aspect("equal", adjustable="box")
+    ax.set_xlim(*sides[0])
+    ax.set_ylim(*sides[1])
 
 
 def _graph(f: BSpline, zeros: Any, ax: Axes, title: str, polygon: str = SILVER, mark: str = GREEN) -> str:

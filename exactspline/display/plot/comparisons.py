@@ -56,8 +56,8 @@ _MARKED: tuple[tuple[str, str, int, str, Callable[[Analysis], list[Root]]], ...]
 
 
 def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]], *, evolute: bool = False) -> Figure:
-    """One picture: on the left the curve with the parameters of every panel marked, on the right each function with its
-    control polygon.
+    """One picture: on the left the curve with the parameters of every panel, its corners and cusps marked, on the right
+    each function with its control polygon.
 
     A panel is ``(title, function, roots)``, roots as for `plot_function`. With `evolute` a plane curve is drawn with
     its own. Degrees and numbers of control points in the titles are those of the objects. Returns the
@@ -71,6 +71,7 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
     ['cubic_s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
     """
     figure = new_figure(13, max(5.5, 3.4 * len(panels)))
+    analysis = analyse(curve)
     grid = figure.add_gridspec(max(1, len(panels)), 2 if panels else 1)
     ax = plot_curve(curve, figure.add_subplot(grid[:, 0], projection="3d" if curve.dimension == 3 else None))
     if evolute:
@@ -85,6 +86,10 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
         single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
         plot_features(curve, [*single, *jumps], ax, marker=marker, color=color, label=f"zeros of {title}", size=size)
+    for name, marker, size, color, of in _MARKED:
+        if name in ("corners", "cusps"):
+            places = of(analysis)
+            plot_features(curve, places, ax, marker=marker, color=color, label=f"{name} ({len(places)})", size=size)
     return figure
 
 

@@ -50,9 +50,10 @@ def plot_curve(
     knots: bool = True,
     label: str | None = None,
     polygon_color: str = SILVER,
+    color: str | None = None,
 ) -> Axes:
-    """A curve in the plane or in space: its segments in alternating shades, its control polygon, and its knots as dots
-    on the curve.
+    """A curve in the plane or in space: its segments in alternating shades (in one `color` where one is given), its
+    control polygon, and its knots as dots on the curve.
 
     The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0
     (a direction, no point).
@@ -71,7 +72,8 @@ def plot_curve(
         draw_polygons(ax, polygons(curve.knots.knots, curve.degree, points), len(points), color=polygon_color)
     for i, samples in enumerate(sampled(curve, curve.breakpoints)):
         shown_as = "_segment" if i else shown_name(curve) if label is None else label
-        draw(ax, [p for _, p in samples], color=GREY if i % 2 else BLACK, linewidth=2.2, label=shown_as, zorder=3)
+        shade = color or (GREY if i % 2 else BLACK)
+        draw(ax, [p for _, p in samples], color=shade, linewidth=2.2, label=shown_as, zorder=3)
     if knots:
         ends = dict.fromkeys(curve(t, side) for t in curve.breakpoints for side in Side)
         draw(ax, ends, "o", color=BLACK, markerfacecolor="white", markersize=3.5, label="knots", zorder=4)
@@ -89,9 +91,10 @@ def plot_features(
     label: str = "",
     color: str = GREEN,
     size: float = 7,
+    hollow: bool = False,
 ) -> Axes:
     """Mark parameters on a curve: exact numbers, certified roots, or anything that carries one of them as its
-    `parameter`.
+    `parameter`; `hollow` markers have their colour at the edge.
 
     >>> from exactspline.splines.examples import example
     >>> ax = plot_features(example("circle"), ["1/2", 3], plot_curve(example("circle")), label="marked")
@@ -108,7 +111,8 @@ def plot_features(
             places,
             marker,
             color=color,
-            markeredgecolor="white",
+            markeredgecolor=color if hollow else "white",
+            markerfacecolor="white" if hollow else color,
             markersize=size,
             label=label or "_features",
             zorder=6,

@@ -52,6 +52,7 @@ def plot_function(
     scale: str | None = None,
     label: str | None = None,
     polygon_color: str = SILVER,
+    color: str = BLACK,
 ) -> Axes:
     """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
 
@@ -95,10 +96,10 @@ def plot_function(
             polygon_color,
         )
     for i, run in enumerate(graph):
-        draw(ax, run, color=BLACK, linewidth=1.8, label="_graph" if i else label or "graph", zorder=3)
+        draw(ax, run, color=color, linewidth=1.8, label="_graph" if i else label or "graph", zorder=3)
     for left, right in pairwise(graph):
-        draw(ax, left[-1:], "o", color=BLACK, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
-        draw(ax, right[:1], "o", color=BLACK, markersize=5, label="_value", zorder=4)
+        draw(ax, left[-1:], "o", color=color, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
+        draw(ax, right[:1], "o", color=color, markersize=5, label="_value", zorder=4)
     if roots is not None:
         draw_roots(ax, roots, f.domain, *MARKS[0])
     ax.set_xlabel("parameter")

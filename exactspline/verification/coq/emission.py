@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -89,6 +90,13 @@ def library() -> Library:
     return Library(files, theorems)
 
 
+@cache
+def too_large() -> frozenset[str]:
+    """The keys of the claims that are left out because their check takes too long."""
+    text = resources.files(__package__).joinpath("too_large.toml").read_text(encoding="utf-8")
+    return frozenset(tomllib.loads(text)["claims"])
+
+
 def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
     """The claims of a paper by the file in which they stand."""
     groups: dict[str, list[Claim]] = {}
@@ -105,13 +113,15 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     kind = kind_of(claim.curve)
     if not written_for(kind):
         return [Stated(claim, "", "", f"arguments of the kind {kind.name!r} are not written")]
+    if claim.key in too_large():
+        return [Stated(claim, "", "", "the checker takes too long")]
     make = refutation if claim.expected == Verdict.REFUTED else theorem
     found = []
     for dimension in kind.dimensions:
         try:
             text = make(claim, dimension, lambda formula: formulas.named(formula, paper))
         except ExactSplineError as error:
-            found.append(Stated(claim, "", "", str(error)))
+            found.append(Stated(claim, "", "", error.problem))
             continue
         match = re.search(r"^Theorem (\S+)", text, re.MULTILINE)
         assert match is not None
@@ -121,13 +131,15 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
 
 def claims_file(paper: Paper, found: Iterable[Stated]) -> str:
     """The file of the theorems of one table of claims."""
-    return "\n".join([claims_header(paper.name), *[each.text for each in found if not each.reason]])
+    texts = [each.text for each in found if not each.reason]
+    return "\n".join([claims_header(paper.name, "".join(texts)), *texts])
 
 
-def claims_header(name: str) -> str:
-    """How a file with theorems about a paper begins."""
+def claims_header(name: str, text: str) -> str:
+    """How a file with theorems about a paper begins, from their text."""
     own = next(each for each in papers() if each.name == name)
-    others = [f"From {ROOT}.formulas Require {used.name}." for used in papers() if used is not own]
+    used = [each for each in papers() if each is not own and f"{each.name}." in text]
+    others = [f"From {ROOT}.formulas Require {each.name}." for each in used]
     return "\n".join(
         [
             HEADER.format(title=own.title, about="its claims"),

@@ -17,6 +17,8 @@ from exactspline.verification.coq.denominators import Evaluation, Factored, fact
 from exactspline.verification.coq.settings import Setting
 from exactspline.verification.coq.terms import Writer
 
+#: A denominator of more terms is not taken apart into its factors.
+LARGE = 100
 #: A polynomial that does not vanish, or a prime number.
 Atom = fmpq_mpoly | int
 
@@ -56,7 +58,7 @@ class Proof:
                 self.recognize(parts)
                 continue
             self.existing.append(Premise(f"D{len(self.existing) + 1}", node, value))
-            if value.bottom.is_one():
+            if value.bottom.is_one() and len(value.top) > LARGE:
                 self.known.append(((*[0] * len(self.atoms), 1), ()))
                 self._add(value.top, f"vm_cast_no_check {self.existing[-1].name}", self.writer(node))
             else:
@@ -92,7 +94,10 @@ class Proof:
         return [atom for atom in self.atoms if not isinstance(atom, int)]
 
     def _place(self, polynomial: fmpq_mpoly) -> int:
-        return next(i for i, atom in enumerate(self.atoms) if not isinstance(atom, int) and atom == polynomial)
+        for i, atom in enumerate(self.atoms):
+            if not isinstance(atom, int) and atom == polynomial:
+                return i
+        raise FormulaError(f"{self.name} divides by what may vanish", remedy="assume that it does not")
 
     def _prime(self, p: int) -> None:
         if p not in [atom for atom in self.atoms if isinstance(atom, int)]:

@@ -115,8 +115,8 @@ class _Theorem(Statement):
         """A statement that two trees are one (without a second: that the first is 0), and the steps that close it."""
         value = self.evaluation(left)
         components = len(value) if isinstance(value, Vector) else 0
-        if right is not None:
-            self.evaluation(right)
+        if not self._holds(value, right):
+            raise FormulaError("it fails on rational curves", remedy="theorems speak of these")
         self.proof.met()
         if components:
             zero, deep_zero = ("[" + "; ".join([word] * components) + "]" for word in ("zero K", "num 0"))
@@ -126,6 +126,14 @@ class _Theorem(Statement):
         deep_right = deep_zero if right is None else self.writer(right)
         statement = f"{self.writer(left)} = {stated_right}"
         return statement, [*self.checked("E", left, deep_right, bool(components)), "vm_cast_no_check E."]
+
+    def _holds(self, value: Any, right: Node | None) -> bool:
+        """Whether a value is that of another tree (without one: zero), on rational curves."""
+        if right is None:
+            return bool(value.is_zero)
+        other = self.evaluation(right)
+        pairs = zip(value, other, strict=True) if isinstance(value, Vector) else [(value, other)]
+        return all(bool((a - b).is_zero) if isinstance(a, JetFraction) else bool(a == b) for a, b in pairs)
 
     def same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:
         """A statement that two ruled surfaces have one directrix and one generator."""

@@ -11,7 +11,7 @@ from exactspline.language.parts import split
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.verification.claim import ExampleClaim, formula_name, read
+from exactspline.verification.claim import ExampleClaim, formula_name, only_component, read
 from exactspline.verification.conditioning.condition_number import Interval, condition_number
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -53,7 +53,7 @@ class Condition(ExampleClaim):
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Where enclosures do not tell two condition numbers apart nothing is decided."""
-        f, g = (split(self.find(name)(argument))[0][0] for name in (self.left, self.right))
+        f, g = (only_component(self, n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
         theirs = list(zeros(g, periodic=own.curve.closed))
         pairs = [
             (root, _condition(f, root), _condition(g, other))

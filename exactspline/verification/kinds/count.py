@@ -12,7 +12,7 @@ from exactspline.geometry.features import curvature_extrema
 from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.lowest_terms import control_point_count
-from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
+from exactspline.verification.claim import Claim, ExampleClaim, formula_name, only_component, read
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Counter, word
@@ -77,7 +77,9 @@ class Count(ExampleClaim):
         counters: dict[Counter, Callable[[], int]] = {
             Counter.DEGREE: lambda: int(value.degree),
             Counter.CONTROL_POINTS: lambda: control_point_count(value),
-            Counter.ROOTS: lambda: len(zeros(numerators[0], periodic=own.curve.closed)),
+            Counter.ROOTS: lambda: len(
+                zeros(only_component(self, self.formula, numerators), periodic=own.curve.closed)
+            ),
             Counter.EXTREMA: lambda: len(curvature_extrema(own.curve)),
             Counter.NOMINAL_CONTINUITY: lambda: min(min(p.continuity) for p in numerators),
             Counter.TRUE_CONTINUITY: lambda: min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]),

@@ -9,7 +9,7 @@ from exactspline.language.parts import split
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding, vacuous
+from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding
 
 NOT = "not rational"
 
@@ -45,8 +45,7 @@ class Existence(Claim):
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The rational form on this curve."""
         value = self.find(self.formula)(argument)
-        _, denominator = split(value)
-        if denominator is None or denominator.is_zero:
-            return vacuous(NOT, "does not exist here")
-        told = f"degree {value.degree} over {len(denominator.mesh)} segments"
+        numerators, denominator = split(value)
+        mesh = (numerators[0] if denominator is None else denominator).mesh
+        told = f"degree {value.degree} over {len(mesh)} segments"
         return Finding(REFUTED, NOT, f"rational of degree {value.degree}", witness=told)

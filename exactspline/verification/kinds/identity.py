@@ -115,6 +115,10 @@ class Identity(Claim):
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
         (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
         assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
+        if len(ps) != len(qs):
+            return Finding(
+                REFUTED, self.factor, f"{len(ps)} components, and {len(qs)}", witness="not as many components"
+            )
         top: Any
         bottom: Any
         top, bottom = factor_of_text(self.factor, argument, self.find)

@@ -143,6 +143,8 @@ def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
     square = parts[0] * parts[0]
     for x in parts[1:]:
         square = square + x * x
+    if square.is_zero:
+        return None
     used = []
     for p, _ in square.top.factor()[1]:
         reason = zero_free(Jet(square.ring, p), assumed)

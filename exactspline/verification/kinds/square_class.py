@@ -9,7 +9,7 @@ from exactspline.errors import ClaimError
 from exactspline.language.parts import split
 from exactspline.splines.bernstein import is_square_class
 from exactspline.symbolic.factorization import jets_for
-from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim import Claim, formula_name, only_component, read
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -50,7 +50,7 @@ class SquareClass(Claim):
         """
         formula, right = self.find(self.formula), self.find(self.right)
         c = jets_for((formula, right), dimension, polynomial=polynomial)
-        if any(x.is_zero for f in (formula, right) for x in split(f(c))[0]):
+        if any(only_component(self, f.name, split(f(c))[0]).is_zero for f in (formula, right)):
             return vacuous("a square")
         factor = factor_of(formula, right, dimension, polynomial=polynomial)
         odd = "not proportional" if factor is None else "·".join(base.name for base, e in factor.powers if e % 2)
@@ -65,8 +65,9 @@ class SquareClass(Claim):
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment both are squares up to a constant, or neither is; where one is 0 nothing is said."""
         (n, m), (p, q) = [
-            (numerators[0], w)
-            for numerators, w in (split(self.find(name)(argument)) for name in (self.formula, self.right))
+            (only_component(self, name, numerators), w)
+            for name in (self.formula, self.right)
+            for numerators, w in [split(self.find(name)(argument))]
         ]
         left, right = (n if m is None else n * m), (p if q is None else p * q)
         pairs = {

@@ -4,7 +4,6 @@
 
 Require Import ZArith List.
 From ExactSpline Require Import Base Reflection Proofs.
-From ExactSpline.formulas Require lifted.
 From ExactSpline.formulas Require Import chen_riesenfeld_cohen_2007.
 Import ListNotations.
 Local Open Scope formula_scope.
@@ -122,14 +121,14 @@ Proof.
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
-  pose (atoms := [var 2; p2 c]%formula : list expr).
-  pose (known := [([1], [0]); ([0; 1], []); ([1; 1], [0; 0])] : list (list nat * list nat)).
+  pose (atoms := [var 2; var 6]%formula : list expr).
+  pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). vm_cast_no_check D1. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (p2 c : expr)%formula (num 1)%formula (var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
   clear N. rename N2 into N.
   assert (E : value K l (T8 c : expr)%formula = value K l (T8_carried_out c : expr)%formula).
   { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }

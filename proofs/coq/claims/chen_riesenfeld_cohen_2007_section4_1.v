@@ -4,7 +4,6 @@
 
 Require Import ZArith List.
 From ExactSpline Require Import Base Reflection Proofs.
-From ExactSpline.formulas Require lifted.
 From ExactSpline.formulas Require Import chen_riesenfeld_cohen_2007.
 Import ListNotations.
 Local Open Scope formula_scope.

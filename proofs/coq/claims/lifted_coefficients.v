@@ -127,23 +127,27 @@ Qed.
 
 (** L15, ours. *)
 Theorem L15_point_bisector_lifted_generator_point_bisector_generator_polynomial : every_space_curve_with_point (fun K c =>
+  number 2 <> zero K ->
   number 2 * component 0 (generalized_cross [conformal_lift c; vder (along c) (conformal_lift c); conformal_point c; ([number 2 * component 0 (tangent_plane_through_point c)] ++ vneg (components 1 4 (tangent_plane_through_point c)) ++ [number 0])]) <> zero K ->
   point_bisector_lifted_generator c = vmul (number (-1) / w c) (chen_riesenfeld_cohen_2007.point_bisector_generator_polynomial c)).
 Proof.
-  apply space_point_by_position; intros K x_ y_ z_ w_ q1 q2 q3 Hq1 Hq2 Hq3 Hw D1.
+  apply space_point_by_position; intros K x_ y_ z_ w_ q1 q2 q3 Hq1 Hq2 Hq3 Hw P2 D1.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
-  pose (atoms := [number 2 * component 0 (generalized_cross [conformal_lift c; vder (along c) (conformal_lift c); conformal_point c; ([number 2 * component 0 (tangent_plane_through_point c)] ++ vneg (components 1 4 (tangent_plane_through_point c)) ++ [number 0])]); var 7]%formula : list expr).
-  pose (known := [([1], []); ([0; 1], [0; 0])] : list (list nat * list nat)).
+  pose (atoms := [var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2; num 2; var 7]%formula : list expr).
+  pose (known := [([1; 1; 6], [0; 0; 0]); ([0; 0; 1], [0; 0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). vm_cast_no_check D1. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (number 2 * component 0 (generalized_cross [conformal_lift c; vder (along c) (conformal_lift c); conformal_point c; ([number 2 * component 0 (tangent_plane_through_point c)] ++ vneg (components 1 4 (tangent_plane_through_point c)) ++ [number 0])]) : expr)%formula (num 2 * var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
   clear N. rename N2 into N.
+  assert (N3 : all_nonzero K l (firstn 3 atoms)).
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
+  clear N. rename N3 into N.
   assert (E : map (value K l) (point_bisector_lifted_generator c : list expr)%formula = map (value K l) (vmul (number (-1) / w c) (chen_riesenfeld_cohen_2007.point_bisector_generator_polynomial c) : list expr)%formula).
   { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
