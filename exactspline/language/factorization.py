@@ -14,9 +14,32 @@ class Multiplicative(Protocol):
     def __pow__(self, exponent: int, /) -> Self: ...
 
 
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 P = TypeVar("P")
 Q = TypeVar("Q")
 M = TypeVar("M", bound=Multiplicative)
+
+
+def superscript(number: int) -> str:
+    """A number as an exponent.
+
+    >>> superscript(-12)
+    '⁻¹²'
+    """
+    return str(number).translate(_SUPERSCRIPTS)
+
+
+def power_text(base: str, exponent: int) -> str:
+    """A power as people write it.
+
+    >>> power_text("w", 8), power_text("‖D1‖²", 3), power_text("w", 1)
+    ('w⁸', '(‖D1‖²)³', 'w')
+    """
+    if exponent == 1:
+        return base
+    inner = f"({base})" if base[-1] in superscript(1234567890) else base
+    return inner + superscript(exponent)
 
 
 @dataclass(frozen=True)
@@ -27,7 +50,7 @@ class Factorization(Generic[P]):
 
     >>> a, b = Factorization([("x", 2), ("y", 1)]), Factorization([("y", 2), ("z", 1)])
     >>> print(a * b, a.shared(b), a.without(a.shared(b)))
-    x^2 y^3 z y x^2
+    x² y³ z y x²
     """
 
     powers: tuple[tuple[P, int], ...] = ()
@@ -42,7 +65,7 @@ class Factorization(Generic[P]):
         return len(self.powers)
 
     def __str__(self) -> str:
-        return " ".join(f"{base}" if e == 1 else f"{base}^{e}" for base, e in self.powers) or "1"
+        return " ".join(power_text(str(base), e) for base, e in self.powers) or "1"
 
     def exponent(self, base: P) -> int:
         """That of a base, 0 where it does not occur."""
@@ -65,7 +88,7 @@ class Factorization(Generic[P]):
         """What both have: each base with the lower of its exponents, 0 where it does not occur.
 
         >>> print(Factorization([("x", 2), ("y", -1)]).shared(Factorization([("x", 1)])))
-        x y^-1
+        x y⁻¹
         """
         mine = [(base, min(e, other.exponent(base))) for base, e in self.powers]
         others = [(base, min(e, 0)) for base, e in other.powers if not self.exponent(base)]

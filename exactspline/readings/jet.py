@@ -14,6 +14,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
+from exactspline.language.factorization import superscript
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -73,11 +74,8 @@ class JetRing:
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
         name, order = self.variables[i]
-        primes = PRIMES[order] if order < len(PRIMES) else f"⁽{str(order).translate(SUPERSCRIPTS)}⁾"
+        primes = PRIMES[order] if order < len(PRIMES) else f"⁽{superscript(order)}⁾"
         return self.symbols[name].text + primes
-
-
-SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 #: More terms than this no polynomial may have, and no more pairs of terms are multiplied at once.
@@ -205,9 +203,7 @@ def polynomial_text(jet: Jet, limit: int = 12) -> str:
 
 
 def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
-    factors = [
-        ring.primes(i) + (str(int(e)).translate(SUPERSCRIPTS) if e > 1 else "") for i, e in enumerate(exponents) if e
-    ]
+    factors = [ring.primes(i) + (superscript(int(e)) if e > 1 else "") for i, e in enumerate(exponents) if e]
     if abs(c) != 1 or not factors:
         factors.insert(0, str(abs(c)))
     return ("− " if c < 0 else "+ ") + "·".join(factors)

@@ -17,7 +17,7 @@ from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
-from exactspline.language.factorization import Factorization, multiplied
+from exactspline.language.factorization import Factorization, multiplied, power_text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
@@ -25,7 +25,7 @@ from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import SUPERSCRIPTS, Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
@@ -48,7 +48,7 @@ class Factor(Displayed):
     ring: JetRing
 
     def __str__(self) -> str:
-        parts = [_power(base.name, e) for base, e in self.powers]
+        parts = [power_text(base.name, e) for base, e in self.powers]
         if self.constant != 1 or not parts:
             parts.insert(0, str(self.constant))
         return "·".join(parts)
@@ -79,11 +79,6 @@ class Factor(Displayed):
         """Numerator and denominator in the reading of a concrete curve."""
         top, bottom = self.fraction()
         return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
-
-
-def _power(name: str, exponent: int) -> str:
-    base = f"({name})" if name[-1] in "⁰¹²³⁴⁵⁶⁷⁸⁹" else name
-    return name if exponent == 1 else base + str(exponent).translate(SUPERSCRIPTS)
 
 
 def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:

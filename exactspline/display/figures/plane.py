@@ -13,6 +13,7 @@ from exactspline.exact import mpq
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.features import curvature_extrema, inflections
 from exactspline.geometry.zero_forms import zero_form
+from exactspline.language.factorization import superscript
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.readings.printing.latex import print_latex
@@ -166,15 +167,6 @@ def figure_2() -> Drawn:
         ),
     )
     return captioned(figure, 2, " ".join(parts))
-
-
-def superscript(number: int) -> str:
-    """A number as an exponent.
-
-    >>> superscript(-12)
-    '⁻¹²'
-    """
-    return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def figure_3() -> Drawn:
