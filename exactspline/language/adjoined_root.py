@@ -9,7 +9,6 @@ is a proof for all curves. Extensions stand on each other: over σ the root ρ =
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, T
@@ -55,13 +54,13 @@ class Adjoined(FieldOperand):
             )
         return found
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Adjoined:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Adjoined(self.plain + right.plain, self.rooted + right.rooted, self.square)
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Adjoined:
         right = self.beside(other)
         if right is None:
             return NotImplemented

@@ -226,7 +226,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             return Rational(_times(self.numerator, other.numerator), self.product * other.product)
         return Rational(_times(self.numerator, other), self.product) if _fits(other) else NotImplemented
 
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self, other: object) -> Rational[T]:
         """Rows T8 and T9."""
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
@@ -245,7 +245,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         """A vector times this: one quotient."""
         return Rational(vector * self.scalar, self.product)
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: object) -> Rational[T]:
         if isinstance(other, CONSTANTS):
             other = self.denominator.constant(other)
         return self.dividing(cast(Operand, other)) if _fits(other) else NotImplemented

@@ -95,11 +95,11 @@ class Term(Operand):
 
     # ---- sums
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Term:
         right = self.beside(other)
         return NotImplemented if right is None else self._sum(right, 1, SUM)
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: object) -> Term:
         right = self.beside(other)
         return NotImplemented if right is None else self._sum(right, -1, DIFFERENCE)
 
@@ -147,7 +147,7 @@ class Term(Operand):
 
     # ---- products
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> Term:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Term):

@@ -7,8 +7,6 @@ and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of 
 
 from __future__ import annotations
 
-from typing import Any
-
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
@@ -35,7 +33,7 @@ class Monomials(Operand):
         zero = self.exponents[0] * 0
         return Monomials((zero, zero), {(0, 0): zero + to_fmpq(rational(value))})
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Monomials:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Monomials):
@@ -49,7 +47,7 @@ class Monomials(Operand):
         zero = self.exponents[0] * 0
         return Monomials(self.exponents, {s: self.terms.get(s, zero) + other.terms.get(s, zero) for s in shifts})
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Monomials:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Monomials):

@@ -56,7 +56,7 @@ class Generic(Operand):
             else self * Generic(self.context, [self.context.constant(comb(by, i)) for i in range(by + 1)])
         )
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Generic:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Generic):
@@ -64,7 +64,7 @@ class Generic(Operand):
         a, b = self.elevated_to(other), other.elevated_to(self)
         return Generic(self.context, [x + y for x, y in zip(a.coefficients, b.coefficients, strict=True)])
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Generic:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Generic):

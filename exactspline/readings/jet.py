@@ -110,19 +110,19 @@ class Jet(Operand):
         """An exact constant of the ring."""
         return self.ring.number(value)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Jet:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial + right.polynomial, (SUM, self.provenance, right.provenance))
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: object) -> Jet:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Jet(self.ring, self.polynomial - right.polynomial, (DIFFERENCE, self.provenance, right.provenance))
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Jet:
         right = self.beside(other)
         if right is None:
             return NotImplemented

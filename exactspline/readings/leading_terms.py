@@ -64,7 +64,7 @@ class Expansion(Operand):
             self.context, self.known, {(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]}
         )
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Expansion:
         if isinstance(other, CONSTANTS):
             other = self.constant(other)
         if not isinstance(other, Expansion):
@@ -75,7 +75,7 @@ class Expansion(Operand):
             parts[grading] = terms if own is None else [a + b for a, b in zip(own, terms, strict=True)]
         return Expansion(self.context, self.known, parts)
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Expansion:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Expansion):

@@ -49,11 +49,11 @@ class NumericSeries(Series):
         """An exact constant."""
         return NumericSeries(self.context, [value, *[0] * (len(self.coefficients) - 1)])
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> NumericSeries:
         found = super().__add__(other)
         return self._made(found) if isinstance(found, Series) else found
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> NumericSeries:
         found = super().__mul__(other)
         return self._made(found) if isinstance(found, Series) else found
 

@@ -33,11 +33,11 @@ class InOtherParameter(FieldOperand):
         """An exact constant."""
         return self._made(self.value.constant(value))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> InOtherParameter:
         right = self.beside(other)
         return NotImplemented if right is None else self._made(self.value + right.value)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> InOtherParameter:
         right = self.beside(other)
         return NotImplemented if right is None else self._made(self.value * right.value)
 

@@ -7,8 +7,6 @@ out.
 
 from __future__ import annotations
 
-from typing import Any
-
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.errors import FormulaError
@@ -42,7 +40,7 @@ class JetFraction(FieldOperand):
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> JetFraction:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -54,7 +52,7 @@ class JetFraction(FieldOperand):
         left = _gcd(top, shared)
         return JetFraction(self.ring, top / left, mine * its * (shared / left))
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> JetFraction:
         right = self.beside(other)
         if right is None:
             return NotImplemented

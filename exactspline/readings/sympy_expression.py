@@ -48,13 +48,13 @@ class SympyExpression(FieldOperand):
         """An exact constant."""
         return SympyExpression(_number(value))
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> SympyExpression:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return SympyExpression(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> SympyExpression:
         right = self.beside(other)
         if right is None:
             return NotImplemented

@@ -47,13 +47,13 @@ class Series(FieldOperand):
         zero = self.coefficients[0] * 0
         return Series([zero + value, *[zero] * (len(self.coefficients) - 1)])
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Series:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return Series(a + b for a, b in zip(self.coefficients, right.coefficients, strict=False))
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Series:
         right = self.beside(other)
         if right is None:
             return NotImplemented

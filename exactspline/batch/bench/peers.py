@@ -86,11 +86,11 @@ class SympyOperand(Operand):
     def __init__(self, poly: Any, variable: Any) -> None:
         self.poly, self.variable = poly, variable
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> SympyOperand:
         right = self.beside(other)
         return NotImplemented if right is None else SympyOperand(self.poly + right.poly, self.variable)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> SympyOperand:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         return (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from flint import fmpq_poly
 
@@ -34,13 +33,13 @@ class RationalFunction(FieldOperand):
         """An exact constant."""
         return RationalFunction(fmpq_poly([to_fmpq(rational(value))]))
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> RationalFunction:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return RationalFunction(self.top * right.bottom + right.top * self.bottom, self.bottom * right.bottom)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: object) -> RationalFunction:
         right = self.beside(other)
         if right is None:
             return NotImplemented
