@@ -47,7 +47,8 @@ def check_chain(chain, curve):
     circular = [piece.kind in ("line", "arc") for piece in chain]
     assert as_sets(found.straight_pieces) == expected_pieces(breaks, straight, [order >= 1 for order in orders])
     assert as_sets(found.constant_pieces) == expected_pieces(breaks, circular, [order >= 2 for order in orders])
-    assert found.standing_pieces == found.singular_points == []
+    assert not found.standing_pieces
+    assert not found.singular_points
     for piece in (*found.straight_pieces, *found.constant_pieces):
         assert all(breaks[0] <= a < b <= breaks[-1] for a, b in piece.parts)
 
@@ -116,8 +117,8 @@ def test_closed_chains_in_a_plane_of_space(seed):
             assert flat.angle.cosine == joint.angle.cosine
     assert a.straight_pieces == b.straight_pieces
     lines = all(piece.kind == "line" for piece in turned)
-    assert b.planar_pieces == [] if lines else [p.parts for p, _ in b.planar_pieces] == [(plane.domain,)]
-    assert b.torsion_zeros == []
+    assert [p.parts for p, _ in b.planar_pieces] == ([] if lines else [(plane.domain,)])
+    assert not b.torsion_zeros
 
 
 def test_the_degree_two_chain_of_the_first_wrong_answer():

@@ -250,7 +250,7 @@ def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
     ("target", "message"),
     [
         ("strange.py:broken", "ZeroDivisionError"),
-        ("strange.py:five", "returns int"),
+        ("strange.py:five", "the value is the number 5"),
         ("strange.py:nothing", "no function"),
         ("strange.py:not_a_function", "no function"),
         ("missing.py:f", "no such file"),

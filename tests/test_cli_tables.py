@@ -58,6 +58,7 @@ def assert_whole(narrow, cells, width):
 
 #: What heads a block needs no heading of its own.
 HEADINGS = {
+    "point",
     "claim",
     "construction",
     "curve",

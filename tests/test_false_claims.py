@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
+from exactspline.errors import FormulaError
 from exactspline.language.parts import split
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, parse
@@ -151,7 +152,11 @@ def test_no_false_claim_is_proved(kind):
         if is_true_after_all(claim, false):
             continue
         tried += 1
-        if false.prove()[1].verdict in (PROVED, VERIFIED):
+        try:
+            verdict = false.prove()[1].verdict
+        except FormulaError:  # a false identity may cancel nothing and grow beyond what is worked with: no verdict
+            continue
+        if verdict in (PROVED, VERIFIED):
             fooled.append((claim.key, false))
     assert tried
     assert fooled == []

@@ -172,6 +172,7 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
     """The tree of a formula; where it would only repeat the symbol (the derivative of something with a name) the names
     in it are spelled out.
 
+    >>> from exactspline import find
     >>> telling_tree(find("curvature_squared_derivative"), 2)
     ([γ′ γ″]²/(‖γ′‖²)³)′
     """

@@ -88,12 +88,12 @@ class Conditioning:
 def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
     """The condition of every zero of a zero-set construction in every form.
 
-    Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or a interval of
+    Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or an interval of
     zeros is listed in `left_out`. With `doubles` the error of double precision is measured too.
 
     >>> from exactspline.splines.examples import example
     >>> found = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
-    >>> [(f.form, f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
+    >>> [(str(f.form), f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
 
     Raises `FormulaError` for a construction that is no zero set, `ShapeError` for a curve that is not in the plane.
