@@ -19,8 +19,8 @@ from tests.test_shared_curves import FILES, needs_curves
 FOLDER = Path(os.environ.get("EXACTSPLINE_FILES", Path(__file__).resolve().parents[2] / "shared" / "files"))
 needs_files = pytest.mark.skipif(not FOLDER.is_dir(), reason="no folder of real files at hand")
 
-#: File: how many curves, of which degrees, are rational; counted by pyiges, ezdxf, rhino3dm, svgelements or by hand (edges of
-#: STEP in its text).
+#: File: how many curves, of which degrees, are rational; counted by pyiges, ezdxf, rhino3dm, svgelements or by hand
+#: (edges of STEP in its text).
 COUNTS = {
     "as1_tc_214.stp": (126, {1, 3}, 56),
     "as_BSplHelix.brep": (5, {6, 11}, 5),
