@@ -42,7 +42,7 @@ def test_a_square_has_four_corners_with_their_angles(inspected):
     output, data = inspected(SQUARE)
     rows = [line for line in output.splitlines() if line.startswith("corner")]
     assert len(rows) == 4
-    assert all("turns by 90° (cos 0, sin 1), G0" in row for row in rows)
+    assert all("turns by 90° (cos = 0, sin = 1), G0" in row for row in rows)
     assert "at the seam" in rows[0]
     assert "joints: 4 G0" in output
     assert [joint["angle"] for joint in data["joints"]] == [{"cosine": "0", "sine": "1", "degrees": "90"}] * 4

@@ -293,3 +293,9 @@ def test_every_question_is_asked_here():
     asked = Path(__file__).read_text(encoding="utf-8")
     assert all(name in asked for name in QUESTIONS)
     assert isinstance(items(SQUARE, "length")[0], Item)
+
+
+@pytest.mark.parametrize(("asked", "told"), [("derivative:1000000@1", "up to 999"), ("value@", "names no parameter")])
+def test_what_is_wrong_with_a_question_is_named(asked, told):
+    with pytest.raises(QuestionError, match=told):
+        oracle(xs.example("ellipse"), asked)

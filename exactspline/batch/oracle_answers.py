@@ -55,11 +55,11 @@ class Question:
             return int(self.argument)
         if otherwise is not None and not self.argument:
             return otherwise
-        raise QuestionError(f"{self.text!r} needs a whole number behind the colon", remedy=f"{self.name}:2")
+        raise QuestionError(f"{self.text!r} needs a whole number up to 999 behind the colon", remedy=f"{self.name}:2")
 
     def parameters(self, curve: Nurbs) -> list[mpq | Root]:
         """The parameters: exact numbers, or the features of the curve by their name."""
-        if not self.places:
+        if not all(self.places or [""]):
             raise QuestionError(
                 f"{self.text!r} names no parameter", remedy=f"{self.name}@1/2, or {self.name}@inflections"
             )

@@ -214,7 +214,7 @@ def _turn(angle: dict[str, str] | None) -> str:
     """By how much the tangent turns, for people."""
     if angle is None:
         return ""
-    exactly = f" (cos {angle['cosine']}, sin {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
+    exactly = f" (cos = {angle['cosine']}, sin = {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
     return f"turns by {angle['degrees']}°{exactly}".replace("-", "−")
 
 

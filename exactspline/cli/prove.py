@@ -107,6 +107,8 @@ def prove(
     from exactspline.verification.ledger import tasks
 
     if emit_coq:
+        if claim or section or verdict or curve or paper:
+            raise OptionsError("--emit-coq with a choice", remedy="the theorems of all papers are written: leave it out")
         _emit(emit_coq)
         return
     wanted = [_word(each, WORDS) for each in verdict or []]

@@ -26,7 +26,8 @@ def write_new_paper(folder: str | Path) -> list[Path]:
     """
     place = Path(folder)
     if place.exists() and (not place.is_dir() or any(place.iterdir())):
-        raise ClaimError("is not empty", where=str(folder), remedy="name a new folder")
+        problem = "is not empty" if place.is_dir() else "is a file"
+        raise ClaimError(problem, where=str(place), remedy="name a new folder")
     template = resources.files(__package__).joinpath(TEMPLATE)
     written = []
     try:
