@@ -263,9 +263,10 @@ def test_a_derivative_that_the_kind_does_not_have(tmp_path):
     )
 
 
-def test_what_says_nothing_is_vacuous(tmp_path):
-    formulas = plane_formulas(f="det(c.p, c.p)", g="c.w - c.w")
-    claim = {"id": "1", "kind": "identity", "statement": "0 = 0", "curve": "plane", "left": "f", "right": "g"}
+@pytest.mark.parametrize("sides", [{"right": "g"}, {"right": "h", "factor": "g"}])
+def test_what_says_nothing_is_vacuous(tmp_path, sides):
+    formulas = plane_formulas(f="det(c.p, c.p)", g="c.w - c.w", h="det(c.p, c.p.d(1))")
+    claim = {"id": "1", "kind": "identity", "statement": "0 = 0", "curve": "plane", "left": "f"} | sides
     folder = written(tmp_path / "p", formulas, [claim])
     done = run("prove", "--paper", folder)
     assert done.exit_code == 1

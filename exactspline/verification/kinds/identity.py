@@ -80,6 +80,8 @@ class Identity(Claim):
         top, bottom = factor_of_text(self.factor, order, self.find)
         if bottom.is_zero:
             return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
+        if top.is_zero and all(x.is_zero for x in split(left(c))[0]):
+            return vacuous(self.factor)
         stated, found = top / bottom, factor.fraction()
         if self._same(stated, found):
             return Finding(PROVED, self.factor, str(factor), str(factor))
@@ -92,7 +94,7 @@ class Identity(Claim):
         c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)
         ps, qs = split(left(c))[0], split(right(c))[0]
         top, bottom = factor_of_text(self.factor, c, self.find)
-        if all(x.is_zero for x in (*ps, *qs)):
+        if all(x.is_zero for x in ps) and (top.is_zero or all(x.is_zero for x in qs)):
             return vacuous(self.factor)
         if bottom.is_zero:
             return Finding(REFUTED, self.factor, "1/0", "", "the factor is divided by zero")
