@@ -156,7 +156,7 @@ TEXTS = {
         '{"degree": 1, "knots": [0,0,1,1], "control_points": [[1e999999999,0],[1,1]]}',
         "exponent",
     ),
-    "empty": ("", "not JSON"),
+    "empty": ("", "is empty"),
 }
 
 

@@ -116,6 +116,8 @@ def curves_in(name: str) -> list[Nurbs]:
     if given is None and not Path(name).exists() and not (part and Path(part).exists()):
         return [load(name)]
     text = _head(name) if given is None else given
+    if text is not None and len(text) < MAX_HEAD and not text.strip(_BLANK):
+        raise CurveFileError("is empty", where=name, remedy="name a file of curves")
     if text is not None and _is_one_curve(text, name):
         # what `derive` wrote is read here, and more is told of what is wrong
         return [load(name)] if given is None else [_at_standard_input(lambda: curve_from_text(_text(given), "stdin"))]
@@ -161,7 +163,7 @@ def _head(name: str) -> bytes | None:
 
 def _is_one_curve(head: bytes, name: str) -> bool:
     """Whether a file is meant as one curve in exactspline's own JSON."""
-    meant = head.lstrip(_BLANK)[:1] in (b"{", b"") or name.lower().endswith(".json")
+    meant = head.lstrip(_BLANK)[:1] == b"{" or name.lower().endswith(".json")
     return meant and not _SEVERAL.search(head)
 
 
