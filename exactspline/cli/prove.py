@@ -108,7 +108,7 @@ def prove(
 
     if emit_coq:
         if claim or section or verdict or curve or paper:
-            raise OptionsError("--emit-coq with a choice", remedy="the theorems of all papers are written: leave it out")
+            raise OptionsError("--emit-coq with a choice", remedy="leave it out: all theorems are written")
         _emit(emit_coq)
         return
     wanted = [_word(each, WORDS) for each in verdict or []]
