@@ -67,8 +67,9 @@ def _lay_out(source: Path) -> None:
 
 
 def _linked(text: str) -> str:
-    """Links into the repository that no page stands behind become plain words."""
-    return re.sub(r"\[([^\]]+)\]\(\.\./(?!notebooks)[^)]*\)", r"\1", text)
+    """Notebooks lie beside the pages here; links into the repository that no page stands behind become plain words."""
+    text = text.replace("](../notebooks/", "](notebooks/")
+    return re.sub(r"\[([^\]]+)\]\(\.\./[^)]*\)", r"\1", text)
 
 
 if __name__ == "__main__":
