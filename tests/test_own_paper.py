@@ -3,6 +3,7 @@ the library.
 """
 
 import io
+import json
 import re
 import time
 from contextlib import redirect_stdout, suppress
@@ -271,6 +272,9 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
     done = run("prove", "--paper", folder)
     assert done.exit_code == 1
     assert "VACUOUS (recorded: PROVED)" in done.output
+    rows = json.loads(run("prove", "--paper", folder, "--rows", "--json").output)["rows"]
+    assert len(rows) > 1
+    assert {row["verdict"] for row in rows} <= {"VACUOUS", "INAPPLICABLE"}
 
 
 @pytest.mark.parametrize(

@@ -125,7 +125,7 @@ class Identity(Claim):
         bottom: Any
         top, bottom = factor_of_text(self.factor, argument, self.find)
         factor = printed_factor(self.factor, argument)
-        if all(x.is_zero for x in (*ps, *qs)):
+        if all(x.is_zero for x in ps) and (top.is_zero or all(x.is_zero for x in qs)):
             return vacuous(self.factor, factor=factor)
         if not all(_numerator(bottom).polynomials) or not all(_denominator(top, bottom)):
             return vacuous(self.factor, "the factor does not exist on all of this curve: 1/0", factor)
