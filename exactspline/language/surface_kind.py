@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, Generic
 
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import COORDINATES, T, U
+from exactspline.language.arguments import COORDINATES, Operands, T, U
 from exactspline.language.choices import Parameter
 from exactspline.language.kind import Kind, Symbol
 from exactspline.language.vector import Vector
@@ -60,6 +60,7 @@ class SurfaceKind(Kind):
     """A surface in space, or a map of the plane."""
 
     made_of_a_curve = False
+    counted = BOTH
 
     def __init__(self, name: str, dimension: int) -> None:
         self.name, self.dimensions = name, (dimension,)
@@ -83,3 +84,39 @@ class SurfaceKind(Kind):
 
 
 SURFACE, PLANAR_MAP = SurfaceKind("surface", 3), SurfaceKind("planar map", 2)
+
+
+class FormsKind(Kind):
+    """The six coefficients of two quadratic forms, functions of u and v: E, F, G of the first and L, M, N of the second
+    fundamental form of a surface, whatever the surface.
+
+    What is said of them alone holds for every surface, and is short. Surfaces hand over their own:
+    ``Operands(E=…, F=…, …)``.
+
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(FORMS, 3)
+    >>> (c.E * c.G - c.F * c.F).d(1, by="u")
+    G·E_u − 2·F·F_u + E·G_u
+    """
+
+    name = "forms"
+    dimensions = (3,)
+    made_of_a_curve = False
+    counted = BOTH
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """The six coefficients, which have no degrees."""
+        return tuple(Symbol(name, name, BOTH, "") for name in "EFGLMN")
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """The six coefficients."""
+        return dict.fromkeys("EFGLMN", False)
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The coefficients by name."""
+        return Operands(**{symbol.name: operand(symbol) for symbol in self.symbols(dimension)})
+
+
+FORMS = FormsKind()
