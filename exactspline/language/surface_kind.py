@@ -102,11 +102,11 @@ class FormsKind(Kind):
     name = "forms"
     dimensions = (3,)
     made_of_a_curve = False
-    counted = BOTH
+    counted = ()
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """The six coefficients, which have no degrees."""
-        return tuple(Symbol(name, name, BOTH, "") for name in "EFGLMN")
+        """The six coefficients; where degrees are asked for, all of one degree."""
+        return tuple(Symbol(name, name, BOTH) for name in "EFGLMN")
 
     def names(self, dimension: int) -> dict[str, bool]:
         """The six coefficients."""

@@ -24,7 +24,7 @@ def forms(c):
 @formula("first fundamental form", on="surface")
 def area_squared(c):
     """``EG − F²``, the square of the element of area."""
-    return area_of_forms(forms(c))
+    return area_of_forms(Operands(E=E(c), F=F(c), G=G(c)))
 
 
 @formula("Gaussian curvature", on="surface")
