@@ -143,7 +143,8 @@ def test_entities_126_beside_pyiges(name, count):
     pyiges = pytest.importorskip("pyiges")
     theirs = {int(entity.sequence_number): entity for entity in pyiges.read(str(FILES / name)).bsplines()}
     ours = {int(named.name.split()[-1]): named.curve for named in read(FILES / name).curves}
-    assert len(theirs) == count and set(theirs) <= set(ours)
+    assert len(theirs) == count
+    assert set(theirs) <= set(ours)
     for number, entity in theirs.items():
         curve = ours[number]
         assert curve.degree == entity.M
