@@ -7,7 +7,7 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, zeros
-from exactspline.roots.enclosure import Enclosure, rounded_outwards, sign_at, value_at, values_between
+from exactspline.roots.enclosure import Bounds, Enclosure, narrowed, rounded_outwards, sign_at, value_at, values_between
 from exactspline.roots.real import Real
 
 T = BSpline.identity(0, 1)
@@ -114,3 +114,17 @@ def test_enclosures_are_narrow_enough_whatever_the_slope(power):
     (value,) = value_at((t.scaled(3**power),), None, root, 40)
     assert value.high - value.low <= mpq(1, 10**40)
     assert value.low**2 <= 2 * mpq(9) ** power <= value.high**2
+
+
+@pytest.mark.parametrize("slope", [2**k for k in range(0, 120, 8)])
+@pytest.mark.parametrize("digits", [1, 12, 30])
+def test_enclosures_are_as_narrow_as_asked_whatever_the_root_gives(slope, digits):
+    """A zero at 1/7 that is refined to exactly the digits asked for."""
+
+    class Zero:
+        def refine(self, precision):
+            return mpq(1, 7) - mpq(1, 2 * 10**precision), mpq(1, 7) + mpq(1, 2 * 10**precision)
+
+    (told,) = narrowed(lambda low, high: [Bounds(slope * low, slope * high)], Zero(), digits)
+    assert told.low <= mpq(slope, 7) <= told.high
+    assert told.high - told.low <= mpq(1, 10**digits)
