@@ -127,7 +127,10 @@ def test_the_condition_number_of_an_irrational_zero_is_enclosed(k):
     assert 0 < high - low <= mpq(1, 10**10) * low
 
 
-@pytest.mark.parametrize(("first", "last", "found"), [(1, -1, 0.5), (-1, 3, 0.25), (3, -1, 0.75)])
+@pytest.mark.parametrize(
+    ("first", "last", "found"),
+    [(1, -1, 0.5), (-1, 3, 0.25), (3, -1, 0.75), (1, -3, 0.25), (-3, 1, 0.75), (-0.5, 1.5, 0.25), (0.5, -1.5, 0.25)],
+)
 def test_bisection_ends_where_the_value_is_zero(first, last, found):
     assert double_precision._bisected([first, last], 0.0, 1.0) == found
 

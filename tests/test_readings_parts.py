@@ -1,6 +1,7 @@
 """The parts that readings are made of, each held against what it means, with known answers."""
 
 import pytest
+import sympy
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from gmpy2 import mpq
 from hypothesis import given
@@ -21,6 +22,7 @@ from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.sympy_expression import FIRST, _Fractions, _quotient
 from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.tree import TreeReading, trace
 from exactspline.splines.examples import example
@@ -263,3 +265,38 @@ def test_a_curve_of_numbers_is_known_to_as_many_terms(terms):
     assert len(curve.w.coefficients) == terms
     for a, b in zip(curve.w.coefficients, told, strict=True):
         assert abs(a - curve.w.context.mpf(int(b.numerator)) / int(b.denominator)) < curve.w.context.mpf(10) ** -28
+
+
+def test_what_divides_is_never_ruled_out_and_what_does_not_mostly_is():
+    x, y = (sympy.Function(name)(FIRST) for name in "xy")
+    fractions = _Fractions(x + y)
+    a, b = fractions.ring.gens
+    for base in (a + b, a - 2 * b, a * b + 1, a**2 + b):
+        for factor in (a + 3, b - a, fractions.ring.one, a**2 * b - 5):
+            assert fractions._may_divide(base, base * factor)
+    assert not fractions._may_divide(a + b, a + 2 * b)
+    assert not fractions._may_divide(a * b + 1, a * b + 2)
+    assert not fractions._may_divide(a - b, (a + b) ** 2)
+
+
+def test_quotients_of_sparse_polynomials_are_exact_or_none():
+    x, y = (sympy.Function(name)(FIRST) for name in "xy")
+    a, b = _Fractions(x + y).ring.gens
+    for p in (a + b, a - 2 * b, 3 * a * b + 1, a**2 - b**3):
+        for q in (a + 3, b - a, 2 * a**2 * b - 5 * b):
+            assert _quotient(p * q, p) == q
+            assert _quotient(p * q + 1, p) is None
+            assert _quotient(p, p * q) is None
+    assert _quotient(a**2 + b, 2 * a) is None
+
+
+@pytest.mark.parametrize("terms", [1, 2, 4])
+def test_a_constant_at_infinity_is_known_to_as_many_terms_as_the_curve(terms):
+    w = LeadingTermsReading(terms, 1).argument(CURVE, 2).w
+    for number in (5, mpq(-2, 3)):
+        ((grading, known),) = w.constant(number).parts.items()
+        assert grading == (0, 0)
+        assert known == [fmpq(int(mpq(number).numerator), int(mpq(number).denominator)), *[0] * (terms - 1)]
+    assert w.constant(0).parts == {}
+    assert (w * 3).parts == (w * w.constant(3)).parts == (w + w + w).parts
+    assert w.constant(7).d(1).parts == {}

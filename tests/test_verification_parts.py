@@ -164,6 +164,15 @@ def test_a_joined_degree_leaves_out_what_is_constant():
     assert str(joined_degree(flat)) == "d − 1"
 
 
+def test_a_joined_degree_counts_components_that_are_constant_and_none_that_vanish():
+    """(3, x‴) has degree 0 for d < 3; x‴ alone vanishes there."""
+    joined = lambda function: str(joined_degree(reduce(function, dimension=2, polynomial=True)))  # noqa: E731
+    assert joined(lambda c: Vector(c.p[0] * 0 + 3, c.p[0].d(3))) == "max(d − 3, 0)"
+    assert joined(lambda c: Vector(c.p[0] * 0, c.p[0].d(3))) == "d − 3"
+    assert joined(lambda c: Vector(c.p[0] * 0 + 3, c.p[0] * 0)) == "0"
+    assert joined(lambda c: Vector(c.p[0] * 0, c.p[0] * 0)) == "−1"
+
+
 def test_what_is_measured_are_the_formulas_of_the_dimension():
     assert {f.curve for f in measurable(2)} == {"plane", "curve"}
     assert {f.curve for f in measurable(3)} == {"space", "curve"}
