@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
+from itertools import cycle
 from math import gcd
 from typing import Any, cast
 
@@ -28,6 +29,8 @@ from exactspline.language.reading import Reading
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in PARAMETERS}
 FIRST, SECOND = PARAMETER.values()
+#: Where it is tried whether values divide each other, coordinate by coordinate, again from the first: any integers do.
+POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
 
 class SympyExpression(FieldOperand):
@@ -192,7 +195,6 @@ class _Fractions:
         self.ring = PolyRing([f"v{i}" for i in range(len(used))] or ["v0"], sympy.ZZ, sympy.lex)
         self.generators = dict(zip(used, self.ring.gens, strict=False))
         self.known: dict[sympy.Expr, _Product] = {}
-        self.points = [[3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(self.ring.ngens)] for k in (1, 2, 3)]
 
     def value(self, e: sympy.Expr) -> _Product:
         """An expression as a product; what occurs twice is computed once."""
@@ -255,18 +257,18 @@ class _Fractions:
 
     def _may_divide(self, base: PolyElement, p: PolyElement) -> bool:
         """Whether the values at some integer points divide each other: cheap, and necessary (both are primitive)."""
-        for point in self.points:
+        for point in POINTS:
             below = _at(base, point)
             if below and _at(p, point) % below:
                 return False
         return True
 
 
-def _at(p: PolyElement, point: list[int]) -> int:
+def _at(p: PolyElement, point: tuple[int, ...]) -> int:
     total = 0
     for monomial, c in p.items():
         term = int(c)
-        for x, e in zip(point, monomial, strict=True):
+        for x, e in zip(cycle(point), monomial, strict=False):
             if e:
                 term *= x**e
         total += term
