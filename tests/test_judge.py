@@ -14,7 +14,15 @@ from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claim import combined
 from exactspline.verification.claims import all_claims, select
-from exactspline.verification.kinds import Coefficients, DegreeClaim, Identity, SameSurface, SquareClass, Vanishing, ZeroSet
+from exactspline.verification.kinds import (
+    Coefficients,
+    DegreeClaim,
+    Identity,
+    SameSurface,
+    SquareClass,
+    Vanishing,
+    ZeroSet,
+)
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, ContradictionError
 
