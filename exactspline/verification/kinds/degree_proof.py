@@ -98,8 +98,10 @@ def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
         jets = [jet for jet in found.joined if not jet.is_zero]
         lower = lower_degrees(jets)
         for d in range(claim.least_d, order):
-            cut = [jet for jet in truncated(jets, d) if not jet.is_zero]
-            n = degree_at(without_content(cut), d) if cut else -1
+            *tops, bottom = truncated(found.joined, d)
+            cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
+            vanishes = all(jet.is_zero for jet in tops)
+            n = -1 if vanishes else degree_at(without_content(cut), d)
             if n < computed.at(dict.fromkeys(computed.names, d)):
                 lower[d] = n
     return _held(claim, computed, lower, str(found.main.cancelled))

@@ -130,7 +130,7 @@ class Invariance(Claim):
     @property
     def latex(self) -> str:
         """The name, the group, the weight."""
-        return rf"{self.symbol(self.formula)}\;	ext{{under {_a(self.under)}: {self.claims}}}"
+        return rf"{self.symbol(self.formula)}\;\text{{under {_a(self.under)}: {self.claims}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """By substitution in the jets, with indeterminates for the constants of the group."""
