@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 from functools import lru_cache
-from typing import Any
 
 
 class ExactSplineError(ValueError):
@@ -20,7 +19,7 @@ class ExactSplineError(ValueError):
     knots[3]: knots decrease; sort them
     """
 
-    def __init__(self, problem: str, *, where: str = "", remedy: str = "", **data: Any) -> None:
+    def __init__(self, problem: str, *, where: str = "", remedy: str = "", **data: object) -> None:
         self.problem, self.where, self.remedy, self.data = problem, where, remedy, data
         super().__init__((f"{where}: " if where else "") + problem + (f"; {remedy}" if remedy else ""))
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from html import escape
-from typing import Any
 
 from exactspline.display import console
 from exactspline.display.sheet import Sheet
@@ -42,7 +41,7 @@ class Grid(Displayed):
     ellipse  2
     """
 
-    def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[Any]], title: str = "") -> None:
+    def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
         self.columns, self.rows, self.title = list(columns), [[str(cell) for cell in row] for row in rows], title
 
     def __len__(self) -> int:
