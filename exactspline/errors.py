@@ -51,6 +51,15 @@ def shown(value: object, limit: int = 40) -> str:
     return text if len(text) <= limit else f"{text[:limit]}…"
 
 
+def counted(n: int, what: str) -> str:
+    """A number with what it counts.
+
+    >>> counted(1, "error"), counted(2, "error"), counted(3, "stretch")
+    ('1 error', '2 errors', '3 stretches')
+    """
+    return f"{n} {what}" + ("" if n == 1 else "es" if what.endswith(("ch", "s", "x")) else "s")
+
+
 def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     """What would be right instead of a name that nobody knows: the three nearest that there are, and what lists all.
 

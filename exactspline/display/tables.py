@@ -9,6 +9,7 @@ from html import escape
 
 from exactspline.display import console
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
@@ -155,11 +156,7 @@ def degree_table(curve: Nurbs) -> Grid:
         "true degree in d",
         "ms",
     ]
-    return Grid(
-        columns,
-        cells,
-        f"{curve.name}: degree {curve.degree}, {curve.segments} segment{'s' if curve.segments != 1 else ''}",
-    )
+    return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {counted(curve.segments, 'segment')}")
 
 
 def measured(curve: Nurbs, *names: str) -> Grid:
