@@ -153,7 +153,7 @@ def _surface_row(patch: BisectorPatch) -> Row:
 
     remark = f"{counted(patch.value)} control points"
     if max(patch.value.degree) == 0:
-        point = patch.value(patch.sides[0][0], patch.sides[1][0])
+        point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
         remark = f"one point: ({', '.join(map(str, point))})"
     return Row("surface", sides_text(patch.sides), degree_of(patch.value), remark)
 

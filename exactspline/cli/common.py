@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 import typer
 
 from exactspline.cli.output import is_quiet
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, ExactSplineError, counted
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -201,8 +201,8 @@ def described(c: Nurbs) -> str:
     """A curve in one line; equal weights are told to be polynomial."""
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
-    segments = f"{c.segments} segment{'s' if c.segments != 1 else ''}"
-    return f"{kind}{equal}, degree {c.degree}, {segments}, {len(c.control_points)} control points in R{c.dimension}"
+    segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")
+    return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}"
 
 
 def check_output(output: str, *inputs: str) -> None:

@@ -7,7 +7,6 @@ vanishes on special curves only.
 from __future__ import annotations
 
 from math import comb
-from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -25,7 +24,7 @@ class Generic(Operand):
     __slots__ = ("coefficients", "context")
     provenance = 0
 
-    def __init__(self, context: Any, coefficients: list[fmpq_mpoly]) -> None:
+    def __init__(self, context: fmpq_mpoly_ctx, coefficients: list[fmpq_mpoly]) -> None:
         self.context, self.coefficients = context, coefficients
 
     @property

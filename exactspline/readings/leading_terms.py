@@ -46,7 +46,7 @@ class Expansion(Operand):
     __slots__ = ("context", "known", "parts")
     provenance = 0
 
-    def __init__(self, context: Any, known: int, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> None:
+    def __init__(self, context: fmpq_mpoly_ctx, known: int, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> None:
         self.context, self.known, self.parts = context, known, parts
 
     @property

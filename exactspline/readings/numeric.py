@@ -38,7 +38,7 @@ class NumericSeries(Series):
 
     __slots__ = ("context",)
 
-    def __init__(self, context: Arithmetic, coefficients: Iterable[Any]) -> None:
+    def __init__(self, context: Arithmetic, coefficients: Iterable[Coefficient | Constant]) -> None:
         super().__init__(number(context, a) if isinstance(a, CONSTANTS) else a for a in coefficients)
         self.context = context
 
@@ -109,7 +109,8 @@ def numeric_curve(
     j = _span(knots, curve.degree, place, side)
     weights = list(curve.weights)
     rows = [[x * w for x, w in zip(column, weights, strict=True)] for column in zip(*curve.control_points, strict=True)]
-    at = NumericSeries(context, [place, 1, *[0] * (terms - 2)][:terms])
+    first: list[Coefficient | Constant] = [place, 1, *[0] * (terms - 2)]
+    at = NumericSeries(context, first[:terms])
     made = [_de_boor(knots, curve.degree, points, j, at) for points in (*rows, weights)]
     return Curve(Vector(*made[:-1]), made[-1], polynomial=curve.polynomial)
 

@@ -7,7 +7,7 @@ precision to choose. A sign that the bounds leave open is decided by a common di
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from flint import fmpz_poly
 
@@ -57,7 +57,7 @@ class Enclosure(Immutable):
     def __hash__(self) -> int:
         return hash((Enclosure, self.low, self.high))
 
-    def __contains__(self, number: Any) -> bool:
+    def __contains__(self, number: Number) -> bool:
         return bool(self.low <= rational(number) <= self.high)
 
     @property

@@ -88,7 +88,7 @@ def figure_6() -> Drawn:
             raise PlotError("the planar bisector is no iso-curve of the surface", where=f"figure 6{TITLES[i][:3]}")
         ax = _frame(figure, i, name, mesh, point, TITLES[i], net=False)
         plot_quotient(iso_curve, ax, control_polygon=False, color=VERMILLION, label="planar bisector")
-        runs = [[p for _, p in part] for part in sampled(iso_curve, iso_curve.denominator.breakpoints)]
+        runs = [[p for _, p in part] for part in sampled(iso_curve.point, iso_curve.denominator.breakpoints)]
         scenes.append(_scene(name, mesh, point, TITLES[i], ("planar bisector", runs)))
     caption = (
         f"The planar bisector of Figure 5, of degree {plane.degree}, is the iso-curve of the ruled "
