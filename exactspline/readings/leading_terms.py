@@ -172,7 +172,7 @@ class LeadingTermsReading(Reading):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Expansions of the functions of s; constants for everything else."""
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
-        lengths = {s.name: self.terms if s.parameter == PARAMETERS[0] else self.order + 1 for s in symbols}
+        lengths = {s.name: self.terms if s.parameters == PARAMETERS[:1] else self.order + 1 for s in symbols}
         names = [f"{name}{i}" for name, length in lengths.items() for i in range(length)]
         context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
         known = dict(zip(names, context.gens()[1:], strict=True))
@@ -180,10 +180,10 @@ class LeadingTermsReading(Reading):
 
         def operand(symbol: Symbol) -> Expansion:
             own = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
-            if symbol.parameter == PARAMETERS[0]:
+            if symbol.parameters == PARAMETERS[:1]:
                 return Expansion(context, self.terms, {(1, 0): own})
             constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in own]
-            if not symbol.parameter:
+            if not symbol.parameters:
                 constants[1:] = [StillExpansion(context, self.terms, {}) for _ in own[1:]]
             constants[0].derivatives = constants
             return constants[0]

@@ -131,9 +131,10 @@ class DegreeClaim(Claim):
         if self.curve == ArgumentKind.TABLE:
             return degree.at({name: known[name.replace("d", "p")].degree for name in degree.names})
         for each in kind_of(self.curve).symbols(argument.dimension):
-            if each.parameter == self.parameter and each.degree.isidentifier() and each.name in known:
-                own = self._own(known[each.name].degree)
-                values[each.degree] = max(own, values.get(each.degree, 0))
+            if self.parameter not in each.parameters or each.name not in known:
+                continue
+            if (named := each.degree_in(self.parameter)).isidentifier():
+                values[named] = max(self._own(known[each.name].degree), values.get(named, 0))
         return degree.at({name: values[name] for name in degree.names})
 
     def _computed(self, argument: Handed) -> int:

@@ -227,7 +227,7 @@ class _Wider(CurveKind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Those of a curve, and ρ."""
-        return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[0]))
+        return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[:1]))
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
