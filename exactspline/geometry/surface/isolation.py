@@ -1,9 +1,10 @@
 """The common zeros of two polynomials on a patch, each certified: exact subdivision in Bernstein form.
 
 A box is left out where the coefficients of one of the polynomials, or of their combination by the inverse of their
-Jacobian at hand, have one strict sign. Around a simple zero the combinations G₁, G₂ are nearly ``x − x₀`` and ``y − y₀``:
-where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where G₁ has
-opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in integers.
+Jacobian at hand, have one strict sign. Around a simple zero the combinations G₁, G₂ are nearly ``x − x₀`` and
+``y − y₀``: where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where
+G₁ has opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in
+integers.
 
 Source: Miranda, Un'osservazione su un teorema di Brouwer, Bollettino UMI 1940; Mourrain and Pavone, Subdivision methods
 for solving polynomial equations, 2009 (the preconditioning).
@@ -50,7 +51,7 @@ class Zero:
         """Both coordinates where they are simple rational numbers, told by evaluating there."""
         if self._exact is None:
             box = self.refine(SIMPLE_BITS)
-            place = _simplest(*box[0]), _simplest(*box[1])
+            place = simplest(*box[0]), simplest(*box[1])
             simple = max(x.denominator for x in place) <= SIMPLE
             if simple and all(f.value(*place) == 0 for f in self.forms):
                 self._exact = place
@@ -207,17 +208,17 @@ def _rounded(a: mpq, b: mpq, low: mpq, high: mpq) -> Interval:
     return max(low, mpq((a * scale) // 1) / scale), min(high, mpq(-((-b * scale) // 1)) / scale)
 
 
-def _simplest(low: mpq, high: mpq) -> mpq:
+def simplest(low: mpq, high: mpq) -> mpq:
     """The rational number of smallest denominator in a closed interval.
 
-    >>> _simplest(mpq(31, 100), mpq(35, 100))
+    >>> simplest(mpq(31, 100), mpq(35, 100))
     mpq(1,3)
     """
     whole = -((-low) // 1)
     if whole <= high:
         return mpq(whole)
     base = low // 1
-    return base + 1 / _simplest(1 / (high - base), 1 / (low - base))
+    return base + 1 / simplest(1 / (high - base), 1 / (low - base))
 
 
-__all__ = ["Zero", "Zeros", "isolate", "preconditioned"]
+__all__ = ["Zero", "Zeros", "isolate", "preconditioned", "simplest"]
