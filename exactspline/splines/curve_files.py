@@ -69,7 +69,9 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     data = _parsed(text)
     if not isinstance(data, dict):
         raise CurveFileError(
-            "the JSON text is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}'
+            "the JSON text is not an object",
+            remedy='one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
+            "read by exactspline.interchange.files.read",
         )
     if "pieces" in data:
         data = _one_piece(data)
