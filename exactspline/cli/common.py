@@ -162,9 +162,13 @@ def _head(name: str) -> bytes | None:
 
 
 def _is_one_curve(head: bytes, name: str) -> bool:
-    """Whether a file is meant as one curve in exactspline's own JSON."""
-    meant = head.lstrip(_BLANK)[:1] == b"{" or name.lower().endswith(".json")
-    return meant and not _SEVERAL.search(head)
+    """Whether a file is meant as one curve in exactspline's own JSON: not where its suffix is another format's."""
+    from exactspline.interchange.formats import FORMATS
+
+    suffix, begin = Path(name).suffix.lower(), head.lstrip(_BLANK)[:1]
+    if suffix != ".json" and any(suffix in known.suffixes for known in FORMATS):
+        return False
+    return (begin == b"{" or (suffix == ".json" and begin != b"[")) and not _SEVERAL.search(head)
 
 
 def tell_skipped(reading: Reading) -> None:

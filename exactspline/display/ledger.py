@@ -196,6 +196,8 @@ def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
 
 def closing(rows: Sequence[Row]) -> str:
     """The last line: how many verdicts there are of each kind and whether any differs from the record."""
+    if not rows:
+        return "no verdicts"
     counts = Counter(map(word, rows))
     differ = sum(not row.as_recorded for row in rows)
     parts = ", ".join(f"{counts[w]} {w}" for w in WORDS if counts[w])

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from exactspline.errors import DomainError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
@@ -119,7 +119,7 @@ def _span(knots: Sequence[mpq], n: int, t: mpq, side: Side | str) -> int:
     """The index j of a non-empty span [t_j, t_{j+1}] that holds t."""
     inside = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1] and knots[j] <= t <= knots[j + 1]]
     if not inside:
-        raise DomainError(f"{text(t)} is outside the domain", remedy="choose a parameter of the curve")
+        raise DomainError(f"{short_text(t)} is outside the domain", remedy="choose a parameter of the curve")
     return inside[0] if side == Side.LEFT else inside[-1]
 
 

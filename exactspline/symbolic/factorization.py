@@ -26,6 +26,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
@@ -239,7 +240,7 @@ def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynom
     """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
     c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
     return [
-        (symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c))
+        (symbol_text(formula.symbol) or print_text.at(trace(formula, dimension), POWER), formula(c))
         for formula in source.formulas.values()
         if kind.takes(formula.kind, dimension)
         and is_polynomial(formula, dimension)

@@ -8,7 +8,7 @@ from enum import StrEnum
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.system import System
@@ -124,7 +124,7 @@ class LinePiece:
     def _inside(self, parameter: Number) -> mpq:
         u = rational(parameter)
         if not self.low <= u <= self.high:
-            raise ShapeError(f"{text(u)} is outside this piece", remedy="stay between low and high")
+            raise ShapeError(f"{short_text(u)} is outside this piece", remedy="stay between low and high")
         return u
 
     @property

@@ -19,7 +19,7 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
@@ -68,7 +68,7 @@ class TrimmedPiece:
         """
         t = rational(t)
         if not self.low <= t <= self.high:
-            raise ShapeError(f"{text(t)} is outside this piece", remedy="stay between low and high")
+            raise ShapeError(f"{short_text(t)} is outside this piece", remedy="stay between low and high")
         return self.value.point(t)
 
     def restricted(self) -> Rational[BSpline] | None:
