@@ -40,8 +40,8 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
 
 
 def joined_degree(found: Reduction) -> Degree:
-    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator; −1 for
-    what vanishes. A denominator 1 counts nothing.
+    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator; −1
+    for what vanishes. A denominator 1 counts nothing.
     """
     *components, denominator = found.joined
     top = [jet for jet in components if not jet.is_zero]

@@ -189,7 +189,9 @@ class Invariance(Claim):
             factor = k[SPEED] if SPEED in k else _line(curve.w)
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
-            return _components(formula(Accompanied(plain, beside))), _times(_components(formula(curve)), factor, self.weight)
+            return _components(formula(Accompanied(plain, beside))), _times(
+                _components(formula(curve)), factor, self.weight
+            )
         made = MAPS[name]
         value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1))
         unit = made.unit(curve.p, curve.w, k) if made.unit else None
