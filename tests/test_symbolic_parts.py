@@ -267,9 +267,8 @@ def test_affine_maps_multiply_all_volumes_by_their_determinant(n):
     unit = made.unit(points[0], mpq(1), constants_of(made, n))
     for some, others in ((points[:-1], images[:-1]), (points[1:], images[1:])):
         assert volume(others) == unit * volume(some)
-    vectors = [
-        made.of_vector(p.mapped(T.constant), T.constant(1), constants_of(made, n)).mapped(lambda f: f(0)) for p in points
-    ]
+    k, one = constants_of(made, n), T.constant(1)
+    vectors = [made.of_vector(p.mapped(T.constant), one, k).mapped(lambda f: f(0)) for p in points]
     for p, image, v in zip(points, images, vectors, strict=True):
         assert image - images[0] == v - vectors[0]
         assert p == points[0] or v != vectors[0]
@@ -297,5 +296,3 @@ def test_the_inversion_divides_distances_by_those_from_the_origin(n):
         z = points[0]
         u = images[0]
         assert Vector(z[0] * u[0] - z[1] * u[1], z[0] * u[1] + z[1] * u[0]) == Vector(1, 0)
-            1, 0
-        )
