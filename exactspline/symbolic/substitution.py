@@ -49,8 +49,11 @@ def _horner(terms: list[tuple[tuple[int, ...], mpq]], i: int, variables: list[An
     """The sum of terms by Horner's rule in the i-th variable, the coefficients by the same rule in the ones that
     follow.
     """
-    if len(terms) <= 1 and (not terms or not any(terms[0][0][i:])):
-        return terms[0][1] if terms else mpq(0)
+    if not terms:
+        return mpq(0)
+    (exponents, c), *others = terms
+    if not others and not any(exponents[i:]):
+        return c
     groups: dict[int, list[tuple[tuple[int, ...], mpq]]] = {}
     for term in terms:
         groups.setdefault(term[0][i], []).append(term)
