@@ -36,7 +36,7 @@ from exactspline.language.choices import Side
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
-from exactspline.papers import find
+from exactspline.programs.invariants import INVARIANTS, bending, invariants, tangent
 from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
@@ -176,7 +176,12 @@ class Facts:
         if self._given is None:
             value: SplineValue = formula(self.operands)
             return value
-        return self._given.value(formula)
+        return self._invariants[formula] if formula in INVARIANTS else self._given.value(formula)
+
+    @Fact
+    def _invariants(self) -> dict[Formula, SplineValue]:
+        assert self._given is not None
+        return invariants(self._given)
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -191,7 +196,7 @@ class Facts:
     @Fact
     def velocity(self) -> Vector[BSpline]:
         """D1, a positive multiple of γ′."""
-        return Vector(*self._vector("D1"))
+        return self._vector(tangent)
 
     @Fact
     def speed(self) -> ZeroForm:
@@ -202,10 +207,10 @@ class Facts:
     def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
         space(self.operands)
-        return Vector(*self._vector("binormal_form"))
+        return self._vector(bending)
 
-    def _vector(self, formula: str) -> Vector[BSpline]:
-        found = self.value_of(find(formula))
+    def _vector(self, formula: Formula) -> Vector[BSpline]:
+        found = self.value_of(formula)
         assert isinstance(found, Vector)
         return found
 
