@@ -93,7 +93,9 @@ def invariants(given: Given) -> dict[Formula, SplineValue]:
     (3, 12)
     """
     dimension = given.signature.dimension
-    components = iter(given.value(plane_invariants if dimension == 2 else space_invariants))
+    value = given.value(plane_invariants if dimension == 2 else space_invariants)
+    assert isinstance(value, Vector)
+    components = iter(value)
     found: dict[Formula, SplineValue] = {}
     for formula, count in TOGETHER[dimension].items():
         own = [next(components) for _ in range(count)]
