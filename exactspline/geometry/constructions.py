@@ -26,12 +26,12 @@ from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without
 from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 
-#: What is equal to a lifted form at its true degree, up to a positive constant.
+#: Of constructions that are zero sets the lifted form at its true degree, up to a positive constant.
 LOWEST = {
-    "inflections_lifted": turning,
-    "vertices_lifted": slope,
-    "torsion_zeros_lifted": twisting,
-    "space_critical_curvature_lifted": space_slope,
+    "zero_curvature": turning,
+    "critical_curvature": slope,
+    "zero_torsion": twisting,
+    "space_critical_curvature": space_slope,
 }
 
 
@@ -152,7 +152,7 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
 @cache
 def _lowest(lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
     """The formula from which the minimal form is made, and the power of w that it may still have."""
-    return LOWEST.get(lifted) or find(lifted), _power_of_w(lifted, construction, first, dimension)
+    return LOWEST.get(construction) or find(lifted), _power_of_w(lifted, construction, first, dimension)
 
 
 @cache

@@ -15,7 +15,6 @@ from typing import Any
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, Kind
 from exactspline.language.vector import Vector, join, norm2
-from exactspline.papers.lifted.formulas import projective_lift
 from exactspline.programs.program import Given
 from exactspline.programs.term import Term
 from exactspline.programs.wronskian import lowest
@@ -35,7 +34,7 @@ def tangent(c: Any) -> Any:
 @_as_formula(PLANE)
 def turning(c: Any) -> Any:
     """``[γ′ γ″]`` times w³."""
-    return lowest(tangent(c) if c.polynomial else projective_lift(c))
+    return lowest(tangent(c) if c.polynomial else join(c.w, c.p))
 
 
 @_as_formula(SPACE)
