@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve
+from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve, tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
 
 if TYPE_CHECKING:
@@ -89,7 +89,10 @@ def bisector(
     if plot:
         from exactspline.display.plot import save
 
-        save(answer.draw(), plot)
+        drawn = answer.draw()
+        save(drawn, plot)
+        if drawn.name == "3d":
+            tell_how_surfaces_are_drawn()
     if out.for_people and (output or plot):
         return
     key = f"{c.name} and {other or point}"

@@ -177,6 +177,14 @@ def tell_skipped(reading: Reading) -> None:
         sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
 
 
+def tell_how_surfaces_are_drawn() -> None:
+    """On standard error, where nothing is at hand that draws them with depth."""
+    from exactspline.display.plot.depth import REMARK, knows_depth
+
+    if not knows_depth() and not is_quiet():
+        sys.stderr.write(f"{REMARK}\n")
+
+
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     """The curves, each space curve in a coordinate plane followed by itself as a plane curve."""
     from exactspline.geometry.planarity import with_plane_curves
