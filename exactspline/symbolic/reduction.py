@@ -10,6 +10,7 @@ one positive. So the constant carries the sign.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
@@ -27,14 +28,14 @@ from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import find, owner
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector
+from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
 from exactspline.symbolic.substitution import Substitution
 
 #: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
@@ -233,6 +234,7 @@ class Reduction:
     dimension: int
     polynomial: bool
     parts: tuple[Part, ...]
+    kind: Kind
 
     @property
     def joined(self) -> list[Jet]:
@@ -268,7 +270,7 @@ def reduce(
     degrees are counted: the first one where none is named. Without a dimension a formula is taken at its word and a
     plain function tried in the plane and then in space.
 
-    >>> from exactspline.papers import find
+    >>> from exactspline.papers import find, owner
     >>> part = reduce(find("curvature_squared_derivative")).main
     >>> str(part.naive), str(part.cancelled), part.text
     ('48d', 'w⁵·(‖D1‖²)⁻⁴', '[X X′ X″ X‴]·f2')
@@ -280,12 +282,14 @@ def reduce(
     """
     known = _dimensions(formula)
     chosen = [dimension] if dimension else known
-    for n in chosen[:-1]:
-        try:
-            return _reduced(formula, n, polynomial, parameter)
-        except ShapeError:
-            continue
-    return _reduced(formula, chosen[-1], polynomial, parameter)
+    source = owner(formula) if isinstance(formula, Formula) else None
+    with nullcontext() if source is None or source.default else speaking_of(source):
+        for n in chosen[:-1]:
+            try:
+                return _reduced(formula, n, polynomial, parameter)
+            except ShapeError:
+                continue
+        return _reduced(formula, chosen[-1], polynomial, parameter)
 
 
 @cache
@@ -318,7 +322,7 @@ def name_of_function(formula: object) -> str:
 def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Parameter | None) -> Reduction:
     name = name_of_function(formula)
     kind = _kind(formula)
-    counted = parameter or kind.counted[0]
+    counted = parameter or kind.parameters(dimension)[0]
     degree_reading = DegreeReading(parameter=counted)
     degrees = _parts(formula(degree_reading.argument(kind, dimension, polynomial=polynomial)), name)
     value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
@@ -326,7 +330,7 @@ def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Paramete
         _part(role, naive.degree, part, counted)
         for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
     ]
-    return Reduction(name, dimension, polynomial, tuple(parts))
+    return Reduction(name, dimension, polynomial, tuple(parts), kind)
 
 
 def _parts(value: Any, name: str) -> list[tuple[str, Any]]:

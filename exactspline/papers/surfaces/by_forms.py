@@ -5,6 +5,7 @@ All is written for ``L, M, N`` with the normal ``n = S_u × S_v``, which is not 
 """
 
 from exactspline.language.formula import formula
+from exactspline.language.vector import det, join
 
 
 @formula("first form", on="forms")
@@ -80,33 +81,88 @@ def umbilicity_as_squares(c):
     return bent**2 + area_of_forms(c) * (2 * line_uu_of_forms(c)) ** 2
 
 
+@formula("stationary principal curvatures", on="forms", symbol="Q_u")
+def stationary_by_u(c):
+    """What of ``2 √Δ a^(5/2) κ_u`` is free of √Δ, for ``a = EG − F²``: ``a Δ_u − 3 Δ a_u``."""
+    a, delta = area_of_forms(c), umbilicity_of_forms(c)
+    return a * delta.d(1, by="u") - 3 * delta * a.d(1, by="u")
+
+
+@formula("stationary principal curvatures", on="forms", symbol="Q_v")
+def stationary_by_v(c):
+    """The same for ``κ_v``."""
+    a, delta = area_of_forms(c), umbilicity_of_forms(c)
+    return a * delta.d(1, by="v") - 3 * delta * a.d(1, by="v")
+
+
+@formula("stationary principal curvatures", on="forms", symbol="R_u")
+def stationary_root_by_u(c):
+    """The factor of √Δ in the same, with ``h = EN − 2FM + GL``: ``2a h_u − 3h a_u``, zero where H_u is."""
+    a, h = area_of_forms(c), minimality_of_forms(c)
+    return 2 * a * h.d(1, by="u") - 3 * h * a.d(1, by="u")
+
+
+@formula("stationary principal curvatures", on="forms", symbol="R_v")
+def stationary_root_by_v(c):
+    """The same for ``κ_v``."""
+    a, h = area_of_forms(c), minimality_of_forms(c)
+    return 2 * a * h.d(1, by="v") - 3 * h * a.d(1, by="v")
+
+
 @formula("ridges", on="forms", symbol="U")
 def ridge_rational_part(c):
-    """What of ``2 √Δ (EG − F²)^(5/2)`` times the derivative of κ along its own line is free of √Δ.
-
-    With ``λ = (h + √Δ)/(2a)``, ``h = EN − 2FM + GL`` and ``a = EG − F²``, the direction ``(2a M − (h + √Δ) F, (h + √Δ)
-    E − 2a L)`` is the principal one, and ``dκ`` is proportional to ``a dΔ − 3 Δ da + √Δ (2a dh − 3h da)``.
+    """What of the derivative of κ along its own line, ``(2a M − (h + √Δ) F) κ_u + ((h + √Δ) E − 2a L) κ_v``, is free of
+    √Δ.
     """
-    a, h, delta = area_of_forms(c), minimality_of_forms(c), umbilicity_of_forms(c)
-    along_u, along_v = 2 * a * c.M - h * c.F, h * c.E - 2 * a * c.L
-    u, v = a.d(1, by="u"), a.d(1, by="v")
-    plain = (delta.d(1, by="u") * a - 3 * delta * u) * along_u + (delta.d(1, by="v") * a - 3 * delta * v) * along_v
-    bent_u, bent_v = 2 * a * h.d(1, by="u") - 3 * h * u, 2 * a * h.d(1, by="v") - 3 * h * v
-    return plain + delta * (c.E * bent_v - c.F * bent_u)
+    a, h = area_of_forms(c), minimality_of_forms(c)
+    plain = stationary_by_u(c) * (2 * a * c.M - h * c.F) + stationary_by_v(c) * (h * c.E - 2 * a * c.L)
+    return plain + umbilicity_of_forms(c) * (c.E * stationary_root_by_v(c) - c.F * stationary_root_by_u(c))
 
 
 @formula("ridges", on="forms", symbol="V")
 def ridge_root_part(c):
     """The factor of √Δ in the same."""
-    a, h, delta = area_of_forms(c), minimality_of_forms(c), umbilicity_of_forms(c)
-    along_u, along_v = 2 * a * c.M - h * c.F, h * c.E - 2 * a * c.L
-    u, v = a.d(1, by="u"), a.d(1, by="v")
-    bent_u, bent_v = 2 * a * h.d(1, by="u") - 3 * h * u, 2 * a * h.d(1, by="v") - 3 * h * v
-    plain = (delta.d(1, by="v") * a - 3 * delta * v) * c.E - (delta.d(1, by="u") * a - 3 * delta * u) * c.F
-    return along_u * bent_u + along_v * bent_v + plain
+    a, h = area_of_forms(c), minimality_of_forms(c)
+    bent = stationary_root_by_u(c) * (2 * a * c.M - h * c.F) + stationary_root_by_v(c) * (h * c.E - 2 * a * c.L)
+    return bent + c.E * stationary_by_v(c) - c.F * stationary_by_u(c)
+
+
+@formula("ridges", on="forms")
+def ridges_by_definition(c):
+    """``U² − Δ V²``: zero where one of the principal curvatures is extremal along its own line, and elsewhere."""
+    return ridge_rational_part(c) ** 2 - umbilicity_of_forms(c) * ridge_root_part(c) ** 2
+
+
+def _bent(c, by):
+    """``a II_by(t, t) − a_by II(t, t)/2 − I_by(t, s)`` with ``s = a I⁻¹ II t``: the coefficients of t_u², t_u t_v, t_v²
+    for a direction t.
+    """
+    a, a_by = area_of_forms(c), area_of_forms(c).d(1, by=by)
+    e, f, g = c.E.d(1, by=by), c.F.d(1, by=by), c.G.d(1, by=by)
+    uu, vv, uv, vu = c.G * c.L - c.F * c.M, c.E * c.N - c.F * c.M, c.G * c.M - c.F * c.N, c.E * c.M - c.F * c.L
+    return (
+        a * c.L.d(1, by=by) - a_by * c.L / 2 - e * uu - f * vu,
+        2 * a * c.M.d(1, by=by) - a_by * c.M - e * uv - f * (uu + vv) - g * vu,
+        a * c.N.d(1, by=by) - a_by * c.N / 2 - f * uv - g * vv,
+    )
+
+
+@formula("ridges", on="forms", symbol="T")
+def ridge_cubic(c):
+    """The cubic form ``(EG − F²) dII(t, t) − d(EG − F²) II(t, t)/2 − dI(t, s)`` in the direction t along which d is
+    taken: of a principal direction it is the derivative of κ along it, up to a factor without a zero.
+
+    With ``II t = κ I t`` the derivative of ``κ I(t, t) = II(t, t)`` needs none of t, and ``s`` is ``κ t`` without κ.
+    """
+    u, v = _bent(c, "u"), _bent(c, "v")
+    return join(u[0], u[1] + v[0], u[2] + v[1], v[2])
 
 
 @formula("ridges", on="forms")
 def ridges_of_forms(c):
-    """``U² − Δ V²``: zero on the ridges of both principal curvatures, where one is extremal along its own line."""
-    return ridge_rational_part(c) ** 2 - umbilicity_of_forms(c) * ridge_root_part(c) ** 2
+    """The resultant of the directions ``A t_u² + B t_u t_v + C t_v² = 0`` and that cubic form: zero on the ridges of both
+    principal curvatures.
+    """
+    a, b, d = line_uu_of_forms(c), line_uv_of_forms(c), line_vv_of_forms(c)
+    cubic = ridge_cubic(c)
+    return det(join(a, b, d, 0, 0), join(0, a, b, d, 0), join(0, 0, a, b, d), join(cubic, 0), join(0, cubic))

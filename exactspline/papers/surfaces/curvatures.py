@@ -11,9 +11,12 @@ from exactspline.papers.surfaces.by_forms import (
     area_of_forms,
     minimality_of_forms,
     parabolic_of_forms,
+    ridges_of_forms,
+    stationary_by_u,
+    stationary_root_by_u,
     umbilicity_of_forms,
 )
-from exactspline.papers.surfaces.fundamental_forms import E, F, G, L, M, N
+from exactspline.papers.surfaces.fundamental_forms import E, F, G, L, M, N, S_u, S_v, normal
 
 
 def forms(c):
@@ -24,7 +27,7 @@ def forms(c):
 @formula("first fundamental form", on="surface")
 def area_squared(c):
     """``EG − F²``, the square of the element of area."""
-    return area_of_forms(forms(c))
+    return area_of_forms(Operands(E=E(c), F=F(c), G=G(c)))
 
 
 @formula("Gaussian curvature", on="surface")
@@ -67,3 +70,39 @@ def brioschi(c):
     first = det(join(bent, e_u / 2, f_u - e_v / 2), join(f_v - g_u / 2, e, f), join(g_v / 2, f, g))
     second = det(join(0, e_v / 2, g_u / 2), join(e_v / 2, e, f), join(g_u / 2, f, g))
     return first - second
+
+
+@formula("principal curvatures", on="surface")
+def stationary_curvature(c):
+    """What of κ_u is free of the root: ``a Δ_u − 3 Δ a_u`` with ``a = EG − F²`` and ``Δ`` zero at the umbilics."""
+    return stationary_by_u(forms(c))
+
+
+@formula("principal curvatures", on="surface")
+def stationary_mean_curvature(c):
+    """``2a h_u − 3h a_u`` with ``h = EN − 2FM + GL``: zero where H_u is."""
+    return stationary_root_by_u(forms(c))
+
+
+@formula("ridges", on="surface")
+def ridges(c):
+    """Zero where a principal curvature is extremal along its own line of curvature."""
+    return ridges_of_forms(forms(c))
+
+
+@formula("normals", on="surface")
+def gauss_map_area(c):
+    """``[n n_u n_v]``: how the Gauss map multiplies areas, up to powers of ``EG − F²``."""
+    return det(normal(c), normal(c).d(1, by="u"), normal(c).d(1, by="v"))
+
+
+@formula("normals", on="surface")
+def focal_linear_coefficient(c):
+    """``[n n_u S_v] + [n S_u n_v]``, the coefficient of t in ``[n (S + tn)_u (S + tn)_v]``."""
+    return det(normal(c), normal(c).d(1, by="u"), S_v(c)) + det(normal(c), S_u(c), normal(c).d(1, by="v"))
+
+
+@formula("normals", on="surface")
+def focal_constant_coefficient(c):
+    """``[n S_u S_v]``."""
+    return det(normal(c), S_u(c), S_v(c))

@@ -146,3 +146,9 @@ def minimality_of_spheres(c):
         x.d(2, by="v") * E_reduced(c) - x.d(1, by="u").d(1, by="v") * (2 * F_reduced(c)) + x.d(2, by="u") * G_reduced(c)
     )
     return det(x, x.d(1, by="u"), x.d(1, by="v"), bent)
+
+
+@formula("lifted", on="surface")
+def focal_discriminant_lifted(c):
+    """``(w⁸ h)² − 4 w² ‖Π_n‖² w⁸ (LN − M²)``: of the quadratic of the centres ``(w p + σ Π_n)/w²`` of curvature."""
+    return minimality_lifted(c) ** 2 - 4 * c.w**2 * area_squared_lifted(c) * parabolic_lifted(c)
