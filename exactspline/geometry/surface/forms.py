@@ -55,7 +55,9 @@ class SurfaceForms:
 
     def scalar(self, name: str) -> TensorSpline:
         """The value of a formula, at its lowest degree."""
-        return lowest(self._argument.calls(formula(name)))
+        found = self._argument.calls(formula(name))
+        assert isinstance(found, TensorSpline)
+        return lowest(found)
 
     def vector(self, name: str) -> Vector[TensorSpline]:
         """The value of a formula that is a vector."""
