@@ -12,9 +12,10 @@ from exactspline.splines.patch_forms import PatchForm, of_powers, powers_of
 
 
 def as_polynomial(form: PatchForm) -> fmpz_mpoly:
-    """The form as a polynomial in the two parameters of the unit square, up to a positive constant."""
+    """The form as a primitive polynomial in the two parameters of the unit square, up to a positive constant."""
     rows = powers_of(form)
-    return CONTEXT.from_dict({(i, j): x for i, row in enumerate(rows) for j, x in enumerate(row) if x})
+    common = reduce(fmpz.gcd, [x for row in rows for x in row])
+    return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
 
 
 def as_form(p: fmpz_mpoly) -> PatchForm:
@@ -47,3 +48,14 @@ def square_free(form: PatchForm) -> PatchForm:
     """The product of the factors that depend on a parameter, each once."""
     _, factors = as_polynomial(form).factor_squarefree()
     return as_form(reduce(lambda p, q: p * q, [p for p, _ in factors], CONTEXT.from_dict({(0, 0): 1})))
+
+
+def odd_part(form: PatchForm) -> PatchForm:
+    """The form without squares of factors: of its sign wherever it is not zero.
+
+    >>> odd_part(PatchForm.of_net([[-1, 1, -1]])).degree  # −(1 − 2y)²
+    (0, 0)
+    """
+    constant, factors = as_polynomial(form).factor_squarefree()
+    own = CONTEXT.from_dict({(0, 0): 1 if constant > 0 else -1})
+    return as_form(reduce(lambda p, q: p * q, [p for p, times in factors if times % 2], own))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
@@ -55,8 +55,9 @@ class SurfaceForms:
 
     def scalar(self, name: str) -> TensorSpline:
         """The value of a formula, at its lowest degree."""
-        value: Any = self._argument.calls(formula(name))
-        return lowest(value)
+        found = self._argument.calls(formula(name))
+        assert isinstance(found, TensorSpline)
+        return lowest(found)
 
     def vector(self, name: str) -> Vector[TensorSpline]:
         """The value of a formula that is a vector."""

@@ -184,6 +184,11 @@ class ZeroCurve:
         """Whether every zero is accounted for."""
         return not self.undecided
 
+    @property
+    def is_of_points(self) -> bool:
+        """Whether all zeros are known and none of them is on a piece of a curve."""
+        return self.complete and not self._arcs and not self._crossings
+
     @cached_property
     def parts(self) -> tuple[Part, ...]:
         """The connected parts of the zeros that are resolved."""
