@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from exactspline.errors import DomainError
-from exactspline.exact import Number, mpq, rational, short_text, text
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant

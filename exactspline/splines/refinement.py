@@ -92,7 +92,9 @@ def _inner(f: BSpline, t: mpq) -> None:
     a, b = f.domain
     if not a < t < b:
         raise DomainError(
-            f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})", remedy="inner parameters only", parameter=t
+            f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
+            remedy="inner parameters only",
+            parameter=t,
         )
 
 

@@ -13,7 +13,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, short_text, text
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, Interval, is_zero_on
 from exactspline.geometry.bisector.special_pairs import special_pairs
@@ -106,7 +106,8 @@ class CurveBisector:
             if all(a <= x <= b for x, (a, b) in zip((u, v), patch.sides, strict=True)):
                 return patch.value.point(u, v)
         raise ShapeError(
-            f"there is no surface at ({short_text(u)}, {short_text(v)})", remedy="; ".join(reason for _, reason in self.missing)
+            f"there is no surface at ({short_text(u)}, {short_text(v)})",
+            remedy="; ".join(reason for _, reason in self.missing),
         )
 
 
