@@ -3,6 +3,7 @@
 from math import nextafter
 
 import pytest
+from flint import fmpz_poly
 from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -12,7 +13,7 @@ from exactspline.splines.bernstein import from_bezier
 from exactspline.splines.examples import example
 from exactspline.verification.conditioning import compare, double_precision
 from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions, conditioning
-from exactspline.verification.conditioning.condition_number import condition_number, local
+from exactspline.verification.conditioning.condition_number import condition_number, local, quotient
 from exactspline.verification.conditioning.double_precision import Double, double_precision_root
 from exactspline.verification.conditioning.search import Tally
 
@@ -172,3 +173,17 @@ def test_points_are_scaled_to_the_range_of_doubles():
     assert told[0] / told[1] == pytest.approx(-7 * 1024 / 3, rel=1e-15)
     assert double_precision._rounded([mpq(0), mpq(1)]) == [0, double_precision._rounded([mpq(1)])[0]]
     assert double_precision._rounded([mpq(1), mpq(1, 2**2100)]) is None
+
+
+def test_quotients_of_forms_are_forms_of_the_difference_of_degrees():
+    """As forms t² over 1 − t is none, although z²/1 is a polynomial; t(1 − t) over 1 − t is t."""
+    one = from_bezier([mpq(1)])[1]
+    form = lambda *c: (fmpz_poly(list(c)), one)  # noqa: E731
+    assert quotient(form(0, 0, 1), 2, form(1), 1) is None
+    assert quotient(form(0, 1), 2, form(1), 1)[0] == fmpz_poly([0, 1])
+    assert quotient(form(-1, 0, 1), 2, form(-1, 1), 1)[0] == fmpz_poly([1, 1])
+    assert quotient(form(-2, 0, 2), 2, form(-3, 3), 1)[0] == fmpz_poly([1, 1])
+    assert quotient(form(1, 0, 1), 2, form(-1, 1), 1) is None
+    assert quotient(form(1, 1), 1, form(-1, 0, 1), 2) is None
+    assert quotient(form(), 1, form(1), 1) is None
+    assert quotient(form(1), 1, form(), 1) is None

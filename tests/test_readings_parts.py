@@ -17,7 +17,7 @@ from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
 from exactspline.readings.jet import JetReading, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
-from exactspline.readings.numeric import numeric_curve
+from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -300,3 +300,12 @@ def test_a_constant_at_infinity_is_known_to_as_many_terms_as_the_curve(terms):
     assert w.constant(0).parts == {}
     assert (w * 3).parts == (w * w.constant(3)).parts == (w + w + w).parts
     assert w.constant(7).d(1).parts == {}
+
+
+@pytest.mark.parametrize("known", [1, 2, 4])
+def test_a_constant_series_of_numbers_is_known_to_as_many_terms(known):
+    h = NumericSeries(arithmetic(20), [1] * known)
+    assert [float(a) for a in h.constant(7).coefficients] == [7, *[0] * (known - 1)]
+    assert [float(a) for a in (h + 2).coefficients] == [3, *[1] * (known - 1)]
+    assert [float(a) for a in (3 * h).coefficients] == [3] * known
+    assert [float(a) for a in (1 - h).coefficients] == [0, *[-1] * (known - 1)]

@@ -7,6 +7,7 @@ from flint import fmpq, fmpq_poly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, zeros
+from exactspline.errors import DomainError
 from exactspline.roots import cells, checker
 from exactspline.roots.enclosure import Bounds, Enclosure, narrowed, rounded_outwards, sign_at, value_at, values_between
 from exactspline.roots.real import Real
@@ -221,3 +222,15 @@ def test_cells_cover_an_interval_and_say_what_is_so():
             assert cell.factor**2 * cell.rest == f
             assert all((cell.rest(fmpq(int(t.numerator), int(t.denominator))) > 0) == cell.rest_sign for t in places)
     assert any(cell.factor is not None for cell in found)
+
+
+def test_halving_that_finds_no_end_is_given_up(monkeypatch):
+    """Two zeros 2⁻⁴⁰ apart take some forty halvings."""
+    third, near = fmpq(1, 3), fmpq(1, 3) + fmpq(1, 2**40)
+    f = fmpq_poly([-third, 1]) * fmpq_poly([-near, 1])
+    assert sum(cell.one for cell in cells.cells_of(f, mpq(0), mpq(1))) == 2
+    monkeypatch.setattr(cells, "DEPTH", 20)
+    with pytest.raises(DomainError, match="no end"):
+        cells.cells_of(f, mpq(0), mpq(1))
+    monkeypatch.setattr(cells, "DEPTH", 60)
+    assert sum(cell.one for cell in cells.cells_of(f, mpq(0), mpq(1))) == 2

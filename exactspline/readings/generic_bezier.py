@@ -111,7 +111,7 @@ class GenericReading(Reading):
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
-        if len({symbol.parameter for symbol in symbols}) > 1:
+        if len({parameter for symbol in symbols for parameter in symbol.parameters}) > 1:
             raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]
         context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)

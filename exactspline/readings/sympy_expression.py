@@ -2,7 +2,7 @@
 
 Its calculus (the derivatives) and its algebra (sparse polynomials with sympy's own ground types) are sympy's and share
 nothing with the jets of `exactspline.readings.jet`: what both decide alike was decided twice. The second curve of a
-pair has the parameter s̄, the coordinates of a point are symbols.
+pair has the parameter s̄, surfaces have u and v; the coordinates of a point are symbols.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from sympy.polys.rings import PolyElement, PolyRing
 from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS
+from exactspline.language.choices import Parameter
 from exactspline.language.factorization import Factorization, multiplied
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 
-PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in PARAMETERS}
-FIRST, SECOND = PARAMETER.values()
+PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
+FIRST = PARAMETER[Parameter.FIRST]
 #: Where it is tried whether values divide each other, coordinate by coordinate, again from the first: any integers do.
 POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
@@ -130,13 +130,13 @@ class SympyReading(Reading):
         rules, known = kind.rules(dimension), dict[str, SympyExpression]()
 
         def operand(symbol: Symbol) -> SympyExpression:
-            if not symbol.parameter:
+            if not symbol.parameters:
                 return SympyExpression(sympy.Symbol(symbol.text))
-            parameter = PARAMETER[symbol.parameter]
+            parameters = [PARAMETER[name] for name in symbol.parameters]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:
                 function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
-            return SympyExpression(function(parameter), frozenset({parameter}))
+            return SympyExpression(function(*parameters), frozenset(parameters))
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
         one = SympyExpression(sympy.Integer(1))
@@ -191,7 +191,7 @@ class _Fractions:
 
     def __init__(self, expression: sympy.Expr) -> None:
         atoms = expression.atoms(sympy.Derivative, AppliedUndef, sympy.Symbol)
-        used = sorted((a for a in atoms if a not in (FIRST, SECOND)), key=sympy.default_sort_key)
+        used = sorted((a for a in atoms if a not in PARAMETER.values()), key=sympy.default_sort_key)
         self.ring = PolyRing([f"v{i}" for i in range(len(used))] or ["v0"], sympy.ZZ, sympy.lex)
         self.generators = dict(zip(used, self.ring.gens, strict=False))
         self.known: dict[sympy.Expr, _Product] = {}

@@ -17,7 +17,8 @@ from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
-from exactspline.language.arguments import PARAMETERS, Curve, Pair
+from exactspline.language.arguments import Curve, Pair
+from exactspline.language.choices import Parameter
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
@@ -30,6 +31,9 @@ from exactspline.splines.tensor_lines import Continuity, Degrees, joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
 from exactspline.splines.tensor_parts import TensorParts
 from exactspline.splines.tensor_univariate import changed_one, one_parameter, packed_segments, replaced, smooth, spread
+
+#: The directions of parameters: those of two curves, and those of a surface.
+DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.V: 1}
 
 
 class TensorSpline(Immutable, TensorParts, Operand):
@@ -234,11 +238,13 @@ class TensorSpline(Immutable, TensorParts, Operand):
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
-        """The derivative of what depends on one parameter only; `FormulaError` for anything else (see `partial`)."""
+        """The derivative by the parameter that is named: s or u the first one, s̄ or v the second; where none is, of
+        what depends on one parameter only; `FormulaError` for anything else (see `partial`).
+        """
         if by is not None:
-            if by not in PARAMETERS:
-                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {' and '.join(PARAMETERS)}")
-            return self.partial(order, 0) if by == PARAMETERS[0] else self.partial(0, order)
+            if by not in DIRECTION:
+                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}")
+            return self.partial(order, 0) if DIRECTION[Parameter(by)] == 0 else self.partial(0, order)
         if self.profile is None:
             raise FormulaError(
                 "a derivative of a spline in two parameters", remedy="say by which: d(1, by='s') or d(1, by='s̄')"

@@ -231,8 +231,8 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
     if polynomial:
         return []
     known: Mapping[str, Any] = JetReading(order).argument(kind, dimension).operands()
-    jets = [(name, known[name]) for name in ("w", "W") if name in known and (name, 0) in known[name].ring.index]
-    return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
+    jets = [(name, known[name]) for name in ("w", "W") if name in known and name in known[name].ring.symbols]
+    return [(jet.ring.symbols[name].text, jet) for name, jet in jets]
 
 
 @cache

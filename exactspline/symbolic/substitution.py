@@ -6,6 +6,7 @@ from typing import Any
 
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.kinds import Symbol
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.jet import Jet
 
@@ -22,18 +23,37 @@ def substitute(jet: Jet, curve: Curve[T] | Pair[T]) -> T:
     """
     known = curve.operands()
     terms = [(tuple(map(int, exponents)), mpq(int(c.p), int(c.q))) for exponents, c in jet.polynomial.terms()]
+    symbols = jet.ring.symbols
     value = _horner(
-        terms, 0, [lambda name=name, order=order: known[name].d(order) for name, order in jet.ring.variables]
+        terms,
+        0,
+        [
+            lambda name=name, orders=orders: _derived(known[name], symbols[name], orders)
+            for name, orders in jet.ring.variables
+        ],
     )
-    return known["w"].constant(value) if isinstance(value, CONSTANTS) else value
+    some = next(known[name] for name in ("w", *known) if name in known)
+    return some.constant(value) if isinstance(value, CONSTANTS) else value
+
+
+def _derived(operand: Any, symbol: Symbol, orders: tuple[int, ...]) -> Any:
+    """A derivative of an operand: of several parameters by each in turn."""
+    if len(orders) == 1:
+        return operand.d(*orders)
+    for parameter, order in zip(symbol.parameters, orders, strict=True):
+        operand = operand.d(order, by=parameter) if order else operand
+    return operand
 
 
 def _horner(terms: list[tuple[tuple[int, ...], mpq]], i: int, variables: list[Any]) -> Any:
     """The sum of terms by Horner's rule in the i-th variable, the coefficients by the same rule in the ones that
     follow.
     """
-    if len(terms) <= 1 and (not terms or not any(terms[0][0][i:])):
-        return terms[0][1] if terms else mpq(0)
+    if not terms:
+        return mpq(0)
+    (exponents, c), *others = terms
+    if not others and not any(exponents[i:]):
+        return c
     groups: dict[int, list[tuple[tuple[int, ...], mpq]]] = {}
     for term in terms:
         groups.setdefault(term[0][i], []).append(term)

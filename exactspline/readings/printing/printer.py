@@ -7,7 +7,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from exactspline.exact import Number
+from exactspline.language.choices import Parameter
 from exactspline.readings.tree import ATOMS, Node, Operation
+
+#: The parameters of surfaces: derivatives by them are written as subscripts.
+SUBSCRIPTS = (Parameter.U, Parameter.V)
 
 #: How tightly an operation binds; arguments that bind less get parentheses.
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
@@ -43,6 +47,9 @@ class Printer(ABC):
             return self.power(self.at(n.args[0], ATOM), n.value), POWER
         if n.op is Operation.DERIVATIVE:
             order, by = n.value
+            if by in SUBSCRIPTS:
+                inner, letters = _letters(n)
+                return self.subscripted(self.at(inner, ATOM), letters), ATOM
             base = self.at(n.args[0], ATOM)
             return (self.derivative(base, order), ATOM) if by is None else (self.partial(base, order, by), PRODUCT)
         if n.op is Operation.COMPONENT:
@@ -76,7 +83,7 @@ class Printer(ABC):
         if n.op is Operation.DET:
             return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
         if n.op is Operation.PERP:
-            return self.perp(self.at(*n.args, ATOM)), ATOM
+            return self.perp(self.at(n.args[0], ATOM)), ATOM
         if n.op is Operation.GENERALIZED_CROSS:
             return self.wedge([self(a) for a in n.args]), ATOM
         return (f" {self.cross} " if n.op is Operation.CROSS else f" {self.dot} ").join(parts), PRODUCT
@@ -108,6 +115,10 @@ class Printer(ABC):
         """A derivative by a parameter that is named."""
 
     @abstractmethod
+    def subscripted(self, base: str, letters: str) -> str:
+        """A derivative of a surface by parameters in this order."""
+
+    @abstractmethod
     def component(self, base: str, index: str) -> str:
         """A component of a vector."""
 
@@ -130,6 +141,15 @@ class Printer(ABC):
     @abstractmethod
     def wedge(self, parts: list[str]) -> str:
         """A generalized cross product."""
+
+
+def _letters(n: Node) -> tuple[Node, str]:
+    """What derivatives one after the other are taken of, and their parameters, the first one first."""
+    letters = ""
+    while n.op is Operation.DERIVATIVE and n.value.by in SUBSCRIPTS:
+        letters = str(n.value.by) * n.value.order + letters
+        n = n.args[0]
+    return n, letters
 
 
 def named_binding(n: Node) -> int:
