@@ -85,7 +85,7 @@ class Enclosure(Immutable):
         ('0.333…', '-0.01 … 0.01')
         """
         ends = [_truncated(end, self.digits) for end in (self.low, self.high)]
-        agreed = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(*ends, strict=False)))
+        agreed = len(list(takewhile(lambda pair: pair[0] == pair[1], zip(*ends, strict=False))))
         if "." not in ends[0][:agreed]:
             return " … ".join(ends)
         return ends[0] if self.low == self.high == rational(ends[0]) else f"{ends[0][:agreed]}…"

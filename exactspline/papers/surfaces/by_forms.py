@@ -160,8 +160,8 @@ def ridge_cubic(c):
 
 @formula("ridges", on="forms")
 def ridges_of_forms(c):
-    """The resultant of the directions ``A t_u² + B t_u t_v + C t_v² = 0`` and that cubic form: zero on the ridges of both
-    principal curvatures.
+    """The resultant of the directions ``A t_u² + B t_u t_v + C t_v² = 0`` and that cubic form: zero on the ridges of
+    both principal curvatures.
     """
     a, b, d = line_uu_of_forms(c), line_uv_of_forms(c), line_vv_of_forms(c)
     cubic = ridge_cubic(c)
