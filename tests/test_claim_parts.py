@@ -5,12 +5,15 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import BSpline, Nurbs
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CURVE, kind_of
+from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
-from exactspline.papers import find
+from exactspline.language.vector import Vector
+from exactspline.papers import all_formulas, find
+from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.tree import trace
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
@@ -23,14 +26,15 @@ from exactspline.verification.degree_tables import construction_table
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.kinds import Contact, DegreeClaim
+from exactspline.verification.kinds import Contact, Count, DegreeClaim
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.zero_set import ZeroSet
 from exactspline.verification.ledger import Proofs, checked, tasks
 from exactspline.verification.questions import proof_of
+from exactspline.verification.statement import telling_tree
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED
-from exactspline.verification.vocabulary import ArgumentKind
+from exactspline.verification.vocabulary import ArgumentKind, Counter
 
 
 def claim(key):
@@ -285,3 +289,36 @@ def test_what_is_asked_of_theorems_and_what_is_told(monkeypatch, tmp_path):
         assert f"Print Assumptions {coq_judge.ROOT}.papers.one.{name}.\n" in text
     monkeypatch.setattr(coq_judge, "_coqc", lambda place, file: (False, "about a\nClosed under the global context"))
     assert coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"]) == {}
+
+
+def test_continuity_is_that_of_the_least_continuous_component(monkeypatch):
+    smooth = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 2])
+    corner = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 1, 5, 0, 2])
+    hidden = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [1, 1, 1, 1, 1])
+    one = next(c for c in all_claims() if isinstance(c, Count))
+    for parts, nominal, true in (
+        ((smooth, corner), 0, 0),
+        ((corner, smooth), 0, 0),
+        ((smooth, smooth), 1, 1),
+        ((smooth, hidden), 0, 1),
+    ):
+        made = Formula(lambda c, parts=parts: Vector(*parts), "made", CURVE, "")
+        monkeypatch.setattr(Count, "find", lambda self, name, made=made: made)
+        said = replace(
+            one, claimed=f"degree 2, {nominal} {Counter.NOMINAL_CONTINUITY}, {true} {Counter.TRUE_CONTINUITY}"
+        )
+        own = Evaluation(example(one.example))
+        assert said.examine(own.handed(one.curve), own).verdict == VERIFIED
+        other = replace(one, claimed=f"{nominal + 1} {Counter.NOMINAL_CONTINUITY}")
+        assert other.examine(own.handed(one.curve), own).verdict == REFUTED
+
+
+def test_a_tree_is_spelled_out_only_where_it_would_repeat_the_symbol():
+    spelled = 0
+    for formula in [f for f in all_formulas().values() if f.kind in (CURVE, PLANE) and f.symbol]:
+        tree = print_text(trace(formula, 2))
+        told = print_text(telling_tree(formula, 2))
+        repeats = tree == symbol_text(formula.symbol)
+        assert told == (print_text(trace(formula, 2, expand=True)) if repeats else tree)
+        spelled += repeats
+    assert spelled

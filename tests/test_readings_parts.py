@@ -1,5 +1,7 @@
 """The parts that readings are made of, each held against what it means, with known answers."""
 
+from math import comb
+
 import pytest
 import sympy
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
@@ -15,6 +17,7 @@ from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
+from exactspline.readings.generic_bezier import GenericReading
 from exactspline.readings.jet import JetReading, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
@@ -309,3 +312,32 @@ def test_a_constant_series_of_numbers_is_known_to_as_many_terms(known):
     assert [float(a) for a in (h + 2).coefficients] == [3, *[1] * (known - 1)]
     assert [float(a) for a in (3 * h).coefficients] == [3] * known
     assert [float(a) for a in (1 - h).coefficients] == [0, *[-1] * (known - 1)]
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3])
+def test_generic_segments_multiply_and_differentiate_like_their_numbers(degree):
+    """Forms Σ cᵢ (1 − t)ⁿ⁻ⁱ tⁱ with indeterminates for coefficients, held against splines with numbers for them."""
+    c = GenericReading(degree).argument(CURVE, 2)
+    context = c.w.context
+    numbers = [fmpq(3 * i + 1, i + 2) for i in range(len(context.gens()))]
+
+    def spline(f):
+        values = [
+            x.compose(*[context.constant(q) for q in numbers], ctx=context).leading_coefficient()
+            for x in f.coefficients
+        ]
+        n = f.degree
+        return BSpline.bezier([mpq(int(v.p), int(v.q)) / comb(n, i) for i, v in enumerate(values)])
+
+    x, w = c.p[0], c.w
+    a, b = spline(x), spline(w)
+    assert spline(x * w) == a * b
+    assert spline(x.d(1)) == a.d(1)
+    assert spline(x * w + x) == a * b + a
+    assert spline(x - w * w) == a - b * b
+    assert (x - x).is_zero
+    assert x.d(degree + 1).is_zero
+    assert (x.d(degree + 1) * w).is_zero
+    polynomial = GenericReading(degree).argument(CURVE, 2, polynomial=True)
+    assert polynomial.w.coefficients == [1]
+    assert polynomial.p[0] * polynomial.w == polynomial.p[0]

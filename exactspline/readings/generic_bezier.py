@@ -69,7 +69,7 @@ class Generic(Operand):
         if not isinstance(other, Generic):
             return NotImplemented
         zero = self.context.constant(0)
-        product = [zero] * max(self.degree + other.degree + 1, 0)
+        product = [zero] * (self.degree + other.degree + 1)
         for i, x in enumerate(self.coefficients):
             for j, y in enumerate(other.coefficients):
                 product[i + j] += x * y
