@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat
 
-from exactspline.exact import lcm, mpq, to_fmpz
+from exactspline.exact import lcm, mpq, text, to_fmpz
 from exactspline.splines.tensor import TensorSpline
 
 #: An interval with rational ends, and a box.
@@ -123,6 +123,22 @@ class PatchForm:
             return own[m * (n + 1) :] if end else own[: n + 1]
         return own[n :: n + 1] if end else own[:: n + 1]
 
+    def without_border(self) -> tuple[PatchForm, Borders]:
+        """The form without its factors x, 1 − x, y and 1 − y, and how often each divides it; not for the zero form.
+
+        >>> f, times = PatchForm.of_net([[0, 0], [2, 2], [0, 0]]).without_border()  # 4 x (1 − x)
+        >>> f.degree, times
+        ((0, 0), Borders(u_low=1, u_high=1, v_low=0, v_high=0))
+        """
+        first, low, high = _without_ends(self.matrix)
+        second, left, right = _without_ends(first.transpose())
+        return PatchForm(_lowest(_lowest(second).transpose())), Borders(low, high, left, right)
+
+    def elevated(self, degree: tuple[int, int]) -> PatchForm:
+        """The same polynomial as one of higher degree, up to a constant."""
+        left, right = (_elevation(n, to) for n, to in zip(self.degree, degree, strict=True))
+        return PatchForm(left * self.matrix * right.transpose())
+
     def combined(self, a: fmpz, other: PatchForm, b: fmpz) -> PatchForm:
         """``a · self + b · other``, both of one degree."""
         return PatchForm(self.matrix * a + other.matrix * b)
@@ -157,6 +173,15 @@ def together(splines: Sequence[TensorSpline], i: int, j: int) -> list[PatchForm]
     ]
 
 
+class Borders(NamedTuple):
+    """Something for each of the four edges of a patch, on which x or y is 0 or 1."""
+
+    u_low: int
+    u_high: int
+    v_low: int
+    v_high: int
+
+
 class Sized(NamedTuple):
     """A box and what the forms are on it."""
 
@@ -183,7 +208,86 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
     return first, second
 
 
+def box_text(box: Box) -> str:
+    """A box, or a point, for people.
+
+    >>> box_text(((mpq(0), mpq(1)), (mpq(1, 2), mpq(1, 2))))
+    'u in [0, 1], v = 1/2'
+    """
+    parts = [
+        f"{name} = {text(a)}" if a == b else f"{name} in [{text(a)}, {text(b)}]"
+        for name, (a, b) in zip("uv", box, strict=True)
+    ]
+    return ", ".join(parts)
+
+
 # ---- the matrices of all this
+
+
+def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
+    """The coefficients without the factors x and 1 − x, x along the columns, and the powers of both."""
+    rows = matrix.table()
+    low = next(i for i, row in enumerate(rows) if any(row))
+    high = next(i for i, row in enumerate(reversed(rows)) if any(row))
+    if not low and not high:
+        return matrix, 0, 0
+    n = len(rows) - 1
+    kept = n - low - high
+    # C(n, i) b_i are the coefficients without binomials; those of the quotient are divided by its own
+    common = lcm(*[comb(kept, k) for k in range(kept + 1)])
+    found = [
+        [x * int(comb(n, low + k) * (common // comb(kept, k))) for x in row]
+        for k, row in enumerate(rows[low : n + 1 - high])
+    ]
+    return PatchForm(fmpz_mat(found)).primitive().matrix, low, high
+
+
+def _lowest(matrix: fmpz_mat) -> fmpz_mat:
+    """The coefficients at the lowest degree of x, up to a constant."""
+    n = int(matrix.nrows()) - 1
+    powers = _to_powers(n) * matrix
+    rows = powers.table()
+    degree = max((k for k, row in enumerate(rows) if any(row)), default=0)
+    return PatchForm(_from_powers(degree) * fmpz_mat(rows[: degree + 1])).primitive().matrix if degree < n else matrix
+
+
+def of_powers(rows: Sequence[Sequence[fmpz]]) -> PatchForm:
+    """The form of ``Σ rows[i][j] xⁱ yʲ``.
+
+    >>> of_powers([[-1, 1], [1, 0]]).entries == PatchForm.of_net([[-1, 0], [0, 1]]).entries
+    True
+    """
+    matrix = fmpz_mat([list(row) for row in rows])
+    left, right = _from_powers(int(matrix.nrows()) - 1), _from_powers(int(matrix.ncols()) - 1)
+    return PatchForm(left * matrix * right.transpose()).primitive()
+
+
+def powers_of(form: PatchForm) -> list[list[fmpz]]:
+    """The coefficients of ``xⁱ yʲ``, up to the form's constant.
+
+    >>> powers_of(PatchForm.of_net([[-1, 0], [0, 1]]))
+    [[-1, 1], [1, 0]]
+    """
+    m, n = form.degree
+    found: list[list[fmpz]] = (_to_powers(m) * form.matrix * _to_powers(n).transpose()).table()
+    return found
+
+
+@lru_cache(maxsize=256)
+def _to_powers(n: int) -> fmpz_mat:
+    """Coefficients of powers from Bernstein coefficients."""
+    return fmpz_mat(
+        [[(-1) ** (k - i) * comb(n, k) * comb(k, i) if i <= k else 0 for i in range(n + 1)] for k in range(n + 1)]
+    )
+
+
+@lru_cache(maxsize=256)
+def _from_powers(n: int) -> fmpz_mat:
+    """Bernstein coefficients from coefficients of powers, times the common multiple of the binomial coefficients."""
+    common = lcm(*[comb(n, k) for k in range(n + 1)])
+    return fmpz_mat(
+        [[int(comb(i, k) * (common // comb(n, k))) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
+    )
 
 
 @lru_cache(maxsize=256)
@@ -197,6 +301,18 @@ def _halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
 def _differences(n: int) -> fmpz_mat:
     """Bernstein coefficients of the derivative."""
     return fmpz_mat([[n if k == i + 1 else -n if k == i else 0 for k in range(n + 1)] for i in range(n)])
+
+
+@lru_cache(maxsize=1024)
+def _elevation(n: int, to: int) -> fmpz_mat:
+    """Bernstein coefficients at a higher degree, times the common multiple of its binomial coefficients."""
+    if n == to:
+        return _identity(n)
+    common = lcm(*[comb(to, i) for i in range(to + 1)])
+    rows = [
+        [comb(n, k) * comb(to - n, i - k) if 0 <= i - k <= to - n else 0 for k in range(n + 1)] for i in range(to + 1)
+    ]
+    return fmpz_mat([[int(x * (common // comb(to, i))) for x in row] for i, row in enumerate(rows)])
 
 
 def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:

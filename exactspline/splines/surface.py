@@ -10,6 +10,8 @@ from exactspline.errors import ExactSplineError, FormulaError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational
 from exactspline.language.choices import choice
 from exactspline.language.immutable import Immutable
+from exactspline.language.rational import Rational
+from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
@@ -38,7 +40,7 @@ class Along(StrEnum):
         return 0 if self is Along.U else 1
 
 
-class NurbsSurface(Immutable):
+class NurbsSurface(Immutable, Surface[TensorSpline]):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
     ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
@@ -69,6 +71,8 @@ class NurbsSurface(Immutable):
     note: str
     p: Vector[TensorSpline]
     w: TensorSpline
+    #: ``p``, or the `Rational` ``p/w``.
+    S: Vector[TensorSpline] | Rational[TensorSpline]
     #: Whether all weights are equal.
     polynomial: bool
 
@@ -93,6 +97,7 @@ class NurbsSurface(Immutable):
         polynomial = first != 0 and all(x == first for row in scale for x in row)
         p, w = _splines(degrees, vectors, net, None if polynomial else scale)
         vars(self).update(
+            vars(Surface(p, w, polynomial=polynomial)),
             degree=degrees,
             knots=vectors,
             control_points=net,
@@ -100,9 +105,6 @@ class NurbsSurface(Immutable):
             name=name,
             source=source,
             note=note,
-            p=p,
-            w=w,
-            polynomial=polynomial,
         )
 
     @classmethod
@@ -156,11 +158,6 @@ class NurbsSurface(Immutable):
         )
 
     # ---- the surface
-
-    @property
-    def dimension(self) -> int:
-        """Number of coordinates."""
-        return len(self.p)
 
     @property
     def domain(self) -> Sides:

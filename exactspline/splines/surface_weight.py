@@ -6,8 +6,8 @@ from collections import deque
 from itertools import product
 
 from exactspline.errors import WeightError
-from exactspline.exact import mpq, text
-from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, halved
+from exactspline.exact import mpq
+from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, box_text, halved
 from exactspline.splines.tensor import TensorSpline
 
 #: Boxes on one patch before the search stops.
@@ -33,7 +33,7 @@ def check_weight(w: TensorSpline) -> None:
         if sign and found != sign:
             place = _placed(((mpq(0), mpq(1)), (mpq(0), mpq(1))), patch)
             raise WeightError(
-                f"the denominator w changes sign by a jump into the patch {told(place)}",
+                f"the denominator w changes sign by a jump into the patch {box_text(place)}",
                 where="weights",
                 remedy="w must keep its sign on the domain",
                 witness=place,
@@ -86,22 +86,9 @@ def _placed(box: Box, patch: tuple[tuple[mpq, ...], tuple[mpq, ...]]) -> Box:
     return (mpq(a), mpq(b)), (mpq(c), mpq(d))
 
 
-def told(box: Box) -> str:
-    """A box, or a point, for people.
-
-    >>> told(((mpq(0), mpq(1)), (mpq(1, 2), mpq(1, 2))))
-    'u in [0, 1], v = 1/2'
-    """
-    parts = [
-        f"{name} = {text(a)}" if a == b else f"{name} in [{text(a)}, {text(b)}]"
-        for name, (a, b) in zip("uv", box, strict=True)
-    ]
-    return ", ".join(parts)
-
-
 def _zero(box: Box, certain: bool) -> WeightError:
     point = all(a == b for a, b in box)
-    where = f"at {told(box)}" if point else f"where {told(box)}"
+    where = f"at {box_text(box)}" if point else f"where {box_text(box)}"
     problem = (
         f"the denominator w has a zero {where}"
         if certain
