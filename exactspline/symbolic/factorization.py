@@ -22,8 +22,10 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.services import Displayed
+from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
 from exactspline.readings.printing.printer import POWER
@@ -266,4 +268,16 @@ def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynom
         if kind.takes(formula.kind, dimension)
         and is_polynomial(formula, dimension)
         and order_of(formula, dimension) <= order
+        and (kind.counted != BOTH or _degree_in_surface(formula, dimension, polynomial) <= NAMED_DEGREE)
     ]
+
+
+#: Formulas of a higher degree in a surface are not held against factors: they have millions of terms.
+NAMED_DEGREE = 10
+
+
+def _degree_in_surface(formula: Formula, dimension: int, polynomial: bool) -> int:
+    """How many operands are multiplied in a term, at most."""
+    argument = DegreeReading(parameter=BOTH[0]).argument(formula.kind, dimension, polynomial=polynomial)
+    (components, _) = split(formula(argument))
+    return max(sum(k for _, k in names) for x in components for names, _ in cast(Degree, x.degree).terms)
