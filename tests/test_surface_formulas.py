@@ -2,12 +2,15 @@
 statements that are false.
 """
 
+import json
 from dataclasses import replace
 
 import pytest
 from gmpy2 import mpq
+from typer.testing import CliRunner
 
 from exactspline import example_surface, paper
+from exactspline.cli import app
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Parameter
@@ -248,3 +251,34 @@ def test_curves_on_surfaces_obey_the_chain_rule():
 def test_forms_alone_say_nothing_of_a_surface():
     with pytest.raises((ExactSplineError, AttributeError)):
         SOURCE.find("gauss_map_area")(JetReading(2).argument(FORMS, 3))
+
+
+def test_derive_writes_the_value_on_a_surface():
+    for name, surface, degree in (("gaussian_curvature", "sphere", [0, 0]), ("parabolic_lifted", "torus", [8, 8])):
+        done = CliRunner().invoke(app, ["derive", f"surfaces:{name}", surface])
+        assert done.exit_code == 0
+        assert json.loads(done.output)["degree"] == degree
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["derive", "surfaces:jacobian", "sphere"],
+        ["derive", "surfaces:gaussian_curvature", "ellipse"],
+        ["degrees", "--patch", "3,3"],
+        ["degrees", "--paper", "surfaces", "--patch", "3"],
+        ["degrees", "--paper", "surfaces", "--patch", "0,2", "parabolic"],
+    ],
+)
+def test_what_does_not_fit_is_told(words):
+    done = CliRunner().invoke(app, words)
+    assert isinstance(done.exception, ExactSplineError)
+
+
+def test_degrees_on_a_patch_by_command():
+    done = CliRunner().invoke(app, ["degrees", "--paper", "surfaces", "--patch", "2,2", "parabolic", "--json"])
+    rows = json.loads(done.output)["rows"]
+    assert [(row["patches"], row["true"], row["agrees"]) for row in rows] == [
+        ("rational", [8, 8], True),
+        ("polynomial", [7, 7], True),
+    ]
