@@ -10,6 +10,7 @@ import pytest
 from gmpy2 import isqrt, mpq
 from typer.testing import CliRunner
 
+import exactspline as xs
 from exactspline import example_surface, load_paper, paper
 from exactspline.cli import app
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
@@ -370,3 +371,16 @@ def test_a_stranger_writes_formulas_of_surfaces(tmp_path):
     )
     rows = list(audit(claims_of(load_paper(folder))))
     assert [row.verdict for row in rows] == [PROVED, PROVED, REFUTED]
+
+
+def test_questions_of_surfaces_are_answered_in_either_parameter():
+    asked = [str(xs.degree("surfaces:L", parameter=parameter)) for parameter in (None, "u", "v")]
+    assert asked[0] == asked[1] == "L in R3: nominal 8d_u, in lowest terms 4d_u"
+    assert asked[2] == asked[1].replace("d_u", "d_v")
+    assert str(xs.reduction("surfaces:L", parameter=Parameter.V).main.generic) == "4d_v − 2"
+    assert bool(xs.prove("surfaces:L", "surfaces:L_lifted", "w^-4"))
+    for name, parameter in (("f2", "u"), ("surfaces:L", "s")):
+        with pytest.raises(FormulaError, match="function of"):
+            xs.degree(name, parameter=parameter)
+    with pytest.raises(ExactSplineError, match="defined for a surface$|surface"):
+        xs.derive("surfaces:L", xs.example("ellipse_in_space"))
