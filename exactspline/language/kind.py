@@ -53,6 +53,8 @@ class Kind(ABC):
     name: str
     dimensions: tuple[int, ...]
     made_of_a_curve = True
+    #: The parameters in which tables count degrees: that of the first of two curves alone.
+    counted: tuple[Parameter, ...] = (Parameter.FIRST,)
     #: Where a parameter of some operands is itself a function of the curve's parameter: the operand that it is.
     composed: Mapping[Parameter, str] = MappingProxyType({})
 
@@ -78,6 +80,15 @@ class Kind(ABC):
     def parts(self) -> dict[str, Kind]:
         """The arguments that it is made of, by the names formulas have for them."""
         return {}
+
+    def parameters(self, dimension: int) -> tuple[Parameter, ...]:
+        """The parameters of its operands.
+
+        >>> from exactspline.language.kinds import PAIR, SURFACE
+        >>> *PAIR.parameters(3), *SURFACE.parameters(3)
+        (<Parameter.FIRST: 's'>, <Parameter.SECOND: 's̄'>, <Parameter.U: 'u'>, <Parameter.V: 'v'>)
+        """
+        return tuple(dict.fromkeys(p for symbol in self.symbols(dimension) for p in symbol.parameters))
 
     def takes(self, other: Kind, dimension: int) -> bool:
         """Whether formulas of another kind can be evaluated on such an argument: it has their operands.

@@ -16,12 +16,14 @@ from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POIN
 from exactspline.language.hodograph_kind import HODOGRAPH
 from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
 from exactspline.language.kind import Kind, Rule, Symbol
-from exactspline.language.surface_kind import PLANAR_MAP, SURFACE
+from exactspline.language.surface_kind import CURVE_ON_SURFACE, FORMS, PLANAR_MAP, SURFACE
 from exactspline.language.vector import Vector
 
 __all__ = [
     "CURVE",
+    "CURVE_ON_SURFACE",
     "DIMENSIONS",
+    "FORMS",
     "FRAMED",
     "FRAMED_PLANE",
     "FRAMED_SPACE",
@@ -218,7 +220,7 @@ KINDS: dict[str, Kind] = {
         *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT),
         *(FRAMED, FRAMED_PLANE, FRAMED_SPACE),
         *(HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION),
-        *(SURFACE, PLANAR_MAP),
+        *(SURFACE, PLANAR_MAP, FORMS, CURVE_ON_SURFACE),
     )
 }
 

@@ -44,31 +44,34 @@ class SympyExpression(FieldOperand):
     def __init__(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol] = frozenset()) -> None:
         self.expression, self.parameters = expression, parameters
 
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> SympyExpression:
+        return SympyExpression(expression, parameters)
+
     def constant(self, value: Constant) -> SympyExpression:
         """An exact constant."""
-        return SympyExpression(_number(value))
+        return self._made(_number(value), frozenset())
 
     def __add__(self, other: object) -> SympyExpression:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return SympyExpression(self.expression + right.expression, self.parameters | right.parameters)
+        return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
     def __mul__(self, other: object) -> SympyExpression:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return SympyExpression(self.expression * right.expression, self.parameters | right.parameters)
+        return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
     def reciprocal(self) -> SympyExpression:
         """``1 / a``; `FormulaError` for what vanishes identically."""
         if self.is_zero:
             raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
-        return SympyExpression(1 / self.expression, self.parameters)
+        return self._made(1 / self.expression, self.parameters)
 
     def scaled(self, constant: Constant) -> SympyExpression:
         """The expression times an exact constant."""
-        return SympyExpression(self.expression * _number(constant), self.parameters)
+        return self._made(self.expression * _number(constant), self.parameters)
 
     def elevated_to(self, other: object) -> SympyExpression:
         """Itself: degree elevation does not change a function."""
@@ -80,14 +83,14 @@ class SympyExpression(FieldOperand):
         Raises `FormulaError` for what depends on two parameters, where none is named.
         """
         if by is not None:
-            return SympyExpression(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
+            return self._made(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
         if len(self.parameters) > 1:
             raise FormulaError(
                 "the derivative of what depends on two parameters", remedy="differentiate operands of one curve"
             )
         if not self.parameters or not order:
             return self if not order else self.constant(0)
-        return SympyExpression(sympy.diff(self.expression, next(iter(self.parameters)), order), self.parameters)
+        return self._made(sympy.diff(self.expression, next(iter(self.parameters)), order), self.parameters)
 
     @property
     def is_zero(self) -> bool:
@@ -101,6 +104,34 @@ class SympyExpression(FieldOperand):
 
     def __repr__(self) -> str:
         return str(self.expression)
+
+
+class AlongCurve(SympyExpression):
+    """An expression on a curve on a surface, whose parameters are functions: `flow` are their derivatives."""
+
+    __slots__ = ("flow",)
+
+    def __init__(
+        self,
+        expression: sympy.Expr,
+        parameters: frozenset[sympy.Symbol],
+        flow: tuple[tuple[sympy.Symbol, sympy.Expr], ...],
+    ) -> None:
+        super().__init__(expression, parameters)
+        self.flow = flow
+
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> AlongCurve:
+        return AlongCurve(expression, parameters, self.flow)
+
+    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+        """The partial derivative by a parameter of the surface; any other is along the curve, by the chain rule."""
+        if by not in (None, Parameter.FIRST):
+            return super().d(order, by=by)
+        expression = self.expression
+        for _ in range(order):
+            chained = [pace * sympy.diff(expression, parameter) for parameter, pace in self.flow]
+            expression = sympy.diff(expression, FIRST) + sympy.Add(*chained)
+        return self._made(expression, self.parameters)
 
 
 def _number(value: Any) -> sympy.Rational:
@@ -125,6 +156,11 @@ class SympyReading(Reading):
         for constants.
         """
         rules, known = kind.rules(dimension), dict[str, SympyExpression]()
+        texts = {symbol.name: symbol.text for symbol in kind.symbols(dimension, polynomial=polynomial)}
+        flow = tuple(
+            (PARAMETER[parameter], sympy.diff(sympy.Function(texts[name])(FIRST), FIRST))
+            for parameter, name in kind.composed.items()
+        )
 
         def operand(symbol: Symbol) -> SympyExpression:
             if not symbol.parameters:
@@ -133,7 +169,8 @@ class SympyReading(Reading):
             function = sympy.Function(symbol.text)
             if symbol.name in rules:
                 function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
-            return SympyExpression(function(*parameters), frozenset(parameters))
+            made = function(*parameters), frozenset(parameters)
+            return AlongCurve(*made, flow) if flow else SympyExpression(*made)
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
         one = SympyExpression(sympy.Integer(1))

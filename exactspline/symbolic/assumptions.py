@@ -117,6 +117,14 @@ _EVERYWHERE = (
         SPACE,
         formula="binormal_form_squared",
     ),
+    Assumption(
+        "S_u×S_v",
+        "S_u×S_v has no zero",
+        "positive where the surface is regular",
+        _formula("surfaces:area_squared_lifted"),
+        ("surface",),
+        formula="surfaces:area_squared_lifted",
+    ),
 )
 
 

@@ -156,7 +156,7 @@ def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
 
     Raises `InapplicableError` where operands depend on each other: the degree theorem speaks of free ones.
     """
-    if ring.rules:
+    if ring.rules or ring.kind.composed:
         raise InapplicableError(
             f"the degree theorem says nothing of the kind {ring.kind.name!r}", remedy="ask for the nominal degree"
         )

@@ -32,7 +32,8 @@ def substitute(jet: Jet, curve: Curve[T] | Pair[T]) -> T:
             for name, orders in jet.ring.variables
         ],
     )
-    return known["w"].constant(value) if isinstance(value, CONSTANTS) else value
+    some = next(known[name] for name in ("w", *known) if name in known)
+    return some.constant(value) if isinstance(value, CONSTANTS) else value
 
 
 def _derived(operand: Any, symbol: Symbol, orders: tuple[int, ...]) -> Any:

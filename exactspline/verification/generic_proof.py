@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.language.arguments import Operands, Pair
+from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, find
@@ -54,14 +55,16 @@ def transposed(formula: Formula) -> Formula:
     return Formula(lambda c: formula.function(Pair(c.second, c.first)), formula.source, formula.kind, formula.symbol)
 
 
-def reduction_of(formula: Formula, dimension: int, polynomial: bool) -> Reduction:
+def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, made once."""
-    return _reduction(formula, dimension, polynomial, naming())
+    return _reduction(formula, dimension, polynomial, parameter, naming())
 
 
 @cache
-def _reduction(formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Reduction:
-    return reduce(formula, dimension=dimension, polynomial=polynomial)
+def _reduction(
+    formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None, names: tuple[Paper, ...]
+) -> Reduction:
+    return reduce(formula, dimension=dimension, polynomial=polynomial, parameter=parameter)
 
 
 def degree_table() -> Operands:

@@ -5,7 +5,7 @@ fundamental form times ``√(EG − F²)`` and everything stays rational.
 """
 
 from exactspline.language.formula import formula
-from exactspline.language.vector import cross, det, dot, norm2
+from exactspline.language.vector import cross, det, dot, join, norm2
 
 
 @formula("derivatives", on="surface", symbol="S_u")
@@ -54,12 +54,6 @@ def F(c):
 def G(c):
     """``‖S_v‖²``."""
     return norm2(S_v(c))
-
-
-@formula("first fundamental form", on="surface")
-def area_squared(c):
-    """``EG − F²``, the square of the element of area."""
-    return E(c) * G(c) - F(c) ** 2
 
 
 @formula("normal", on="surface", symbol="n")
@@ -120,3 +114,16 @@ def G_reduced(c):
 def jacobian(c):
     """``[S_u S_v]``, by which areas are multiplied: a map of the plane has an inverse near where it is not zero."""
     return det(c.S.d(1, by="u"), c.S.d(1, by="v"))
+
+
+@formula("planar maps", on="planar map", symbol=r"[P\ P_u\ P_v]")
+def jacobian_lifted(c):
+    """``w³ [S_u S_v]``, the determinant of ``P = (w, p)``."""
+    x = join(c.w, c.p)
+    return det(x, x.d(1, by="u"), x.d(1, by="v"))
+
+
+@formula("normal", on="surface", symbol=r"\|n\|^2")
+def normal_squared(c):
+    """``‖S_u × S_v‖²``."""
+    return norm2(normal(c))
