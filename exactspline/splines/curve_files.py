@@ -56,6 +56,8 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     (mpq(1,10), mpq(1,3))
     """
     data: dict[str, Any] = json_object(text, '{"degree": …, "knots": […], "control_points": […]}')
+    if isinstance(data.get("degree"), list):
+        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
     if "pieces" in data:
         data = _one_piece(data)
     if "kind" in data:
