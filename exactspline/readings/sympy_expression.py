@@ -12,7 +12,7 @@ from functools import cache, reduce
 from heapq import heapify, heappop, heappush
 from itertools import cycle
 from math import gcd
-from typing import Any, cast
+from typing import Any, Self, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -47,40 +47,40 @@ class SympyExpression(FieldOperand):
     def __init__(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol] = frozenset()) -> None:
         self.expression, self.parameters = expression, parameters
 
-    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> SympyExpression:
-        return SympyExpression(expression, parameters)
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> Self:
+        return type(self)(expression, parameters)
 
-    def constant(self, value: Constant) -> SympyExpression:
+    def constant(self, value: Constant) -> Self:
         """An exact constant."""
         return self._made(_number(value), frozenset())
 
-    def __add__(self, other: object) -> SympyExpression:
+    def __add__(self, other: object) -> Self:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: object) -> SympyExpression:
+    def __mul__(self, other: object) -> Self:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
-    def reciprocal(self) -> SympyExpression:
+    def reciprocal(self) -> Self:
         """``1 / a``; `FormulaError` for what vanishes identically."""
         if self.is_zero:
             raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
         return self._made(1 / self.expression, self.parameters)
 
-    def scaled(self, constant: Constant) -> SympyExpression:
+    def scaled(self, constant: Constant) -> Self:
         """The expression times an exact constant."""
         return self._made(self.expression * _number(constant), self.parameters)
 
-    def elevated_to(self, other: object) -> SympyExpression:
+    def elevated_to(self, other: object) -> Self:
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative by its parameter, or by the one that is named.
 
         Raises `FormulaError` for what depends on two parameters, where none is named.
@@ -123,10 +123,10 @@ class AlongCurve(SympyExpression):
         super().__init__(expression, parameters)
         self.flow = flow
 
-    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> AlongCurve:
-        return AlongCurve(expression, parameters, self.flow)
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> Self:
+        return type(self)(expression, parameters, self.flow)
 
-    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The partial derivative by a parameter of the surface; any other is along the curve, by the chain rule."""
         if by not in (None, Parameter.FIRST):
             return super().d(order, by=by)

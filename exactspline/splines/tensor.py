@@ -1,8 +1,7 @@
 """Splines in two parameters: exact tensor-product B-splines, the algebra that §6 needs.
 
-A `TensorSpline` is immutable, like `BSpline`, and scalar; a surface in space is a `Vector` of three, or a `Rational`.
-What depends on one parameter only is kept as the `BSpline` it is, so that nothing is computed once a patch that can be
-computed once a segment.
+A `TensorSpline` is immutable and scalar; a surface in space is a `Vector` of three, or a `Rational`. What depends on
+one parameter only is kept as the `BSpline` it is: nothing is computed for each patch that can be for each segment.
 """
 
 from __future__ import annotations
