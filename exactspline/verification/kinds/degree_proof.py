@@ -93,15 +93,13 @@ def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
     """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
     computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found)
     order = max(part.core[0].ring.order for part in found.parts)
-    lower: dict[int, int] = {}
-    if claim.least_d <= order or len(found.parts) > 1:
-        jets = [jet for jet in found.joined if not jet.is_zero]
-        lower = lower_degrees(jets)
-        for d in range(claim.least_d, order):
-            cut = [jet for jet in truncated(jets, d) if not jet.is_zero]
-            n = degree_at(without_content(cut), d) if cut else -1
-            if n < computed.at(dict.fromkeys(computed.names, d)):
-                lower[d] = n
+    jets = [jet for jet in found.joined if not jet.is_zero]
+    lower = lower_degrees(jets)
+    for d in range(claim.least_d, order):
+        cut = [jet for jet in truncated(jets, d) if not jet.is_zero]
+        n = degree_at(without_content(cut), d) if cut else -1
+        if n < computed.at(dict.fromkeys(computed.names, d)):
+            lower[d] = n
     return _held(claim, computed, lower, str(found.main.cancelled))
 
 
