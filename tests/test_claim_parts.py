@@ -373,8 +373,13 @@ def test_the_time_of_a_row_is_what_it_took():
 
 def test_nothing_is_assumed_of_two_curves():
     pair = next(c for c in all_claims() if c.of_pair and c.named)
-    with pytest.raises(ClaimError, match="not a polynomial"):
-        replace(pair, assumes=(f"{pair.named[0]} ≠ 0",))
+    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+        replace(pair, assumes=("bisector_determinant_symmetric ≠ 0",))
+    plane = next(c for c in all_claims() if c.curve == "plane" and c.named)
+    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+        replace(plane, assumes=("curvature_squared ≠ 0",))
+    (told,) = replace(plane, assumes=("f2 ≢ 0",)).assumes
+    assert not told.everywhere
 
 
 def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
