@@ -28,6 +28,7 @@ __all__ = [
     "formulas_by_module",
     "load_paper",
     "named_papers",
+    "owner",
     "paper",
     "papers",
     "resolve",
@@ -75,6 +76,16 @@ def paper(name: str) -> Paper:
     if name not in known:
         raise FormulaError(f"no paper is called {name!r}", remedy=f"{nearest(name, known)}; or name a folder")
     return known[name]
+
+
+def owner(formula: Formula) -> Paper | None:
+    """The paper whose own formula it is, of those that come with the library and those that were loaded.
+
+    >>> owner(find("f2")).name
+    'chen_riesenfeld_cohen_2007'
+    """
+    known = [*papers(), *_loaded.values()]
+    return next((each for each in known if each.formulas.get(formula.name) is formula), None)
 
 
 def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
