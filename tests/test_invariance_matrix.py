@@ -106,7 +106,7 @@ def place(change, curve, t):
     """Where a parameter goes; the end of a closed curve is its beginning."""
     t = change.parameter(number(t))
     a, b = change.curve.domain
-    return a if curve.closed and agree(t, b) else t
+    return a if curve.closed and abs(t - b) <= NEAR * (b - a) else t
 
 
 # ---- joints and corners
