@@ -116,12 +116,18 @@ if TYPE_CHECKING:
     from exactspline.splines.curve_files import save as save
     from exactspline.splines.examples import example as example
     from exactspline.splines.examples import example_names as example_names
+    from exactspline.splines.examples import example_surface as example_surface
+    from exactspline.splines.examples import example_surface_names as example_surface_names
     from exactspline.splines.examples import load as load
+    from exactspline.splines.examples import load_surface as load_surface
     from exactspline.splines.knots import KnotVector as KnotVector
     from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
     from exactspline.splines.surd import Surd as Surd
+    from exactspline.splines.surface import NurbsSurface as NurbsSurface
+    from exactspline.splines.surface_files import save_surface as save_surface
+    from exactspline.splines.surface_files import surface_from_text as surface_from_text
     from exactspline.splines.tensor import TensorSpline as TensorSpline
     from exactspline.splines.tensor import surface_pair as surface_pair
     from exactspline.splines.triangles import de_boor_triangle as de_boor_triangle
@@ -159,6 +165,7 @@ _HOMES = {
     "ExactSplineError": "errors:ExactSplineError",
     "KnotVector": "splines.knots:KnotVector",
     "Nurbs": "splines.nurbs:Nurbs",
+    "NurbsSurface": "splines.surface:NurbsSurface",
     "Rational": "language.rational:Rational",
     "Root": "roots.root:Root",
     "Surd": "splines.surd:Surd",
@@ -183,8 +190,13 @@ _HOMES = {
     "curve_from_text": "splines.curve_files:curve_from_text",
     "example": "splines.examples:example",
     "example_names": "splines.examples:example_names",
+    "example_surface": "splines.examples:example_surface",
+    "example_surface_names": "splines.examples:example_surface_names",
     "load": "splines.examples:load",
+    "load_surface": "splines.examples:load_surface",
     "save": "splines.curve_files:save",
+    "save_surface": "splines.surface_files:save_surface",
+    "surface_from_text": "splines.surface_files:surface_from_text",
     # what a curve has
     "construction": "geometry.constructions:construction",
     "analyse": "geometry.analysis:analyse",

@@ -8,6 +8,7 @@ the tests.
 from __future__ import annotations
 
 import ast
+import gc
 import json
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
@@ -16,7 +17,7 @@ from typing import Any
 
 from mutation.coverage_map import ENGINE, ROOT, caches, fingerprint, read_map
 from mutation.forked import Result, end_after, forked
-from mutation.mutants import Mutant, mutants, node_of
+from mutation.mutants import Mutant, made_inside, mutants, node_of
 
 #: What noticed each mutant, in the repository: with it a sample is judged without a map.
 WITNESSES = ROOT / "mutation" / "witnesses.json"
@@ -138,9 +139,11 @@ class Judge:
         from _pytest.runner import runtestprotocol
 
         items, emptied, todo = {item.nodeid: item for item in session.items}, caches(), self.chosen
+        made_inside()
+        gc.freeze()  # so that no forked process copies what it only walks over
 
         def fails(name: str) -> bool:
-            end_after(10 + 10 * self.tests.seconds.get(name, 1))
+            end_after(3 + 5 * self.tests.seconds.get(name, 1))
             return any(report.failed for report in runtestprotocol(items[name], log=False, nextitem=None))
 
         def work(mutant: Mutant) -> Result:

@@ -100,9 +100,9 @@ class Mutant:
         old, new = function.__code__, _found(code, self.function.split("."))
         function.__code__ = new
         inner = dict(zip(_inner(old), _inner(new), strict=False))
-        for made in [f for f in gc.get_objects() if type(f) is FunctionType and f.__code__ in inner]:
-            # what the function has made before, as a module was imported
-            made.__code__ = inner[made.__code__]
+        for made in made_inside():
+            if made.__code__ in inner:
+                made.__code__ = inner[made.__code__]
 
 
 class _Replaced(ast.NodeTransformer):
@@ -166,6 +166,13 @@ def live(module: str, function: str) -> FunctionType:
     if not isinstance(found, FunctionType):
         raise ValueError(f"{module}:{function} is no function")
     return found
+
+
+@cache
+def made_inside() -> list[FunctionType]:
+    """The functions that others have made before, as modules were imported."""
+    found = [f for f in gc.get_objects() if type(f) is FunctionType and "<locals>" in f.__qualname__]
+    return [f for f in found if str(f.__module__).startswith("exactspline")]
 
 
 def mutants(file: str) -> list[Mutant]:

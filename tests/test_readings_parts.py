@@ -1,6 +1,9 @@
 """The parts that readings are made of, each held against what it means, with known answers."""
 
+from math import comb
+
 import pytest
+import sympy
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from gmpy2 import mpq
 from hypothesis import given
@@ -8,19 +11,24 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
-from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE
+from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
+from exactspline.readings.generic_bezier import GenericReading
 from exactspline.readings.jet import JetReading, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
+from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
+from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.sympy_expression import FIRST, _Fractions, _quotient
 from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.tree import TreeReading, trace
+from exactspline.splines.examples import example
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -214,3 +222,122 @@ def test_a_vector_times_itself_is_a_squared_length_and_no_other_product_is():
     assert print_text(dot(p, v)) == "p · p′"
     assert print_latex(dot(p, p)) == r"\|p\|^2"
     assert "\\|" not in print_latex(dot(v, p))
+
+
+@pytest.mark.parametrize("order", range(1, 13))
+def test_derivatives_of_any_order_in_print(order):
+    w = TreeReading().argument(CURVE, 2).w.d(order)
+    assert print_latex(w) == ("w" + "'" * order if order < 4 else f"w^{{({order})}}")
+    raised = str(order).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    assert print_text(w) == "w" + {1: "′", 2: "″", 3: "‴"}.get(order, f"⁽{raised}⁾")
+
+
+def test_operands_in_another_parameter_are_equal_when_their_values_are():
+    c = RationalJetReading(2).argument(kind_of("plane with rho"), 2)
+    x, y = (InOtherParameter(c.p[i], c.rho) for i in (0, 1))
+    assert x * y == y * x
+    assert x != y
+    assert x != c.p[0]
+    assert x.d(0) == x
+    assert x.d(1) != x
+    assert x.d(2) == x.d(1).d(1)
+
+
+def test_a_jet_equals_no_other_jet_and_nothing_else():
+    c = JetReading(1).argument(CURVE, 2)
+    assert c.w != c.p[0]
+    assert c.w != c.w.polynomial
+    assert c.w == c.w * 1
+
+
+def test_what_does_not_vanish_exactly_is_resolved_by_more_terms():
+    """Of a sum of two gradings each gives its own leading term, as soon as that is known."""
+    c = LeadingTermsReading(1, 2).argument(CURVE, 2)
+    bend = lambda c: c.p[0].d(1) * c.p[1].d(2) - c.p[0].d(2) * c.p[1].d(1)  # noqa: E731
+    assert bend(c).leading is None
+    ((drop, _),) = bend(LeadingTermsReading(2, 2).argument(CURVE, 2)).leading.values()
+    assert drop == 1
+    assert (c.w - c.w).leading is None
+    assert (c.w * 0).leading == {}
+
+
+@pytest.mark.parametrize("terms", [1, 2, 3, 5])
+def test_a_curve_of_numbers_is_known_to_as_many_terms(terms):
+    curve = numeric_curve(example("rational_cubic"), "1/3", terms, 30)
+    told = taylor(example("rational_cubic").w, "1/3", terms).coefficients
+    assert len(curve.w.coefficients) == terms
+    for a, b in zip(curve.w.coefficients, told, strict=True):
+        assert abs(a - curve.w.context.mpf(int(b.numerator)) / int(b.denominator)) < curve.w.context.mpf(10) ** -28
+
+
+def test_what_divides_is_never_ruled_out_and_what_does_not_mostly_is():
+    x, y = (sympy.Function(name)(FIRST) for name in "xy")
+    fractions = _Fractions(x + y)
+    a, b = fractions.ring.gens
+    for base in (a + b, a - 2 * b, a * b + 1, a**2 + b):
+        for factor in (a + 3, b - a, fractions.ring.one, a**2 * b - 5):
+            assert fractions._may_divide(base, base * factor)
+    assert not fractions._may_divide(a + b, a + 2 * b)
+    assert not fractions._may_divide(a * b + 1, a * b + 2)
+    assert not fractions._may_divide(a - b, (a + b) ** 2)
+
+
+def test_quotients_of_sparse_polynomials_are_exact_or_none():
+    x, y = (sympy.Function(name)(FIRST) for name in "xy")
+    a, b = _Fractions(x + y).ring.gens
+    for p in (a + b, a - 2 * b, 3 * a * b + 1, a**2 - b**3):
+        for q in (a + 3, b - a, 2 * a**2 * b - 5 * b):
+            assert _quotient(p * q, p) == q
+            assert _quotient(p * q + 1, p) is None
+            assert _quotient(p, p * q) is None
+    assert _quotient(a**2 + b, 2 * a) is None
+
+
+@pytest.mark.parametrize("terms", [1, 2, 4])
+def test_a_constant_at_infinity_is_known_to_as_many_terms_as_the_curve(terms):
+    w = LeadingTermsReading(terms, 1).argument(CURVE, 2).w
+    for number in (5, mpq(-2, 3)):
+        ((grading, known),) = w.constant(number).parts.items()
+        assert grading == (0, 0)
+        assert known == [fmpq(int(mpq(number).numerator), int(mpq(number).denominator)), *[0] * (terms - 1)]
+    assert w.constant(0).parts == {}
+    assert (w * 3).parts == (w * w.constant(3)).parts == (w + w + w).parts
+    assert w.constant(7).d(1).parts == {}
+
+
+@pytest.mark.parametrize("known", [1, 2, 4])
+def test_a_constant_series_of_numbers_is_known_to_as_many_terms(known):
+    h = NumericSeries(arithmetic(20), [1] * known)
+    assert [float(a) for a in h.constant(7).coefficients] == [7, *[0] * (known - 1)]
+    assert [float(a) for a in (h + 2).coefficients] == [3, *[1] * (known - 1)]
+    assert [float(a) for a in (3 * h).coefficients] == [3] * known
+    assert [float(a) for a in (1 - h).coefficients] == [0, *[-1] * (known - 1)]
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3])
+def test_generic_segments_multiply_and_differentiate_like_their_numbers(degree):
+    """Forms Σ cᵢ (1 − t)ⁿ⁻ⁱ tⁱ with indeterminates for coefficients, held against splines with numbers for them."""
+    c = GenericReading(degree).argument(CURVE, 2)
+    context = c.w.context
+    numbers = [fmpq(3 * i + 1, i + 2) for i in range(len(context.gens()))]
+
+    def spline(f):
+        values = [
+            x.compose(*[context.constant(q) for q in numbers], ctx=context).leading_coefficient()
+            for x in f.coefficients
+        ]
+        n = f.degree
+        return BSpline.bezier([mpq(int(v.p), int(v.q)) / comb(n, i) for i, v in enumerate(values)])
+
+    x, w = c.p[0], c.w
+    a, b = spline(x), spline(w)
+    assert spline(x * w) == a * b
+    assert spline(x.d(1)) == a.d(1)
+    assert spline(x * w + x) == a * b + a
+    assert spline(x - w * w) == a - b * b
+    assert (x - x).is_zero
+    assert x.d(degree + 1).is_zero
+    assert (x.d(degree + 1) * w).is_zero
+    polynomial = GenericReading(degree).argument(CURVE, 2, polynomial=True)
+    assert polynomial.w.coefficients == [1]
+    assert polynomial.p[0] * polynomial.w == polynomial.p[0]

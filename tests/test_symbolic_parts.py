@@ -5,19 +5,24 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from exactspline import BSpline
 from exactspline.language.kinds import CURVE, PAIR, SPACE
-from exactspline.language.vector import Vector, det
+from exactspline.language.vector import Vector, det, norm2
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
+from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.jet import JetReading
 from exactspline.splines.examples import example
+from exactspline.symbolic import covariants
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for, name_of_vector
+from exactspline.symbolic.motions import MAPS
 from exactspline.symbolic.motions import _rotation as rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
 
+T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
 
 
@@ -181,3 +186,113 @@ def test_a_rotation_keeps_lengths_and_orientation_and_its_axis(quaternion):
     assert [row[:2] for row in about[:2]] == flat
     cosine, sine = (1 - c * c) / (1 + c * c), 2 * c / (1 + c * c)
     assert flat == [[cosine, -sine], [sine, cosine]]
+
+
+@pytest.mark.parametrize("name", ["f2", "g2", "D1_squared", "vertices_lifted", "D1_D2_D3"])
+def test_what_lowers_degrees_is_the_same_for_symbols_and_numbers(name):
+    """L = Σ i (d − i + 1) f⁽ⁱ⁻¹⁾ ∂/∂f⁽ⁱ⁾."""
+    n = 3 if name == "D1_D2_D3" else 2
+    jet = find(name)(JetReading(order_of(find(name), n)).argument(CURVE, n))
+    symbolic = covariants._lowered(jet.ring, covariants._with_d(jet.ring, jet.polynomial))
+    again = covariants._lowered(jet.ring, symbolic)
+    gens = [jet.ring.context.gen(i) for i in range(len(jet.ring.gens))]
+    for d in range(1, 9):
+        at = lambda p, d=d: p.compose(jet.ring.context.constant(d), *gens, ctx=jet.ring.context)  # noqa: E731
+        once = covariants._lowered_at(jet.ring, jet.polynomial, d)
+        assert at(symbolic) == once
+        assert at(again) == covariants._lowered_at(jet.ring, once, d)
+
+
+def test_what_lowers_degrees_kills_covariants_and_lowers_one_derivative_at_a_time():
+    c = JetReading(2).argument(CURVE, 2)
+    x, y = c.p
+    d = 7
+    assert covariants._lowered_at(x.ring, (x * y.d(1) - x.d(1) * y).polynomial, d) == 0
+    assert covariants._lowered_at(x.ring, (d * x * x.d(2) - (d - 1) * x.d(1) * x.d(1)).polynomial, d) == 0
+    assert covariants._lowered_at(x.ring, x.d(2).polynomial, d) == (2 * (d - 1) * x.d(1)).polynomial
+    assert covariants._lowered_at(x.ring, x.d(1).polynomial, d) == (d * x).polynomial
+
+
+def test_factored_jets_are_equal_when_their_products_are():
+    c = FactoredJetReading(1).argument(CURVE, 2)
+    x, y, w = *c.p, c.w
+    assert x * (y + w) == x * y + x * w
+    assert x != x * y
+    assert x * y != x
+    assert x * y != x * w
+    assert 2 * x * y != x * y
+    assert x * (y + w) != x * (y - w)
+    assert x - x == w - w
+    assert x - x != x
+
+
+# ---- motions
+
+
+def constants_of(made, n):
+    return {name: mpq(3 * i + 2, 2 * i + 5) * (-1) ** i for i, name in enumerate(made.constants(n))}
+
+
+def points_of(n):
+    return [Vector(*[mpq((3 * i + 5 * j * j + i * j) % 11 - 4, j + 2) for j in range(n)]) for i in range(n + 2)]
+
+
+def moved(made, p, n):
+    image, w = made.image(p, mpq(1), constants_of(made, n))
+    return Vector(*[x / w for x in image])
+
+
+def volume(points):
+    return det(*[p - points[0] for p in points[1:]])
+
+
+@pytest.mark.parametrize("n", [2, 3])
+@pytest.mark.parametrize("name", ["translation", "rotation", "motion", "reflection", "scaling", "similarity"])
+def test_similarities_multiply_all_lengths_and_volumes(name, n):
+    made, points = MAPS[name], points_of(n)
+    images = [moved(made, p, n) for p in points]
+    scale = constants_of(made, n).get("scale", 1)
+    for i, p in enumerate(points):
+        for j in range(i):
+            assert norm2(images[i] - images[j]) == scale**2 * norm2(p - points[j])
+    turn = -1 if name == "reflection" else 1
+    assert volume(images[: n + 1]) == turn * scale**n * volume(points[: n + 1])
+    assert any(image != p for image, p in zip(images, points, strict=True))
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_affine_maps_multiply_all_volumes_by_their_determinant(n):
+    made, points = MAPS["affine map"], points_of(n)
+    images = [moved(made, p, n) for p in points]
+    unit = made.unit(points[0], mpq(1), constants_of(made, n))
+    for some, others in ((points[:-1], images[:-1]), (points[1:], images[1:])):
+        assert volume(others) == unit * volume(some)
+    k, one = constants_of(made, n), T.constant(1)
+    vectors = [made.of_vector(p.mapped(T.constant), one, k).mapped(lambda f: f(0)) for p in points]
+    for p, image, v in zip(points, images, vectors, strict=True):
+        assert image - images[0] == v - vectors[0]
+        assert p == points[0] or v != vectors[0]
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_projective_maps_multiply_determinants_of_homogeneous_coordinates(n):
+    made, points = MAPS["projective map"], points_of(n)[: n + 1]
+    k = constants_of(made, n)
+    images = [made.image(p, mpq(i + 1), k) for i, p in enumerate(points)]
+    before = det(*[Vector(*p, mpq(i + 1)) for i, p in enumerate(points)])
+    assert det(*[Vector(*p, w) for p, w in images]) == made.unit(points[0], mpq(1), k) * before
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_the_inversion_divides_distances_by_those_from_the_origin(n):
+    made, points = MAPS["inversion"], [p for p in points_of(n) if norm2(p)]
+    images = [moved(made, p, n) for p in points]
+    for i, p in enumerate(points):
+        assert norm2(images[i]) * norm2(p) == 1
+        assert made.unit(p, mpq(1), {}) * norm2(p) == 1
+        for j in range(i):
+            assert norm2(images[i] - images[j]) * norm2(p) * norm2(points[j]) == norm2(p - points[j])
+    if n == 2:
+        z = points[0]
+        u = images[0]
+        assert Vector(z[0] * u[0] - z[1] * u[1], z[0] * u[1] + z[1] * u[0]) == Vector(1, 0)

@@ -22,7 +22,7 @@ ALL = "all"
 @printing
 def inspect(
     out: Output,
-    curve: Annotated[list[str], typer.Argument(metavar="CURVE...", help=CURVE_HELP)],
+    curve: Annotated[list[str], typer.Argument(metavar="CURVE", help=CURVE_HELP)],
     digits: Annotated[
         int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
     ] = 20,

@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from time import perf_counter
-from typing import Any, Generic, TypeVar, overload
+from typing import Any, Generic, TypeVar, cast, overload
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
@@ -47,27 +47,28 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
 
 T = TypeVar("T")
+F = TypeVar("F", bound="Facts")
 
 
-class Fact(Generic[T]):
+class Fact(Generic[F, T]):
     """A property that is computed once for its object, under the object's lock, and kept."""
 
-    def __init__(self, compute: Callable[[Any], T]) -> None:
+    def __init__(self, compute: Callable[[F], T]) -> None:
         self.compute, self.__doc__ = compute, compute.__doc__
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
     @overload
-    def __get__(self, facts: None, owner: type) -> Fact[T]: ...
+    def __get__(self, facts: None, owner: type) -> Fact[F, T]: ...
 
     @overload
     def __get__(self, facts: Facts, owner: type) -> T: ...
 
-    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[T]:
+    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[F, T]:
         if facts is None:
             return self
-        return facts.once(self.name, lambda: self.compute(facts))
+        return facts.once(self.name, lambda: self.compute(cast(F, facts)))
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,7 @@ __all__ = [
     "formulas_by_module",
     "load_paper",
     "named_papers",
+    "owner",
     "paper",
     "papers",
     "resolve",
@@ -83,6 +84,16 @@ def paper(name: str) -> Paper:
 @cache
 def _by_name() -> dict[str, Paper]:
     return {each.name: each for each in papers()}
+
+
+def owner(formula: Formula) -> Paper | None:
+    """The paper whose own formula it is, of those that come with the library and those that were loaded.
+
+    >>> owner(find("f2")).name
+    'chen_riesenfeld_cohen_2007'
+    """
+    known = [*papers(), *_loaded.values()]
+    return next((each for each in known if each.formulas.get(formula.name) is formula), None)
 
 
 def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:

@@ -27,6 +27,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
@@ -253,8 +254,8 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
     if polynomial:
         return []
     known: Mapping[str, Any] = JetReading(order).argument(kind, dimension).operands()
-    jets = [(name, known[name]) for name in ("w", "W") if name in known and (name, 0) in known[name].ring.index]
-    return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
+    jets = [(name, known[name]) for name in ("w", "W") if name in known and name in known[name].ring.symbols]
+    return [(jet.ring.symbols[name].text, jet) for name, jet in jets]
 
 
 class _Names:
@@ -284,7 +285,7 @@ class _Names:
             self._kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order
         ):
             return None
-        return symbol_text(formula.symbol) or print_text(trace(formula, n)), formula(self._argument)
+        return symbol_text(formula.symbol) or print_text.at(trace(formula, n), POWER), formula(self._argument)
 
 
 @cache

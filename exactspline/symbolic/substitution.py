@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import groupby
 from math import gcd
 from typing import Any, NamedTuple
 
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.kinds import Symbol
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.jet import Jet
 
@@ -24,6 +26,15 @@ def substitute(jet: Jet, curve: Curve[T] | Pair[T]) -> T:
     True
     """
     return Substitution(jet).on(curve)
+
+
+def _derived(operand: Any, symbol: Symbol, orders: tuple[int, ...]) -> Any:
+    """A derivative of an operand: of several parameters by each in turn."""
+    if len(orders) == 1:
+        return operand.d(*orders)
+    for parameter, order in zip(symbol.parameters, orders, strict=True):
+        operand = operand.d(order, by=parameter) if order else operand
+    return operand
 
 
 #: A constant times the value of a node; the constant alone where there is none.
@@ -85,8 +96,17 @@ class Substitution:
     def on(self, curve: Curve[T] | Pair[T]) -> T:
         """The value on a curve."""
         known = curve.operands()
-        value = self._evaluated([_derivative(known, *variable) for variable in self.ring.variables])
-        return known["w"].constant(value * self.unit) if isinstance(value, CONSTANTS) else self._scaled(value)
+        symbols = self.ring.symbols
+        variables: list[Callable[[], Any]] = [
+            partial(_derived, known[name], symbols[name], orders) for name, orders in self.ring.variables
+        ]
+        value = self._evaluated(variables)
+        if not isinstance(value, CONSTANTS):
+            scaled: T = self._scaled(value)
+            return scaled
+        some: Any = next(known[name] for name in ("w", *known) if name in known)
+        found: T = some.constant(value * self.unit)
+        return found
 
     def _scaled(self, value: Any) -> Any:
         return value if self.unit == 1 else value * self.unit
@@ -109,7 +129,3 @@ class Substitution:
                     total = powers[i, e] if isinstance(total, CONSTANTS) and total == 1 else powers[i, e] * total
             values.append(total)
         return multiple(self.whole)
-
-
-def _derivative(known: Any, name: str, order: int) -> Callable[[], Any]:
-    return lambda: known[name].d(order)

@@ -113,7 +113,7 @@ def _assumed(claim: Claim, text: str) -> Assumption:
     if text in ASSUMPTIONS or zero != "0":
         return assumption(text)
     kind = kind_of(claim.curve)
-    constants = {s.name for s in kind.symbols(kind.dimensions[0]) if not s.parameter}
+    constants = {s.name for s in kind.symbols(kind.dimensions[0]) if not s.parameters}
     if name not in constants:
         formula_name(claim, "assumes", name)
     return stated_assumption(text, name if name in constants else claim.find(name), kind, "≠" in sign)
@@ -122,7 +122,8 @@ def _assumed(claim: Claim, text: str) -> Assumption:
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
     kind = kind_of(claim.curve)
-    names = set().union(*[parse(s.degree).names for s in kind.symbols(kind.dimensions[0]) if s.parameter and s.degree])
+    symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
+    names = set().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
     if unknown := parse(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
