@@ -76,6 +76,10 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
             for one in found.patches
             for part in one.parabolic
         ],
+        "parabolic_points": [
+            {"u": text(u), "v": text(v)}
+            for u, v in dict.fromkeys(point for one in found.patches for point in one.parabolic_points)
+        ],
         "singular_points": [_place_data(place, digits) for place in found.singular_points],
         "poles": [
             {
@@ -190,6 +194,8 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
     for one in found.patches:
         for part in one.parabolic:
             made.add_row("parabolic curve", *(_near(side) for side in _extent(one, part)), part.shape.value)
+    for point in dict.fromkeys(point for one in found.patches for point in one.parabolic_points):
+        made.add_row("parabolic point", *(text(x) for x in point), "K = 0 there alone")
     for umbilic in found.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
     for place in found.singular_points:

@@ -10,9 +10,9 @@ from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.common_factor import odd_part, square_free
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, on_patch, sides_of
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.places import Parameter, Place
-from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
+from exactspline.geometry.surface.signs import Point, Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
@@ -83,6 +83,14 @@ class PatchInspection:
         if self.curve is None:
             return ()
         return tuple(part for part in self.curve.parts if not self._is_singular(part))
+
+    @property
+    def parabolic_points(self) -> tuple[Point, ...]:
+        """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
+        found = () if self.signs is None or self.curve is not None else self.signs.zeros
+        singular = {place.exact for place in self.singular.places}
+        points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
+        return tuple((u, v) for (u, _), (v, _) in points if (u, v) not in singular)
 
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
@@ -192,7 +200,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
     signs = sign_on_patch(own.form)
     curve = None
-    if signs.sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+    if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         curve = ZeroCurve(square_free(own.form), singular.zeros)
     kind = _BY_SIGN[signs.sign]
     if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(own.form)):
