@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import NurbsSurface, example_surface, inspect_surface, jacobian_sign, rational
+from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign, rational
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
 from exactspline.geometry.surface.inspection import PatchKind
@@ -20,7 +20,6 @@ from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.splines.surface import Along
 from tests.surface_oracle import forms, gaussian_curvature, shape_operator, umbilicity
 
-BICUBIC = [0] * 4 + [1] * 4
 BIQUADRATIC = [0] * 3 + [1] * 3
 
 
@@ -253,6 +252,22 @@ def test_a_singular_point_is_no_umbilic():
     found = inspect_surface(example_surface("cross_cap"))
     assert [place.exact for place in found.singular_points] == [(0, 0)]
     assert forms(example_surface("cross_cap"), 0, 0)[2] == 0
+
+
+def test_curves_without_tangent_planes_are_told_and_are_not_parabolic():
+    """Tangents of the twisted cubic on both sides of it; a surface of revolution through its axis."""
+    u = TensorSpline((1, 0), [0, 0, 1, 1], [-1, 2], [[0], [1]])
+    v = TensorSpline((0, 1), [0, 1], [-1, -1, 2, 2], [[-1, 2]])
+    found = inspect_surface(NurbsSurface.from_splines([u + v, u * u + 2 * u * v, u * u * u + 3 * u * u * v]))
+    assert (found.kinds, found.complete) == ((PatchKind.DEVELOPABLE,), True)
+    assert found.patches[0].singular.factor is not None
+    cone = example_surface("cylinder").isocurve("u", 0)
+    meridian = ((1, 0), (0, 2), (-1, 5))
+    points = [[(r * x, r * y, z) for r, z in meridian] for x, y in circle_points()]
+    turned = inspect_surface(NurbsSurface((2, 2), cone.knots, BIQUADRATIC, points, [[w] * 3 for w in cone.weights]))
+    assert turned.kinds == (PatchKind.MIXED,)
+    assert all(one.singular.factor is not None and not one.parabolic for one in turned.patches)
+    assert (turned.umbilics, turned.singular_points, turned.complete) == ((), (), True)
 
 
 # ---- against the oracle
