@@ -23,7 +23,7 @@ ALL = "all"
 def inspect(
     out: Output,
     curve: Annotated[
-        list[str], typer.Argument(metavar="CURVE...", help=f"{CURVE_HELP} Or a surface (JSON), or an example of one.")
+        list[str], typer.Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON), or an example of one.")
     ],
     digits: Annotated[
         int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")

@@ -169,7 +169,7 @@ class Program:
     (6, 9)
     """
 
-    def __init__(self, value: Any, reading: ProgramReading, signature: Signature) -> None:
+    def __init__(self, value: object, reading: ProgramReading, signature: Signature) -> None:
         self.signature = signature
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves

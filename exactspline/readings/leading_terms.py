@@ -65,7 +65,11 @@ class Expansion(Operand):
     provenance = 0
 
     def __init__(
-        self, context: Any, known: int, parts: dict[tuple[int, int], list[fmpq_mpoly]], across: Across | None = None
+        self,
+        context: fmpq_mpoly_ctx,
+        known: int,
+        parts: dict[tuple[int, int], list[fmpq_mpoly]],
+        across: Across | None = None,
     ) -> None:
         self.context, self.known, self.parts, self.across = context, known, parts, across
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
+from itertools import cycle
 from math import gcd
-from typing import Any, cast
+from typing import Any, Self, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -28,6 +29,8 @@ from exactspline.language.reading import Reading
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
 FIRST = PARAMETER[Parameter.FIRST]
+#: Where it is tried whether values divide each other, coordinate by coordinate, again from the first: any integers do.
+POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
 
 class SympyExpression(FieldOperand):
@@ -44,40 +47,40 @@ class SympyExpression(FieldOperand):
     def __init__(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol] = frozenset()) -> None:
         self.expression, self.parameters = expression, parameters
 
-    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> SympyExpression:
-        return SympyExpression(expression, parameters)
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> Self:
+        return type(self)(expression, parameters)
 
-    def constant(self, value: Constant) -> SympyExpression:
+    def constant(self, value: Constant) -> Self:
         """An exact constant."""
         return self._made(_number(value), frozenset())
 
-    def __add__(self, other: object) -> SympyExpression:
+    def __add__(self, other: object) -> Self:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: object) -> SympyExpression:
+    def __mul__(self, other: object) -> Self:
         right = self.beside(other)
         if right is None:
             return NotImplemented
         return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
-    def reciprocal(self) -> SympyExpression:
+    def reciprocal(self) -> Self:
         """``1 / a``; `FormulaError` for what vanishes identically."""
         if self.is_zero:
             raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
         return self._made(1 / self.expression, self.parameters)
 
-    def scaled(self, constant: Constant) -> SympyExpression:
+    def scaled(self, constant: Constant) -> Self:
         """The expression times an exact constant."""
         return self._made(self.expression * _number(constant), self.parameters)
 
-    def elevated_to(self, other: object) -> SympyExpression:
+    def elevated_to(self, other: object) -> Self:
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative by its parameter, or by the one that is named.
 
         Raises `FormulaError` for what depends on two parameters, where none is named.
@@ -120,10 +123,10 @@ class AlongCurve(SympyExpression):
         super().__init__(expression, parameters)
         self.flow = flow
 
-    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> AlongCurve:
-        return AlongCurve(expression, parameters, self.flow)
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> Self:
+        return type(self)(expression, parameters, self.flow)
 
-    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The partial derivative by a parameter of the surface; any other is along the curve, by the chain rule."""
         if by not in (None, Parameter.FIRST):
             return super().d(order, by=by)
@@ -229,7 +232,6 @@ class _Fractions:
         self.ring = PolyRing([f"v{i}" for i in range(len(used))] or ["v0"], sympy.ZZ, sympy.lex)
         self.generators = dict(zip(used, self.ring.gens, strict=False))
         self.known: dict[sympy.Expr, _Product] = {}
-        self.points = [[3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(self.ring.ngens)] for k in (1, 2, 3)]
 
     def value(self, e: sympy.Expr) -> _Product:
         """An expression as a product; what occurs twice is computed once."""
@@ -292,18 +294,18 @@ class _Fractions:
 
     def _may_divide(self, base: PolyElement, p: PolyElement) -> bool:
         """Whether the values at some integer points divide each other: cheap, and necessary (both are primitive)."""
-        for point in self.points:
+        for point in POINTS:
             below = _at(base, point)
             if below and _at(p, point) % below:
                 return False
         return True
 
 
-def _at(p: PolyElement, point: list[int]) -> int:
+def _at(p: PolyElement, point: tuple[int, ...]) -> int:
     total = 0
     for monomial, c in p.items():
         term = int(c)
-        for x, e in zip(point, monomial, strict=True):
+        for x, e in zip(cycle(point), monomial, strict=False):
             if e:
                 term *= x**e
         total += term

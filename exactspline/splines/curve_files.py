@@ -55,7 +55,11 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     >>> curve_from_text('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [0.1, "1/3"]]}')(1)
     (mpq(1,10), mpq(1,3))
     """
-    data: dict[str, Any] = json_object(text, '{"degree": …, "knots": […], "control_points": […]}')
+    data: dict[str, Any] = json_object(
+        text,
+        'one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
+        "read by exactspline.interchange.files.read",
+    )
     if isinstance(data.get("degree"), list):
         raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
     if "pieces" in data:

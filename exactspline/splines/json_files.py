@@ -42,11 +42,11 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
         ) from None
 
 
-def json_object(text: str, example: str) -> dict[str, object]:
-    """The JSON object that a text holds; `example` is what to write instead of anything else."""
+def json_object(text: str, remedy: str) -> dict[str, object]:
+    """The JSON object that a text holds; `remedy` tells what to write instead of anything else."""
     data = _parsed(text)
     if not isinstance(data, dict):
-        raise CurveFileError("the JSON text is not an object", remedy=f"write {example}")
+        raise CurveFileError("the JSON text is not an object", remedy=remedy)
     return data
 
 

@@ -41,7 +41,7 @@ def surface_from_text(text: str, name: str = "") -> NurbsSurface:
     ...     "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.1]]]}''')(1, 1)
     (mpq(1,1), mpq(1,1), mpq(1,10))
     """
-    data = json_object(text, '{"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}')
+    data = json_object(text, 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}')
     if NET in data and "control_points" not in data:
         data["control_points"] = data.pop(NET)
     _check_fields(data)

@@ -1,8 +1,7 @@
 """Splines in two parameters: exact tensor-product B-splines, the algebra that §6 needs.
 
-A `TensorSpline` is immutable, like `BSpline`, and scalar; a surface in space is a `Vector` of three, or a `Rational`.
-What depends on one parameter only is kept as the `BSpline` it is, so that nothing is computed once a patch that can be
-computed once a segment.
+A `TensorSpline` is immutable and scalar; a surface in space is a `Vector` of three, or a `Rational`. What depends on
+one parameter only is kept as the `BSpline` it is: nothing is computed for each patch that can be for each segment.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
@@ -161,16 +160,17 @@ class TensorSpline(Immutable, TensorParts, Operand):
         a, b = self.meshes[0].domain
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: TensorSpline | Constant) -> TensorSpline:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: TensorSpline | Constant) -> TensorSpline:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: object, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Callable[[Any, Any], Any], name: int) -> TensorSpline:
         right = other if type(other) is TensorSpline else self.beside(other)
         if right is None:
-            return NotImplemented
+            refused: TensorSpline = NotImplemented
+            return refused
         a, b = (self, right) if self.meshes is right.meshes else aligned(self, right)
         stride = a.stride if a.stride >= b.stride else b.stride
         if (
@@ -199,7 +199,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             (name, self.provenance, right.provenance),
         )
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: TensorSpline | Constant) -> TensorSpline:
         if type(other) is not TensorSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)

@@ -226,6 +226,6 @@ def _polynomials(
         spoken_of = any(kind.takes(kind_of(name), dimension) for name in each.kinds)
         if spoken_of and order_of(Formula(each.polynomial, each.name, kind, ""), dimension) <= order:
             value = each.polynomial(argument)
-            if not value.is_zero and value.polynomial.total_degree() > 0:
+            if value.polynomial.total_degree() > 0:
                 found.append((each, value.polynomial))
     return found

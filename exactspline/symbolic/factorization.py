@@ -26,6 +26,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
@@ -91,7 +92,28 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     chosen = [find(each) if isinstance(each, str) else each for each in formulas]
     kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
-    return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
+    shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
+    if shared is not None and key in shared:
+        return shared[key]
+    made = RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
+    if shared is not None:
+        made = shared.setdefault(key, made.remembering())
+    return made
+
+
+#: Indeterminate curves by kind, dimension, order and whether w = 1, which remember the values of formulas.
+SharedJets = dict[tuple[Kind, int, int, bool], Evaluated]
+_SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
+
+
+@contextmanager
+def sharing(jets: SharedJets) -> Iterator[None]:
+    """While this lasts, `jets_for` hands out these arguments and adds to them: many proofs compute a formula once."""
+    token = _SHARED.set(jets)
+    try:
+        yield
+    finally:
+        _SHARED.reset(token)
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
@@ -239,7 +261,7 @@ def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynom
     """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
     c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
     return [
-        (symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c))
+        (symbol_text(formula.symbol) or print_text.at(trace(formula, dimension), POWER), formula(c))
         for formula in source.formulas.values()
         if kind.takes(formula.kind, dimension)
         and is_polynomial(formula, dimension)

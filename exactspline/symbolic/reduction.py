@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -36,7 +36,7 @@ from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
 from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
-from exactspline.symbolic.substitution import substitute
+from exactspline.symbolic.substitution import Substitution
 
 #: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
 #: alone.
@@ -120,13 +120,17 @@ class Part:
             constant, Factorization((Named(p.name, p.jet.polynomial), e) for p, e in powers), self.core[0].ring
         )
 
-    @property
+    @cached_property
     def reduced(self) -> tuple[Jet, ...]:
         """The reduced form of zero-set problems and directions: the numerator without what has no zeros."""
         kept = self._product((p, p.above - p.below) for p in self.powers if self._kept(p))
         return tuple(kept * c for c in self.core)
 
-    @property
+    @cached_property
+    def _substitutions(self) -> tuple[Substitution, ...]:
+        return tuple(map(Substitution, self.reduced))
+
+    @cached_property
     def lowest(self) -> tuple[tuple[Jet, ...], Jet]:
         """Numerator and denominator in lowest terms: the same value."""
         top = self._product((p, p.above - p.below) for p in self.powers).scaled(self.constant)
@@ -136,7 +140,7 @@ class Part:
         ring = self.core[0].ring
         return Jet(ring, multiplied(ring, Powers((p.jet.polynomial, e) for p, e in powers if e > 0)))
 
-    @property
+    @cached_property
     def true(self) -> TrueDegree | None:
         """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
         kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
@@ -146,7 +150,7 @@ class Part:
         except FormulaError:
             return None
 
-    @property
+    @cached_property
     def generic(self) -> Degree:
         """The true degree of the reduced form on the generic curve, by the degree theorem."""
         return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
@@ -160,7 +164,7 @@ class Part:
                 total = total * generic_degree([jet], self.parameter)
         return total
 
-    @property
+    @cached_property
     def generic_lowest(self) -> Degree:
         """The true degree of the value in lowest terms on the generic curve: the larger of numerator and
         denominator.
@@ -212,7 +216,7 @@ class Part:
         """The reduced form on a curve, in any reading; splines come at the true degree that the theorem guarantees, by
         exact division.
         """
-        values: list[Any] = [substitute(jet, curve) for jet in self.reduced]
+        values: list[Any] = [each.on(curve) for each in self._substitutions]
         in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
         surplus = self.true.surplus if self.true and in_one_parameter else 0
         lowered = [
@@ -319,14 +323,30 @@ def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Paramete
     name = name_of_function(formula)
     kind = _kind(formula)
     counted = parameter or kind.parameters(dimension)[0]
-    degree_reading = DegreeReading(parameter=counted)
-    degrees = _parts(formula(degree_reading.argument(kind, dimension, polynomial=polynomial)), name)
+    degrees = _naive(formula, kind, dimension, polynomial, counted)
     value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
     parts = [
-        _part(role, naive.degree, part, counted)
-        for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
+        _part(role, naive, part, counted) for naive, (role, part) in zip(degrees, _parts(value, name), strict=True)
     ]
     return Reduction(name, dimension, polynomial, tuple(parts), kind)
+
+
+def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
+    """The degrees of the parts as Table 1 counts them."""
+    argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
+    return [part.degree for _, part in _parts(formula(argument), name_of_function(formula))]
+
+
+def counted_in(found: Reduction, formula: Formula, parameter: Parameter) -> Reduction:
+    """The same reduction, its degrees counted in another parameter.
+
+    >>> f = find("surfaces:L")
+    >>> [str(counted_in(reduce(f), f, parameter).main.generic) for parameter in (Parameter.U, Parameter.V)]
+    ['4d_u − 6', '4d_v − 2']
+    """
+    degrees = _naive(formula, found.kind, found.dimension, found.polynomial, parameter)
+    parts = (replace(part, naive=n, parameter=parameter) for part, n in zip(found.parts, degrees, strict=True))
+    return replace(found, parts=tuple(parts))
 
 
 def _parts(value: Any, name: str) -> list[tuple[str, Any]]:

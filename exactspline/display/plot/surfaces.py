@@ -64,15 +64,17 @@ def plot_mesh(
         )
     if any(abs(x) > LARGEST for face in faces for p in face for x in p):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
-    corners = [[tuple(float(x) for x in p) for p in face] for face in faces]
-    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
-    # thousands of faces are a picture inside an SVG, not as many paths
-    shades = [shaded(corner, library("matplotlib.colors").to_rgb(color)) for corner in corners]
-    made = collection(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, rasterized=True, zorder=1)
-    made.set_label(label)
+    rgb = library("matplotlib.colors").to_rgb(color)
+    shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
+    from exactspline.display.plot.depth import DepthCollection
+
+    made = DepthCollection(mesh, color, shades, zorder=1)
+    made.set_label("_surface")
+    space.plot([], [], [], "s", color=color, markersize=9, label=label)
     space.add_collection3d(made)
     # curves, nets and points stay visible through the surface
     space.computed_zorder = False
+    space.set_proj_type("ortho")
     if control_net and mesh.net:
         for run in mesh.net:
             draw(ax, run, color=net_color, linewidth=0.6, label="_net", zorder=2)

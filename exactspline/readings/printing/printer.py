@@ -162,10 +162,21 @@ def named_binding(n: Node) -> int:
 def index_text(index: int | slice) -> str:
     """An index, or the first and last of a slice.
 
-    >>> index_text(2), index_text(slice(1, 4))
-    ('2', '1…3')
+    >>> index_text(2), index_text(slice(1, 4)), index_text(slice(1, None)), index_text(slice(None, 2))
+    ('2', '1…3', '1…', '0…1')
+
+    A slice that counts from the end or leaves some out is written as in Python.
+
+    >>> index_text(slice(None, -1)), index_text(slice(0, 3, 2))
+    (':-1', '0:3:2')
     """
-    return f"{index.start}…{index.stop - 1}" if isinstance(index, slice) else str(index)
+    if not isinstance(index, slice):
+        return str(index)
+    start, stop = index.start or 0, index.stop
+    if index.step in (None, 1) and start >= 0 and (stop is None or stop > 0):
+        return f"{start}…" if stop is None else f"{start}…{stop - 1}"
+    ends = ["" if end is None else str(end) for end in (index.start, stop)]
+    return ":".join(ends if index.step is None else [*ends, str(index.step)])
 
 
 def number(value: Number) -> tuple[str, int]:

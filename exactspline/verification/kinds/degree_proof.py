@@ -110,8 +110,10 @@ def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
         parameter = _counted(claim)
         lower = lower_degrees(jets, parameter)
         for d in range(claim.least_d, order):
-            cut = [jet for jet in truncated(jets, d, parameter) if not jet.is_zero]
-            n = degree_at(without_content(cut), d, parameter) if cut else -1
+            *tops, bottom = truncated(found.joined, d, parameter)
+            cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
+            vanishes = all(jet.is_zero for jet in tops)
+            n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
             if n < computed.at(dict.fromkeys(computed.names, d)):
                 lower[d] = n
     return _held(claim, computed, lower, str(found.main.cancelled))
