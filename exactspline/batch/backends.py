@@ -33,7 +33,7 @@ class BackendError(ExactSplineError):
 def check_backend(name: str) -> None:
     """Raise `BackendError` where a backend is unknown or its package is missing."""
     if name not in BACKENDS:
-        raise BackendError(f"no backend is called {name!r}", remedy=nearest(name, BACKENDS))
+        raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(
             f"the backend {name} needs {needed}, which is not installed",

@@ -10,7 +10,7 @@ from exactspline.errors import CurveFileError, nearest
 from exactspline.splines.nurbs import Nurbs
 
 Range = tuple[int, int]
-#: What may be said of a family that is no number.
+#: What may be said of a family that is not a number.
 KINDS = ("no", "yes", "half")
 #: Above these a single random curve takes minutes; a list of control points of that length is a curve file.
 MOST = {"degree": 60, "segments": 100_000, "bits": 100_000}

@@ -69,7 +69,7 @@ class Line:
         >>> Line.from_data(line.data()) == line
         True
 
-        Raises `KeyError` or `TypeError` for what is no line.
+        Raises `KeyError` or `TypeError` for what is not a line.
         """
         given: dict[str, object] = dict(data)
         found, claims, error = (given.pop(name) for name in ("found", "claims", "error"))

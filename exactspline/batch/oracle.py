@@ -22,7 +22,7 @@ def question_of(asked: str) -> Question:
     name, _, argument = head.partition(":")
     if name not in QUESTIONS:
         remedy = nearest(name, QUESTIONS, listed_by="exactspline oracle --list")
-        raise QuestionError(f"no question is called {name!r}", remedy=remedy)
+        raise QuestionError(f"there is no question called {name!r}", remedy=remedy)
     return Question(asked.strip(), name, argument, tuple(tail.split(",")) if at else ())
 
 
@@ -36,7 +36,7 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
     6.283185307179587
 
-    Raises `QuestionError` for what is no question, and the `ExactSplineError` of a question that the curve has no
+    Raises `QuestionError` for what is not a question, and the `ExactSplineError` of a question that the curve has no
     answer to.
     """
     question = question_of(asked)

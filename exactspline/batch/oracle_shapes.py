@@ -107,7 +107,7 @@ def _closed(curve: Nurbs) -> Nurbs:
     if curve.dimension != 2 or not curve.polynomial or not curve.closed:
         raise ShapeError(
             "the area of a curve that is not closed, polynomial and in the plane",
-            remedy="of a rational curve the area is no rational number in general",
+            remedy="of a rational curve the area is not a rational number in general",
         )
     if any(joint.kind is JointKind.GAP for joint in analyse(curve).joints):
         raise ShapeError("the area of a curve with a gap", remedy="close the gap")

@@ -62,7 +62,7 @@ class Results(ABC):
             known = json.loads(place.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             raise ResultsError(
-                "exists, and is no result of a sweep", where=str(self.place), remedy="write to another file"
+                "exists, and is not a result of a sweep", where=str(self.place), remedy="write to another file"
             ) from None
         if differing := [name for name in self.settings if known.get(name) != self.settings[name]]:
             raise ResultsError(

@@ -83,7 +83,7 @@ class Summary:
 
     @property
     def all_read(self) -> bool:
-        """Whether every curve has a result; what is no curve of a format that is read is skipped by right."""
+        """Whether every curve has a result; what is not a curve of a format that is read is skipped by right."""
         return set(self.errors) <= {SKIPPED}
 
     def entries(self) -> Iterator[Entry]:

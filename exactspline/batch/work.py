@@ -61,7 +61,7 @@ class Work:
             shape = (curve.degree, curve.dimension, curve.segments, curve.polynomial)
             found = inspected(curve, self.find, self.digits)
             judged = self._judged(curve)
-        # one curve must not end a sweep of a million: what is no error of the input is told by its kind
+        # one curve must not end a sweep of a million: what is not an error of the input is told by its kind
         except Exception as error:
             told = Problem.of(error)
             return Line(item.index, item.source, item.name, *shape, error=told, seconds=process_time() - start)

@@ -276,7 +276,7 @@ class Circle(Answer):
                 yield "it is a circle"
             elif not said_no:
                 numbers(answer)
-                yield "it is no circle"
+                yield "it is not a circle"
             return
         yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
 

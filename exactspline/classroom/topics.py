@@ -50,10 +50,10 @@ def exercise(topic: str, seed: int) -> Exercise:
     """
     if topic not in TOPICS:
         raise TopicError(
-            f"no topic is called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
+            f"there is no topic called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
         )
     if type(seed) is not int or seed < 0:
-        raise TopicError(f"{shown(seed)} is no seed", where="seed", remedy="an integer ≥ 0")
+        raise TopicError(f"{shown(seed)} is not a seed", where="seed", remedy="an integer ≥ 0")
     rng = Random(f"{topic} {seed}")
     for _ in range(MOST_DRAWS):
         if drawn := TOPICS[topic](rng):

@@ -87,7 +87,7 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "oracle --list",
     ),
     grade.grade: (
-        "Libraries held against exact answers.",
+        "Libraries compared with exact answers.",
         "grade scipy geomdl --cases 20",
         "grade --cache truths.jsonl.gz --page scoreboard.md",
     ),

@@ -176,7 +176,7 @@ def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
 
         return ledger.tasks
     if name != "sympy":
-        raise ClaimError(f"no judge is called {name!r}", remedy="there are sympy and coq")
+        raise ClaimError(f"there is no judge called {name!r}", remedy="there are sympy and coq")
     from exactspline.verification import sympy_judge
 
     return sympy_judge.tasks
@@ -207,7 +207,7 @@ def _emit(directory: str) -> None:
 def _word(name: str, known: Sequence[str]) -> str:
     if name.upper() not in known:
         raise ClaimError(
-            f"no verdict is called {name!r}", remedy=nearest(name, known, listed_by="exactspline glossary")
+            f"there is no verdict called {name!r}", remedy=nearest(name, known, listed_by="exactspline glossary")
         )
     return name.upper()
 
@@ -218,7 +218,7 @@ def _of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
     known = list(dict.fromkeys(map(section, claims)))
     for name in wanted:
         if not any(_within(each, name) for each in known):
-            raise ClaimError(f"no section is called {name!r}", remedy=nearest(name, known))
+            raise ClaimError(f"there is no section called {name!r}", remedy=nearest(name, known))
     return [claim for claim in claims if not wanted or any(_within(section(claim), name) for name in wanted)]
 
 

@@ -1,1 +1,1 @@
-"""What the curve at hand has: constructions, features, ruled surfaces, bisectors."""
+"""What the given curve has: constructions, features, ruled surfaces, bisectors."""

@@ -2,7 +2,7 @@
 
 A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it,
 others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by
-whatever the curve at hand allows: the naive variant in lowest terms.
+whatever the given curve allows: the naive variant in lowest terms.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Variant(StrEnum):
     #: As the paper reduces it, and in a reduced form that the paper does not print.
     PAPER = "paper"
     REDUCED = "reduced"
-    #: From the lifts of the curve, and then divided by whatever the curve at hand allows.
+    #: From the lifts of the curve, and then divided by whatever the given curve allows.
     LIFTED = "lifted"
     MINIMAL = "minimal"
 
@@ -179,11 +179,11 @@ def construction(name: str) -> Construction:
     >>> [f"{variant}: {formula}" for variant, formula in construction("evolute").variants.items()]
     ['naive: evolute', 'paper: evolute_reduced', 'lifted: evolute_lifted']
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` naming those that exist.
     """
     if name not in all_constructions():
         raise FormulaError(
-            f"no construction is called {name!r}",
+            f"there is no construction called {name!r}",
             remedy=nearest(name, all_constructions(), listed_by="exactspline derive"),
         )
     return all_constructions()[name]

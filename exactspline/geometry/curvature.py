@@ -53,7 +53,7 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     roots = [polynomial_root(part) for part in (squared.numerator, squared.denominator)]
     if None in roots:
         return CurvaturePiece(
-            interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is no Pythagorean hodograph here"
+            interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is not a Pythagorean hodograph here"
         )
     (n, up), (m, down) = roots  # type: ignore[misc]  # None is not among them
     if _vanishes(m):

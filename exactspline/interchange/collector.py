@@ -52,8 +52,8 @@ class Collector:
         name: str = "",
         notes: Sequence[str] = (),
     ) -> None:
-        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. Where the data are no curve,
-        it is skipped with the reason.
+        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. Where the data are not a
+        curve, it is skipped with the reason.
         """
         name = name or f"{self.format} {len(self.curves) + 1}"
         try:

@@ -95,12 +95,12 @@ def encoded(
 
 
 def named_format(name: str) -> Format:
-    """The format with a name; raises `CurveFileError` with the names there are."""
+    """The format with a name; raises `CurveFileError` naming those that exist."""
     for known in FORMATS:
         if known.name == name:
             return known
     names = ", ".join(sorted(known.name for known in FORMATS))
-    raise CurveFileError(f"no format is called {name!r}", remedy=f"there are {names}")
+    raise CurveFileError(f"there is no format called {name!r}", remedy=f"there are {names}")
 
 
 def _by_suffix(path: str) -> Format:
@@ -135,7 +135,7 @@ def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
         path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):
-            raise CurveFileError("is no regular file", where=path, remedy="name a curve file")
+            raise CurveFileError("is not a regular file", where=path, remedy="name a curve file")
         with open(path, "rb") as stream:
             return stream.read(most), path, part
     except (OSError, ValueError) as error:

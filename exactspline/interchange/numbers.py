@@ -143,7 +143,7 @@ class NumberText:
         result = finite_double(value)
         if mpq(*result.as_integer_ratio()) != value:
             if not self.rounding:
-                raise NumberError(f"{shown(str(value)).strip(chr(39))} is no double", remedy=_REMEDY)
+                raise NumberError(f"{shown(str(value)).strip(chr(39))} is not a double", remedy=_REMEDY)
             self.rounded += 1
         return result
 

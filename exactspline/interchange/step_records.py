@@ -60,7 +60,9 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
     while position < len(text):
         match = _TOKEN.match(text, position)
         if not match:
-            raise CurveFileError(f"{text[position : position + 20]!r} is no STEP text", remedy="correct the text there")
+            raise CurveFileError(
+                f"{text[position : position + 20]!r} is not STEP text", remedy="correct the text there"
+            )
         token, position = match[1], match.end()
         if token == "(":
             if len(lists) > limits.depth:

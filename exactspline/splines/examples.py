@@ -46,7 +46,7 @@ def example(name: str) -> Nurbs:
     """
     if name not in example_names():
         remedy = nearest(name, example_names(), listed_by="exactspline curves")
-        raise CurveFileError(f"no file and no example curve is called {name!r}", remedy=remedy)
+        raise CurveFileError(f"there is no file and no example curve called {name!r}", remedy=remedy)
     return curve_from_text(_text("example_curves", name), name)
 
 
@@ -71,7 +71,7 @@ def example_surface(name: str) -> NurbsSurface:
     """
     if name not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="exactspline curves")
-        raise CurveFileError(f"no file and no example surface is called {name!r}", remedy=remedy)
+        raise CurveFileError(f"there is no file and no example surface called {name!r}", remedy=remedy)
     return surface_from_text(_text("example_surfaces", name), name)
 
 

@@ -1,4 +1,4 @@
-"""Three degrees, never confused: nominal (Table 1's counting), represented (of the spline at hand), true (after exact
+"""Three degrees, never confused: nominal (Table 1's counting), represented (of the given spline), true (after exact
 division).
 """
 

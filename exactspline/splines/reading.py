@@ -1,4 +1,4 @@
-"""The spline reading: formulas evaluated on the curves at hand. It is the work itself."""
+"""The spline reading: formulas evaluated on the given curves. It is the work itself."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ class SplineReading(Reading):
     """
 
     name = "spline"
-    proves = "what is true of the curve at hand"
+    proves = "what is true of the given curve"
 
     def __init__(self, given: Evaluated) -> None:
         self.given = given
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The curves at hand."""
+        """The given curves."""
         return self.given

@@ -99,7 +99,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
 
     @property
     def polynomials(self) -> Polynomials:
-        """The packed polynomials at the stride at hand, copies: zero where the spline is."""
+        """The packed polynomials at the current stride, copies: zero where the spline is."""
         return Polynomials(self._own)
 
     @property

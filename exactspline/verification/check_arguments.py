@@ -64,7 +64,7 @@ def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
 def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
     """What formulas of a kind are handed on one curve, and what is said of it beside the curve.
 
-    Raises `InapplicableError` for a kind of which one curve alone is no example.
+    Raises `InapplicableError` for a kind of which one curve alone is not an example.
     """
     asked = kind_of(kind)
     if isinstance(asked, PairKind):

@@ -142,7 +142,9 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 
     def check(claim: Claim, name: str, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= LARGEST:
-            raise ClaimError(f"{value!r} is no number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number")
+            raise ClaimError(
+                f"{value!r} is not a number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number"
+            )
         return value
 
     return check
@@ -200,7 +202,7 @@ class Claim(Displayed):
             if check := f.metadata.get("check"):
                 object.__setattr__(self, f.name, check(self, f.name, getattr(self, f.name)))
             elif not isinstance(getattr(self, f.name), str):
-                raise ClaimError(f"{getattr(self, f.name)!r} is no text", where=f.name, remedy="write a text")
+                raise ClaimError(f"{getattr(self, f.name)!r} is not a text", where=f.name, remedy="write a text")
             elif not getattr(self, f.name).replace("\n", "").isprintable():
                 raise ClaimError("a text that cannot be printed", where=f.name, remedy="leave control characters out")
         self._validate_common()

@@ -76,7 +76,7 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     claim = kind(paper=source.name, **values)
     if claim.error and claim.error not in source.errors:
         raise ClaimError(
-            f"no error is called {claim.error!r}", where="error", remedy=nearest(claim.error, list(source.errors))
+            f"there is no error called {claim.error!r}", where="error", remedy=nearest(claim.error, list(source.errors))
         )
     _check_words_of_key(claim)
     return claim

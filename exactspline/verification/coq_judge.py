@@ -37,7 +37,7 @@ class Opinion:
 
 
 def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
-    """What the kernel says of claims, by paper and key; nothing of claims that are no equalities.
+    """What the kernel says of claims, by paper and key; nothing of claims that are not equalities.
 
     Every theorem of the claims is compiled; without Coq every opinion says so.
     """

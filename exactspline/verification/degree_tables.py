@@ -36,7 +36,7 @@ from exactspline.verification.minimality import attained, witness
 
 @dataclass(frozen=True)
 class DegreeRow:
-    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand, with the time it
+    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the given curve, with the time it
     took.
 
     ``grading`` is ``k, m, j`` of a homogeneous polynomial, or of the numerator of a quotient in lowest terms (see

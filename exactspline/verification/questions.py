@@ -40,7 +40,7 @@ class Proof:
     holds: bool
     #: What the left side over the right one is in truth; None for vectors that are not parallel, and over roots.
     quotient: Factor | None
-    #: Whether roots are adjoined: then a quotient is no product of polynomials.
+    #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
 
     def __bool__(self) -> bool:

@@ -33,7 +33,7 @@ def chosen_sections(names: Iterable[str]) -> tuple[str, ...]:
     wanted = set(names)
     for name in wanted:
         if name not in SECTIONS:
-            raise FormulaError(f"no section of the benchmarks is called {name!r}", remedy=nearest(name, SECTIONS))
+            raise FormulaError(f"there is no section of the benchmarks called {name!r}", remedy=nearest(name, SECTIONS))
     return tuple(name for name in SECTIONS if not wanted or name in wanted)
 
 

@@ -57,7 +57,7 @@ def made(
     link: str = "",
     note: str = "",
 ) -> Case | None:
-    """A case of these doubles, None where they are no curve."""
+    """A case of these doubles, None where they are not a curve."""
     try:
         curve = Nurbs.from_floats(degree, knots, points, weights, name=key)
     except ExactSplineError:

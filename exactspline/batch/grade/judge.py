@@ -268,7 +268,7 @@ class _Form:
         return bool(low - reach * self.width <= t <= high + reach * self.width)
 
     def explains(self, t: mpq, places: Sequence[_Place], soft: Sequence[mpq]) -> bool:
-        """Whether a parameter that a library names is no invention."""
+        """Whether a parameter that a library names is not an invention."""
         if any(self._near(t, p.low, p.high) for p in places) or any(self._near(t, s, s) for s in self.jumps):
             return True
         if any(self._near(t, s, s, NEAR) for s in soft):
@@ -322,7 +322,7 @@ def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     return Verdict(RIGHT)
 
 
-#: An answer of a library may be anything: what is no answer of the kind asked for raises, and counts as off.
+#: An answer of a library may be anything: what is not an answer of the kind asked for raises, and counts as off.
 _JUDGES: dict[str, Callable[[Case, str, Answer, Any], Verdict]] = {
     **dict.fromkeys(("value", "first", "second"), _vector),
     **dict.fromkeys(("tangent", "curvature", "torsion"), _quotient),

@@ -64,12 +64,12 @@ def _ulps(ulps: float) -> str:
     return f"off by {ulps:.3g} ulps"
 
 
-HEAD = """# Libraries held against exact answers
+HEAD = """# Libraries compared with exact answers
 
 Made by `exactspline grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}),
 {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that
 the independent checker (`exactspline/batch/grade/recheck.py`, `exactspline/roots/checker.py`) accepted in this run;
-{uncertified} answers were left out because it did not. A library is asked only what it offers for the curve at hand,
+{uncertified} answers were left out because it did not. A library is asked only what it offers for the given curve,
 in its own calls (`exactspline/batch/grade/adapters`), and is judged by what the question allows a tolerance to do
 (below). A cell tells right answers of those asked, then what the others are; *declined* is a library that says itself
 that it has no answer.

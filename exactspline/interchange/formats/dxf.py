@@ -74,7 +74,9 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
         if len(code) > 6 or not code.lstrip("-").isdecimal() or not code.isascii():
-            raise CurveFileError(f"{code[:20]!r} is no group code", where=f"line {i + 1}", remedy="codes are integers")
+            raise CurveFileError(
+                f"{code[:20]!r} is not a group code", where=f"line {i + 1}", remedy="codes are integers"
+            )
         found.count(1)
         if code == "0":
             if entity:

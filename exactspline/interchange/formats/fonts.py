@@ -49,7 +49,7 @@ def read(source: Source) -> Reading:
     # a damaged font raises whatever its bytes happen to hit
     except Exception as error:
         raise CurveFileError(
-            f"is no font that can be read ({type(error).__name__})", remedy="repair the font"
+            f"is not a font that can be read ({type(error).__name__})", remedy="repair the font"
         ) from None
     for name in wanted:
         try:
@@ -71,7 +71,7 @@ def _named(font: TTFont, names: Sequence[str], part: str) -> str:
         return part
     if len(part) == 1 and (name := (font.getBestCmap() or {}).get(ord(part))):
         return str(name)
-    raise CurveFileError(f"no glyph is called {part[:40]!r}", remedy=f"there are {', '.join(names[:5])}, …")
+    raise CurveFileError(f"there is no glyph called {part[:40]!r}", remedy=f"there are {', '.join(names[:5])}, …")
 
 
 class _Glyph:

@@ -78,7 +78,7 @@ def _arrays(found: Collector, data: dict[str, Any]) -> None:
     """The file of 2016: ``controlpoints: {x: […], y: […]}`` and ``weights``, without degree and knots."""
     arrays = data["controlpoints"]
     if not isinstance(arrays, dict):
-        raise CurveFileError("controlpoints is no object", remedy='write {"x": […], "y": […]}')
+        raise CurveFileError("controlpoints is not an object", remedy='write {"x": […], "y": […]}')
     columns = [_row(found, arrays[axis]) for axis in "xyz" if axis in arrays]
     if len({len(column) for column in columns}) != 1:
         raise CurveFileError("coordinates of different lengths", where="controlpoints", remedy="give one a point")

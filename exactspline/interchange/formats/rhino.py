@@ -74,7 +74,7 @@ def _entries(source: Source) -> list[dict[str, Any]]:
     except subprocess.TimeoutExpired:
         raise CurveFileError(f"keeps rhino3dm busy for {SECONDS} seconds", remedy="repair the file") from None
     except (subprocess.CalledProcessError, ValueError):
-        raise CurveFileError("is no archive that rhino3dm can read", remedy="repair the file") from None
+        raise CurveFileError("is not an archive that rhino3dm can read", remedy="repair the file") from None
     return entries
 
 
@@ -103,7 +103,7 @@ def _circle(found: Collector, entry: dict[str, Any]) -> None:
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as objects of an archive of version 7; what is no double needs rounding."""
+    """The curves as objects of an archive of version 7; what is not a double needs rounding."""
     rhino = _rhino()
     model = rhino.File3dm()
     for named in curves:

@@ -23,7 +23,7 @@ class FormAtRoot:
     exact).
 
     `growth` encloses K of the theorem for the factor by which the form exceeds the minimal one: ``C ≤ K^(1/m)
-    C_minimal``; None where the factor vanishes too or is no polynomial. `one_sign` tells that its Bernstein
+    C_minimal``; None where the factor vanishes too or is not a polynomial. `one_sign` tells that its Bernstein
     coefficients have one sign, which proves ``C ≤ C_minimal``.
     """
 
@@ -96,11 +96,11 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     >>> [(str(f.form), f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
 
-    Raises `FormulaError` for a construction that is no zero set, `ShapeError` for a curve that is not in the plane.
+    Raises `FormulaError` for a construction that is not a zero set, `ShapeError` for a curve that is not in the plane.
     """
     made = construction(name)
     if not made.zero_set:
-        raise FormulaError(f"{name} is no zero set", remedy="choose zero_curvature or critical_curvature")
+        raise FormulaError(f"{name} is not a zero set", remedy="choose zero_curvature or critical_curvature")
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
     splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, Variant.MINIMAL)}

@@ -219,7 +219,9 @@ def polynomial(coefficients: tuple[int, ...], t: str, number: str) -> str:
 @singledispatch
 def differing(claim: Claim, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
     """The differences that are not zero, with what is denied and how it follows."""
-    raise ClaimError(f"claims of the kind {claim.kind!r} are no equalities", where=claim.key, remedy="state identities")
+    raise ClaimError(
+        f"claims of the kind {claim.kind!r} are not equalities", where=claim.key, remedy="state identities"
+    )
 
 
 @differing.register

@@ -185,7 +185,7 @@ class _Theorem(Statement):
 @singledispatch
 def stated(claim: Claim, theorem: _Theorem) -> tuple[str, list[str]]:
     """The conclusion and the steps that close the proof, the atoms being known."""
-    raise FormulaError(f"claims of the kind {claim.kind!r} are no equalities", remedy="state identities")
+    raise FormulaError(f"claims of the kind {claim.kind!r} are not equalities", remedy="state identities")
 
 
 @stated.register

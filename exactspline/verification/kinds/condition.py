@@ -36,7 +36,7 @@ class Condition(ExampleClaim):
         curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
-                f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
+                f"{self.example!r} is not a curve of which the claim speaks", where="example", remedy="name another one"
             )
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")

@@ -54,7 +54,7 @@ class Contact(Claim):
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
 
     def validate(self) -> None:
-        """Refuse what is no claim of two curves, and upper bounds, which special curves exceed."""
+        """Refuse what is not a claim of two curves, and upper bounds, which special curves exceed."""
         if not self.of_pair:
             raise ClaimError("contact is told of two points of a curve", where="curve", remedy='"pair" or "plane pair"')
         if self.relation == Relation.AT_MOST:

@@ -56,7 +56,7 @@ class Count(ExampleClaim):
         curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
-                f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
+                f"{self.example!r} is not a curve of which the claim speaks", where="example", remedy="name another one"
             )
 
     @property

@@ -116,7 +116,7 @@ class DegreeClaim(Claim):
         return replace(found, claimed=self.claims, relation=self.relation)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """The degree of the splines at hand. A curve of higher degree refutes what is claimed of the generic one; a
+        """The degree of the given splines. A curve of higher degree refutes what is claimed of the generic one; a
         curve of lower degree may be a special one, and decides nothing.
         """
         claimed = self._claimed(argument)

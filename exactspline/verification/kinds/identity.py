@@ -88,7 +88,7 @@ class Identity(Claim):
         return Finding(REFUTED, self.factor, str(factor), str(factor), f"the exact quotient is {factor}")
 
     def _over_roots(self, dimension: int, polynomial: bool) -> Finding:
-        """The same where a quotient is no product of polynomials: component by component."""
+        """The same where a quotient is not a product of polynomials: component by component."""
         left, right = self.find(self.left), self.find(self.right)
         formulas = (left, right, *self._factors())
         c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)

@@ -85,7 +85,7 @@ GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 def whole_number(claim: Claim, name: str, value: object) -> int:
     """A weight: it may be negative."""
     if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
-        raise ClaimError(f"{value!r} is no weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
+        raise ClaimError(f"{value!r} is not a weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
     return value
 
 
@@ -280,7 +280,7 @@ def _image(point: Vector[Any], made: Map, k: Mapping[str, Any], one: Any) -> lis
 
 
 def _line(w: BSpline) -> BSpline:
-    """A positive function that is no constant."""
+    """A positive function that is not a constant."""
     a, _ = w.domain
     rising: BSpline = BSpline.identity(*w.domain) * 2 + (5 - 2 * a)
     return rising

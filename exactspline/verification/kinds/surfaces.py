@@ -59,7 +59,7 @@ class SameSurface(Claim):
         a, b = formulas[0](c), formulas[1](c)
         for name, surface in ((self.left, a), (self.right, b)):
             if not isinstance(surface, RuledSurface):
-                raise ClaimError(f"{name!r} is no ruled surface", where=self.key, remedy="name one")
+                raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
             if all(x.is_zero for x in split(surface.generator)[0]):
                 return Finding(UNDECIDED, ONE, "no surface", witness=f"the generator of {name} vanishes on every curve")
         offset = b.directrix - a.directrix
