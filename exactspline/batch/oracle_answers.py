@@ -14,7 +14,7 @@ from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surd import Surd
 
-#: Digits behind the point to which an interval is told.
+#: Digits after the point of an interval.
 DIGITS = 30
 
 
@@ -24,7 +24,7 @@ class QuestionError(ExactSplineError):
 
 @dataclass(frozen=True)
 class Item:
-    """One thing that was found: what it is, its numbers by name, and what else is known of it."""
+    """One result: what it is, its numbers by name, and further facts."""
 
     what: str
     values: Mapping[str, Real]

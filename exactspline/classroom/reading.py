@@ -13,7 +13,7 @@ from exactspline.exact import mpq, rational, to_fmpq
 
 #: Longest answer and highest degree that are read.
 MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
-#: Longest coefficient on the way.
+#: The longest intermediate coefficient.
 MAX_BITS = 20_000
 _GROUP = re.compile(r"\(([^()]*)\)")
 _SIGNS = str.maketrans({"−": "-", "[": "(", "]": ")", ";": ",", '"': " ", "'": " ", "\ufeff": " "})
@@ -46,7 +46,7 @@ def numbers(answer: str) -> Point:
 
 
 def points(answer: str, dimension: int) -> tuple[Point, ...]:
-    """Points in brackets, or a point a line; numbers alone where the dimension is 1.
+    """Points in brackets, or one point per line; numbers alone where the dimension is 1.
 
     >>> points("(0, 1) (1/2, 2)", 2) == points("0 1\\n1/2 2", 2) == points('[[0, 1], ["1/2", 2]]', 2)
     True

@@ -1,4 +1,4 @@
-"""``schema``: what the JSON of a command looks like."""
+"""``schema``: the format of the JSON of a command."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from exactspline.exact import mpq, rational
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
 
-#: π/2 to 80 digits: longer than any decimal in a file that means it.
+#: π/2 to 80 digits: longer than any such decimal in a file.
 _HALF_PI = rational("1.57079632679489661923132169163975144209858469968755291048747229615390820314310449")
 
 

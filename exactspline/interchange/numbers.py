@@ -109,7 +109,7 @@ def with_point(text: str) -> str:
 @dataclass
 class NumberText:
     """How a writer writes numbers: exactly or, where that was asked for, as the nearest doubles; `rounded` counts the
-    numbers that lost something.
+    numbers that were rounded.
 
     >>> numbers = NumberText(rounding=True)
     >>> numbers(mpq(1, 8)), numbers(mpq(1, 3)), numbers.rounded

@@ -24,14 +24,14 @@ _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 
 
 @dataclass
 class Subpath:
-    """Connected segments, or why they cannot be exact."""
+    """Connected segments, or the reason why they cannot be exact."""
 
     segments: list[Segment] = field(default_factory=list)
     problem: str = ""
 
 
 class _Pen:
-    """Where the path stands."""
+    """The state of a path."""
 
     def __init__(self) -> None:
         self.at: Point = (mpq(0), mpq(0))

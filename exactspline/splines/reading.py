@@ -1,4 +1,4 @@
-"""The spline reading: formulas evaluated on the given curves. It is the work itself."""
+"""The spline reading: formulas evaluated on the given curves."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from exactspline.language.reading import Reading
 
 
 class SplineReading(Reading):
-    """Curves as they are: what a formula returns is a spline, or a quotient of splines.
+    """Curves themselves: a formula returns a spline, or a quotient of splines.
 
     >>> from exactspline.papers import find
     >>> from exactspline.splines.examples import example

@@ -56,7 +56,7 @@ class DegreeRow:
     seconds: float = 0
 
     def data(self) -> dict[str, object]:
-        """The row for a program."""
+        """The row as data."""
         return vars(self)
 
 

@@ -92,7 +92,7 @@ class Row(Displayed):
         return self.verdict in self.expected.split(" or ")
 
     def data(self) -> dict[str, object]:
-        """The row for a program."""
+        """The row as data."""
         return asdict(self)
 
 

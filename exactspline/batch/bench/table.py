@@ -1,4 +1,4 @@
-"""All sections, the table for people, and the picture."""
+"""All sections, the table, and the picture."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def rows(sections: Iterable[str], options: Options) -> Iterator[Row]:
 
 
 def sheet(given: Iterable[Row]) -> Sheet:
-    """The table: a row a measured value; a ratio is ours divided by the peer's."""
+    """The table: one row per measured value; a ratio is ours divided by the peer's."""
     columns = ("case", "who", "version", "value", "ours / theirs", "target", "met", "remark")
     made = Sheet(*columns, numbers=("value", "ours / theirs"), prose=("case", "remark"), heads=2)
     for row in given:

@@ -1,4 +1,4 @@
-"""What grading found: as data for programs, and as the page in the documents."""
+"""The results of grading: as data, and as the page in the documentation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactspline.batch.grade.runner import Judged, Report
 from exactspline.batch.grade.shrink import Defect
 from exactspline.exact import double, mpq, text
 
-#: How the outcomes are told in a cell, behind the share of right answers.
+#: How the other outcomes are abbreviated in a cell, after the share of right answers.
 SHORT = {"off": "off", "missed": "missed", "invented": "invented", "crashed": "crashed", "declined": "declined"}
 
 
@@ -162,7 +162,7 @@ def _curve(one: Judged) -> str:
 
 
 def _short(x: mpq) -> str:
-    """A number as it stands where it is short, otherwise the double that it is."""
+    """A number in full where it is short, otherwise as a double."""
     return text(x) if len(text(x)) <= 8 else repr(double(x))
 
 

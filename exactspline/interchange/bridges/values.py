@@ -23,7 +23,7 @@ def exact(value: object) -> mpq:
     if is_float(value):
         return from_float(value)
     try:
-        return mpq(operator.index(value))  # type: ignore[arg-type]  # asked whether it is an integer
+        return mpq(operator.index(value))  # type: ignore[arg-type]  # tested for being an integer
     except TypeError:
         raise NumberError(f"{shown(value)} is not a finite number", remedy="pass integers or floats") from None
 

@@ -1,9 +1,9 @@
-"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded; it works in a process of its
-own.
+"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded; it runs in a separate process.
 
 NURBS curves, lines and polylines are read, of polycurves every segment, of arcs the full circles, exactly for the
-plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are put back,
-and change nothing, as no point of the domain depends on them. Edges of Breps and all other objects are skipped.
+plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are added
+again, which changes nothing, as no point of the domain depends on them. Edges of Breps and all other objects are
+skipped.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def read(source: Source) -> Reading:
 
 
 def _entries(source: Source) -> list[dict[str, Any]]:
-    """What the library sees, from a process of its own."""
+    """What the library reads, in a separate process."""
     command = [sys.executable, "-m", "exactspline.interchange.rhino_process"]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
