@@ -71,8 +71,8 @@ Made by `exactspline grade --page docs/scoreboard.md`; do not edit. {cases} case
 the independent checker (`exactspline/batch/grade/recheck.py`, `exactspline/roots/checker.py`) accepted in this run;
 {uncertified} answers were left out because it did not. A library is asked only what it offers for the given curve,
 in its own calls (`exactspline/batch/grade/adapters`), and is judged by what the question allows a tolerance to do
-(below). A cell tells right answers of those asked, then what the others are; *declined* is a library that says itself
-that it has no answer.
+(below). A cell shows the right answers out of those asked, then the other outcomes; *declined* is a library that
+reports itself that it has no answer.
 """
 
 

@@ -151,7 +151,9 @@ def _letters(n: Node) -> tuple[Node, str]:
 
 
 def named_binding(n: Node) -> int:
-    """How tightly the symbol of a named formula binds: one that ends in a power needs parentheses before another power."""
+    """How tightly the symbol of a named formula binds: one that ends in a power needs parentheses before another
+    power.
+    """
     return POWER if "^" in n.value.symbol else ATOM
 
 
