@@ -1,15 +1,18 @@
 """The parts of claims, each on small cases: what they assume, what they refuse, what is tried where."""
 
 from dataclasses import replace
+from time import perf_counter
 
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, zeros
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.exact import text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
+from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -18,22 +21,23 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification import coq_judge
+from exactspline.verification import coq_judge, sympy_judge
 from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.degree_tables import construction_table
-from exactspline.verification.errata import check
+from exactspline.verification.errata import _unrecorded, check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds import Contact, Count, DegreeClaim
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
+from exactspline.verification.kinds.condition import _place
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.zero_set import ZeroSet
-from exactspline.verification.ledger import Proofs, checked, tasks
+from exactspline.verification.ledger import Proofs, checked, proved, tasks
 from exactspline.verification.questions import proof_of
-from exactspline.verification.statement import telling_tree
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED
+from exactspline.verification.statement import _size, sides, telling_tree
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, row
 from exactspline.verification.vocabulary import ArgumentKind, Counter
 
 
@@ -177,14 +181,14 @@ def test_one_claim_makes_its_tasks():
 
 
 def test_a_curve_with_the_name_of_an_example_is_none():
-    one = next(c for c in all_claims() if c.vacuous and c.curve in ("curve", "plane") and c.expected != REFUTED)
-    name = one.vacuous[0]
-    own = example(name)
-    same = Nurbs(own.degree, own.knots, own.control_points, own.weights, name=name)
-    assert checked(one, Evaluation(own), name, Proofs()).expected == UNDECIDED
-    told = checked(one, Evaluation(same), name, Proofs())
+    """On a line f1 = w f2 says nothing, which is on record for no example: there it would be an alarm."""
+    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name="circle")
+    told = checked(one, Evaluation(line), "circle", Proofs())
     assert told.verdict == UNDECIDED
     assert told.as_recorded
+    own = checked(one, Evaluation(example("circle")), "circle", Proofs())
+    assert (own.verdict, own.expected) == (VERIFIED, VERIFIED)
 
 
 def test_a_profile_is_taken_inside_the_domain():
@@ -217,9 +221,9 @@ def test_a_text_states_an_identity():
     assert proof_of("f1 = w * f2").holds
     assert proof_of("f1 = w · f2").holds
     assert not proof_of("f1 = f2").holds
-    for text in ("f1", "f1 =", "= f2", "", "f1 f2 = f2", "="):
+    for said in ("f1", "f1 =", "= f2", "", "f1 f2 = f2", "="):
         with pytest.raises(FormulaError, match="states no identity"):
-            proof_of(text)
+            proof_of(said)
     with pytest.raises(FormulaError) as told:
         proof_of("f1 = nothing_known")
     assert "'nothing_known'" in str(told.value)
@@ -322,3 +326,81 @@ def test_a_tree_is_spelled_out_only_where_it_would_repeat_the_symbol():
         assert told == (print_text(trace(formula, 2, expand=True)) if repeats else tree)
         spelled += repeats
     assert spelled
+
+
+def test_a_formula_is_missing_where_its_denominator_vanishes_on_one_segment():
+    """The first segment is one point: γ′ = 0 there."""
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
+    own, gone = Evaluation(curve), 0
+    for one in [c for c in all_claims() if c.curve == "plane" and c.named]:
+        values = [one.find(name)(own.handed("plane")) for name in one.named]
+        nowhere = [v for v in values if isinstance(v, Rational) and v.denominator.vanishes_somewhere]
+        assert bool(one.missing(own.handed("plane"))) is bool(nowhere)
+        gone += bool(nowhere)
+        if nowhere:
+            assert one.missing(own.handed("plane")).endswith("does not exist on all of this curve: 0/0")
+    assert gone > 3
+
+
+def test_what_is_proved_of_coefficients_is_what_is_linear():
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
+    assert one.decide(2, polynomial=False).verdict == PROVED
+    told = replace(one, formula="f2", curve="plane").decide(2, polynomial=False)
+    assert told.verdict == VERIFIED
+
+
+def test_the_place_of_a_zero():
+    t = BSpline.identity(0, 2)
+    (at_end,) = zeros(t)
+    (inside,) = zeros(t * t - 2)
+    assert _place(at_end) == "at the knot 0"
+    low, high = inside.low, inside.high
+    assert _place(inside) == f"between {text(low)} and {text(high)}"
+
+
+def test_a_row_says_of_a_statement_that_it_must_read_so():
+    for one in all_claims():
+        told = row(one, "", "", Finding(UNDECIDED), 0).statement
+        assert told == one.statement + (" (as it must read)" if one.status == "meant" else "")
+
+
+def test_the_time_of_a_row_is_what_it_took():
+    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    start = perf_counter()
+    rows = [proved(one), sympy_judge.judged(one), checked(one, Evaluation(example("circle")), "circle", Proofs())]
+    assert all(0 < each.seconds < perf_counter() - start for each in rows)
+
+
+def test_nothing_is_assumed_of_two_curves():
+    pair = next(c for c in all_claims() if c.of_pair and c.named)
+    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+        replace(pair, assumes=("bisector_determinant_symmetric ≠ 0",))
+    plane = next(c for c in all_claims() if c.curve == "plane" and c.named)
+    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+        replace(plane, assumes=("curvature_squared ≠ 0",))
+    (told,) = replace(plane, assumes=("f2 ≢ 0",)).assumes
+    assert not told.everywhere
+
+
+def test_what_fails_and_is_not_recorded_is_an_erratum_of_its_own():
+    good = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    wrong = replace(good, factor="w^2", status="ours", note="")
+    recorded = replace(wrong, expected="REFUTED")
+    (told,) = _unrecorded([good, wrong, recorded])
+    assert [each.key for each in told.statements] == [wrong.key]
+    assert told.why == ()
+    (noted,) = _unrecorded([replace(wrong, note="a slip")])
+    assert noted.why == ("a slip",)
+
+
+def test_sides_are_naive_and_reduced_where_their_degrees_differ():
+    for one in [c for c in all_claims() if isinstance(c, Identity) and c.curve == "plane"]:
+        told = sides(one)
+        sizes = [_size(side.name, one) for side in told]
+        assert sizes == sorted(sizes, reverse=True)
+        roles = [side.role for side in told]
+        if sizes[0] == sizes[-1]:
+            assert set(roles) == {"formula"}
+        else:
+            assert (roles[0], roles[-1]) == ("naive", "reduced")
+            assert set(roles[1:-1]) <= {"formula"}

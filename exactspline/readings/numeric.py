@@ -109,7 +109,7 @@ def numeric_curve(
     j = _span(knots, curve.degree, place, side)
     weights = list(curve.weights)
     rows = [[x * w for x, w in zip(column, weights, strict=True)] for column in zip(*curve.control_points, strict=True)]
-    first: list[Coefficient | Constant] = [place, 1, *[0] * (terms - 2)]
+    first: list[Coefficient | Constant] = [place, 1, *[0] * terms]
     at = NumericSeries(context, first[:terms])
     made = [_de_boor(knots, curve.degree, points, j, at) for points in (*rows, weights)]
     return Curve(Vector(*made[:-1]), made[-1], polynomial=curve.polynomial)

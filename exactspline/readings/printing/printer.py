@@ -81,7 +81,8 @@ class Printer(ABC):
         if n.op is Operation.DET:
             return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
         if n.op is Operation.PERP:
-            return self.perp(self.at(n.args[0], ATOM)), ATOM
+            (turned,) = n.args
+            return self.perp(self.at(turned, ATOM)), ATOM
         if n.op is Operation.GENERALIZED_CROSS:
             return self.wedge([self(a) for a in n.args]), ATOM
         return (f" {self.cross} " if n.op is Operation.CROSS else f" {self.dot} ").join(parts), PRODUCT

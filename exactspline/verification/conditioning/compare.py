@@ -150,8 +150,8 @@ def _segment_of(f: BSpline, root: Root) -> int:
 
 
 def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
-    """An interval of the local parameter with this zero of the form and no other, reaching halfway to the next ones or
-    to the ends of the segment.
+    """An interval of the local parameter with this zero of the form and no other, reaching reaching halfway to the next
+    ones or to the ends of the segment.
     """
     assert root.segment is not None
     a, b = root.segment
