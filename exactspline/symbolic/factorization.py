@@ -111,7 +111,9 @@ _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 @contextmanager
 def sharing(jets: SharedJets) -> Iterator[None]:
-    """While this lasts, `jets_for` hands out these arguments and adds to them: many proofs compute a formula once."""
+    """In this context, `jets_for` returns these arguments and adds to them, so that many proofs compute a formula
+    once.
+    """
     token = _SHARED.set(jets)
     try:
         yield
@@ -120,7 +122,7 @@ def sharing(jets: SharedJets) -> Iterator[None]:
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
-    """Whether neither the formulas nor a factor as claims write it speak of the denominator, but of γ alone."""
+    """Whether the formulas, and a factor as claims write it, involve γ alone and not its denominator."""
     weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
     return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
 
@@ -145,7 +147,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
     (ps, _), (qs, _) = split(cast(Any, left)), split(cast(Any, right))
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
-        raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
+        raise ClaimError("the right side vanishes identically", remedy="a factor of zero is not determined")
     if len(ps) != len(qs):
         return None
     quotient = ps[pivot] / qs[pivot]
@@ -227,13 +229,13 @@ def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
         yield from _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
-#: The paper whose own words for things come first; None where none is spoken of.
+#: The paper whose names take precedence; None outside of any paper.
 _SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
 
 
 def naming() -> tuple[Paper, ...]:
-    """The papers whose formulas give factors their names: that which is spoken of and those that it uses, then those
-    that are meant where none is named.
+    """The papers whose formulas give factors their names: the current paper and those that it uses, then the default
+    papers.
     """
     source = _SPOKEN_OF.get()
     own = (source, *source.uses) if source is not None and not source.default else ()
@@ -242,7 +244,7 @@ def naming() -> tuple[Paper, ...]:
 
 @contextmanager
 def speaking_of(source: Paper) -> Iterator[None]:
-    """While this lasts, factors have the names that a paper has for them."""
+    """In this context, factors have the names that a paper gives them."""
     token = _SPOKEN_OF.set(source)
     try:
         yield

@@ -194,7 +194,7 @@ def plot_bisector(
     found = find(formula or default)
     if found.kind is not kind:
         raise FormulaError(
-            f"{found.name} is no bisector of these",
+            f"{found.name} is not a bisector of these",
             where="formula",
             remedy=f"its argument is of the kind {found.curve!r}, not {kind.name!r}",
         )
