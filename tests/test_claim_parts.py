@@ -194,10 +194,11 @@ def test_a_curve_with_the_name_of_an_example_is_none():
 def test_a_profile_is_taken_inside_the_domain():
     """Two curves over [0, 2] and [5, 8]: lines of either parameter are at a parameter of the other."""
     first, second = (
-        beginning(Nurbs(2, [a] * 3 + [b] * 3, [(0, 0, 0), (1, 2, 3), (4, 1, 7)], [1, 2, 5]))
+        beginning(Nurbs(3, [a] * 4 + [b] * 4, [(0, 0, 0), (1, 2, 3), (4, 1, 7), (a, 8, 1)], [1, 2, 5, 3]))
         for a, b in ((0, 2), (5, 8))
     )
     value = find("bisector_determinant_symmetric")(surface_pair(first, second))
+    assert not value.is_zero
     degrees = [c for c in all_claims() if isinstance(c, DegreeClaim) and c.of_pair]
     assert {one.parameter for one in degrees} == {"s", "s̄"}
     for one in degrees:

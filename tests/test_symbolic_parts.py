@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
+from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE, PAIR, SPACE
 from exactspline.language.vector import Vector, det, norm2
 from exactspline.papers import find
@@ -193,8 +194,8 @@ def test_what_lowers_degrees_is_the_same_for_symbols_and_numbers(name):
     """L = Σ i (d − i + 1) f⁽ⁱ⁻¹⁾ ∂/∂f⁽ⁱ⁾."""
     n = 3 if name == "D1_D2_D3" else 2
     jet = find(name)(JetReading(order_of(find(name), n)).argument(CURVE, n))
-    symbolic = covariants._lowered(jet.ring, covariants._with_d(jet.ring, jet.polynomial))
-    again = covariants._lowered(jet.ring, symbolic)
+    symbolic = covariants._lowered(jet.ring, covariants._with_d(jet.ring, jet.polynomial), Parameter.FIRST)
+    again = covariants._lowered(jet.ring, symbolic, Parameter.FIRST)
     gens = [jet.ring.context.gen(i) for i in range(len(jet.ring.gens))]
     for d in range(1, 9):
         at = lambda p, d=d: p.compose(jet.ring.context.constant(d), *gens, ctx=jet.ring.context)  # noqa: E731
