@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE, PAIR, SPACE
+from exactspline.language.ruled import ruled
 from exactspline.language.vector import Vector, det, norm2
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
@@ -297,3 +298,29 @@ def test_the_inversion_divides_distances_by_those_from_the_origin(n):
         z = points[0]
         u = images[0]
         assert Vector(z[0] * u[0] - z[1] * u[1], z[0] * u[1] + z[1] * u[0]) == Vector(1, 0)
+
+
+@pytest.mark.parametrize("name", ["tangent_developable", "normal_scroll", "plane_bisector", "evolute", "focal_curve"])
+def test_what_is_joined_is_every_part_over_one_denominator(name):
+    dimension = 2 if name in ("plane_bisector", "evolute") else 3
+    found = reduction(name, dimension)
+    *components, denominator = [jet.polynomial for jet in found.joined]
+    for part in found.parts:
+        top, bottom = part.lowest
+        own, components = components[: len(top)], components[len(top) :]
+        assert [x * bottom.polynomial for x in own] == [x.polynomial * denominator for x in top]
+        assert denominator % bottom.polynomial == 0
+    assert not components
+
+
+def test_parts_with_unequal_denominators_are_joined_over_their_least_multiple():
+    found = reduce(lambda c: ruled(c.p / c.w, Vector(*[x / (c.w * c.p[0]) for x in c.p.d(1)])), dimension=3)
+    c = JetReading(1).argument(SPACE, 3)
+    *components, denominator = found.joined
+    bottoms = [part.lowest[1] for part in found.parts]
+    assert any(bottom != denominator for bottom in bottoms)
+    assert c.w.polynomial.total_degree() == 1
+    for part in found.parts:
+        top, bottom = part.lowest
+        own, components = components[: len(top)], components[len(top) :]
+        assert all(x * bottom == y * denominator for x, y in zip(own, top, strict=True))
