@@ -18,7 +18,7 @@ from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
 from exactspline.readings.generic_bezier import GenericReading
-from exactspline.readings.jet import JetReading, polynomial_text
+from exactspline.readings.jet import JetReading, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
 from exactspline.readings.other_parameter import InOtherParameter
@@ -341,3 +341,11 @@ def test_generic_segments_multiply_and_differentiate_like_their_numbers(degree):
     polynomial = GenericReading(degree).argument(CURVE, 2, polynomial=True)
     assert polynomial.w.coefficients == [1]
     assert polynomial.p[0] * polynomial.w == polynomial.p[0]
+
+
+@pytest.mark.parametrize("order", range(12))
+def test_marks_of_derivatives(order):
+    raised = str(order).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    assert derivative_mark(("s",), (order,)) == ["", "′", "″", "‴", f"⁽{raised}⁾"][min(order, 4)]
+    assert derivative_mark(("u", "v"), (order, 0)) == ("_" + "u" * order if order else "")
+    assert derivative_mark(("u", "v"), (order, 2)) == "_" + "u" * order + "vv"
