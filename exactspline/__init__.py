@@ -72,6 +72,8 @@ if TYPE_CHECKING:
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.many_curves import features_of_many as features_of_many
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
+    from exactspline.geometry.surface.inspection import inspect_surface as inspect_surface
+    from exactspline.geometry.surface.planar_maps import jacobian_sign as jacobian_sign
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
     from exactspline.interchange.bridges.geomdl import to_geomdl as to_geomdl
@@ -221,6 +223,9 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
+    # what a surface has
+    "inspect_surface": "geometry.surface.inspection:inspect_surface",
+    "jacobian_sign": "geometry.surface.planar_maps:jacobian_sign",
     # the classroom: exercises, and the algorithms step by step
     "exercise": "classroom.topics:exercise",
     "de_boor_triangle": "splines.triangles:de_boor_triangle",

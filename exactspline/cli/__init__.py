@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from typer.core import TyperCommand
@@ -36,6 +37,11 @@ from exactspline.cli import (
 from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
 
+if TYPE_CHECKING:
+    from typer._click.core import Context, Parameter
+
+#: So many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
+YOUNG = 100_000
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
 #: What status 1 of a command says; the others have none.
 STATUS_1 = {
@@ -134,12 +140,14 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
 class Command(TyperCommand):
     """A command whose help names its arguments in capitals, without the types of Python."""
 
-    def __init__(self, *args: Any, **settings: Any) -> None:
-        super().__init__(*args, **settings)
-        for parameter in self.params:
+    def get_params(self, ctx: Context) -> list[Parameter]:
+        """The parameters, arguments under names in capitals."""
+        found = super().get_params(ctx)
+        for parameter in found:
             if parameter.param_type_name == "argument":
                 parameter.metavar = parameter.metavar or str(parameter.name).upper()
                 vars(parameter)["display_type_rich"] = lambda ctx: None
+        return found
 
 
 def _epilog(command: Callable[..., None], examples: list[str]) -> str:
@@ -172,6 +180,7 @@ def options(
 
 def main() -> None:
     """Entry point: bad input ends in one line on standard error and exit status 2."""
+    gc.set_threshold(YOUNG)
     guard_output()
     try:
         try:

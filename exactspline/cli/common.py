@@ -108,7 +108,6 @@ def curves_in(name: str) -> list[Nurbs]:
     """An example curve by its name, or the curves of a file in whatever format (``font.ttf:ampersand``; ``-`` for
     standard input); what is not read is named on standard error.
     """
-    from exactspline.interchange.files import read
     from exactspline.splines.examples import curve_from_text, load
 
     given = _standard_input() if name == "-" else None
@@ -121,6 +120,8 @@ def curves_in(name: str) -> list[Nurbs]:
     if text is not None and _is_one_curve(text, name):
         # what `derive` wrote is read here, and more is told of what is wrong
         return [load(name)] if given is None else [_at_standard_input(lambda: curve_from_text(_text(given), "stdin"))]
+    from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
+
     reading = read(name) if given is None else _at_standard_input(lambda: read(given))
     tell_skipped(reading)
     if not reading.curves:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 
 from exactspline.language.argument import Evaluated
@@ -100,7 +101,12 @@ class Kind(ABC):
         True
         """
         alike = dimension in other.dimensions and isinstance(self, type(other))
-        return alike and set(other.symbols(dimension)) <= set(self.symbols(dimension))
+        return alike and _has_operands(self, other, dimension)
 
     def __repr__(self) -> str:
         return f"<kind {self.name}>"
+
+
+@lru_cache(1024)
+def _has_operands(kind: Kind, other: Kind, dimension: int) -> bool:
+    return set(other.symbols(dimension)) <= set(kind.symbols(dimension))

@@ -72,10 +72,18 @@ def paper(name: str) -> Paper:
 
     Raises `FormulaError` with the nearest names.
     """
-    known = {each.name: each for each in papers()} | _loaded
+    if name in _loaded:
+        return _loaded[name]
+    known = _by_name()
     if name not in known:
-        raise FormulaError(f"no paper is called {name!r}", remedy=f"{nearest(name, known)}; or name a folder")
+        remedy = f"{nearest(name, known | _loaded)}; or name a folder"
+        raise FormulaError(f"no paper is called {name!r}", remedy=remedy)
     return known[name]
+
+
+@cache
+def _by_name() -> dict[str, Paper]:
+    return {each.name: each for each in papers()}
 
 
 def owner(formula: Formula) -> Paper | None:

@@ -60,6 +60,8 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
         'one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
         "read by exactspline.interchange.files.read",
     )
+    if isinstance(data.get("degree"), list):
+        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
     if "pieces" in data:
         data = _one_piece(data)
     if "kind" in data:

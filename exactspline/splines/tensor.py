@@ -471,14 +471,8 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
             (smooth(len(meshes[0].widths)), spline.continuity),
             stride,
         )
-    result.meshes, result.provenance, result.profile, result._packed, result._points = (
-        meshes,
-        spline.provenance,
-        (direction, spline),
-        {},
-        None,
-    )
-    result._denominators = None
+    result.meshes, result.provenance, result.profile = meshes, spline.provenance, (direction, spline)
+    result._packed, result._points, result._denominators = {}, None, None
     result.__class__ = TensorSpline
     made: TensorSpline = result
     return made

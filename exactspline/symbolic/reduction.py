@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -323,14 +323,30 @@ def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Paramete
     name = name_of_function(formula)
     kind = _kind(formula)
     counted = parameter or kind.parameters(dimension)[0]
-    degree_reading = DegreeReading(parameter=counted)
-    degrees = _parts(formula(degree_reading.argument(kind, dimension, polynomial=polynomial)), name)
+    degrees = _naive(formula, kind, dimension, polynomial, counted)
     value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
     parts = [
-        _part(role, naive.degree, part, counted)
-        for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
+        _part(role, naive, part, counted) for naive, (role, part) in zip(degrees, _parts(value, name), strict=True)
     ]
     return Reduction(name, dimension, polynomial, tuple(parts), kind)
+
+
+def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
+    """The degrees of the parts as Table 1 counts them."""
+    argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
+    return [part.degree for _, part in _parts(formula(argument), name_of_function(formula))]
+
+
+def counted_in(found: Reduction, formula: Formula, parameter: Parameter) -> Reduction:
+    """The same reduction, its degrees counted in another parameter.
+
+    >>> f = find("surfaces:L")
+    >>> [str(counted_in(reduce(f), f, parameter).main.generic) for parameter in (Parameter.U, Parameter.V)]
+    ['4d_u − 6', '4d_v − 2']
+    """
+    degrees = _naive(formula, found.kind, found.dimension, found.polynomial, parameter)
+    parts = (replace(part, naive=n, parameter=parameter) for part, n in zip(found.parts, degrees, strict=True))
+    return replace(found, parts=tuple(parts))
 
 
 def _parts(value: Any, name: str) -> list[tuple[str, Any]]:

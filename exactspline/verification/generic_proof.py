@@ -17,7 +17,7 @@ from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
-from exactspline.symbolic.reduction import Reduction, reduce
+from exactspline.symbolic.reduction import Reduction, counted_in, reduce
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -83,15 +83,14 @@ def transposed(formula: Formula) -> Formula:
 
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
-    """The reduction of a formula, made once."""
-    return _reduction(formula, dimension, polynomial, parameter, naming())
+    """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
+    found = _reduction(formula, dimension, polynomial, naming())
+    return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache
-def _reduction(
-    formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None, names: tuple[Paper, ...]
-) -> Reduction:
-    return reduce(formula, dimension=dimension, polynomial=polynomial, parameter=parameter)
+def _reduction(formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Reduction:
+    return reduce(formula, dimension=dimension, polynomial=polynomial)
 
 
 def degree_table() -> Operands:

@@ -65,7 +65,7 @@ def plot_mesh(
     if any(abs(x) > LARGEST for face in faces for p in face for x in p):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
     rgb = library("matplotlib.colors").to_rgb(color)
-    shades = [_shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
+    shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
     from exactspline.display.plot.depth import DepthCollection
 
     made = DepthCollection(mesh, color, shades, zorder=1)
@@ -87,12 +87,12 @@ def plot_mesh(
             label=_counted(mesh),
             zorder=2.1,
         )
-    _framed(ax, [p for face in faces for p in face])
+    framed(ax, [p for face in faces for p in face])
     legend_below(ax)
     return ax
 
 
-def _shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
+def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
     """The colour of a face by its slope to the light, the same for both of its sides."""
     (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
     ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
@@ -107,7 +107,7 @@ def _counted(mesh: SurfaceMesh) -> str:
     return f"control net ({mesh.points} points{hidden})"
 
 
-def _framed(ax: Any, points: Iterable[Point]) -> None:
+def framed(ax: Any, points: Iterable[Point]) -> None:
     """Equal scales on the three axes, and all points in sight."""
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)

@@ -216,18 +216,19 @@ class ZeroCurve:
 
     def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
         """Points near an arc, for pictures: so many steps, each found to `DRAWN_BITS` bits."""
-        low = arc.low.refine(8)[0] if isinstance(arc.low, Root) else arc.low
-        high = arc.high.refine(8)[1] if isinstance(arc.high, Root) else arc.high
+        low = arc.low.refine(8)[1] if isinstance(arc.low, Root) else arc.low
+        high = arc.high.refine(8)[0] if isinstance(arc.high, Root) else arc.high
         found = []
         for k in range(count + 1):
             y = mpq(low + (high - low) * mpq(k, count))
             a, b = arc.box[arc.direction]
-            start = self._value(arc.direction, a, y)
+            start, end = (self._value(arc.direction, x, y) for x in (a, b))
             for _ in range(DRAWN_BITS):
                 middle = (a + b) / 2
-                same = start * self._value(arc.direction, middle, y) > 0
-                a, b = (middle, b) if same else (a, middle)
-            found.append((mpq(a), y) if arc.direction == 0 else (y, mpq(a)))
+                value = self._value(arc.direction, middle, y)
+                a, b = (middle, b) if value * (start or -end) > 0 else (a, middle)
+            x = mpq((a + b) / 2)
+            found.append((x, y) if arc.direction == 0 else (y, x))
         return found
 
 
