@@ -13,7 +13,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
@@ -24,15 +24,16 @@ from exactspline.symbolic.reduction import reduction
 from exactspline.verification import coq_judge, sympy_judge
 from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.curve_check import spline_table
-from exactspline.verification.degree_tables import construction_table
+from exactspline.verification.curve_check import extra_zero, spline_table
+from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.errata import _unrecorded, check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.kinds import Contact, Count, DegreeClaim
+from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, SquareClass
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
 from exactspline.verification.kinds.condition import _place
 from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.invariance import _a
 from exactspline.verification.kinds.zero_set import ZeroSet
 from exactspline.verification.ledger import Proofs, checked, proved, tasks
 from exactspline.verification.questions import proof_of
@@ -405,3 +406,114 @@ def test_sides_are_naive_and_reduced_where_their_degrees_differ():
         else:
             assert (roles[0], roles[-1]) == ("naive", "reduced")
             assert set(roles[1:-1]) <= {"formula"}
+
+
+# ---- formulas made for it
+
+
+def with_formula(monkeypatch, one, value, kind=CURVE):
+    made = Formula(value, "made", kind, "")
+    monkeypatch.setattr(type(one), "find", lambda self, name: made)
+    return one
+
+
+def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
+    value = lambda c: join(c.p[0], 0 * c.p[0], c.p[1])  # noqa: E731
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
+    assert with_formula(monkeypatch, one, value).decide(2, polynomial=True).verdict == VERIFIED
+    assert (
+        with_formula(monkeypatch, one, lambda c: join(0 * c.w, 0 * c.w)).decide(2, polynomial=True).verdict == REFUTED
+    )
+    other = next(c for c in all_claims() if isinstance(c, Existence))
+    assert with_formula(monkeypatch, other, value).decide(2, polynomial=False).verdict == REFUTED
+    nothing = with_formula(monkeypatch, other, lambda c: join(0 * c.w, 0 * c.w))
+    assert nothing.decide(2, polynomial=False).verdict == UNDECIDED
+
+
+def test_names_have_their_articles():
+    assert [_a(name) for name in ("affine map", "inversion", "motion", "Möbius map")] == [
+        "an affine map",
+        "an inversion",
+        "a motion",
+        "a Möbius map",
+    ]
+
+
+def test_a_zero_beside_one_at_the_right_end_is_seen():
+    """2t² − 1 in (0, 1), where t − 1 vanishes at 1 alone."""
+    t = BSpline.identity(0, 1)
+    assert extra_zero(2 * t * t - 1, t - 1).startswith("between the parameters")
+    assert extra_zero((2 * t * t - 1) * (t - 1), t - 1).startswith("between the parameters")
+    assert extra_zero((t - 1) * (t - 1), t - 1) == ""
+    assert extra_zero(t - 1, t) == "at the parameter 1 (from the left)"
+
+
+def test_values_in_lowest_terms_are_compared_on_curves_alone():
+    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
+    one = replace(one, formulas=("f1", "f2"), assumes=("w",))
+    assert replace(one, measure="numerators").decide(2, False).verdict == PROVED
+    assert replace(one, measure="lowest terms").decide(2, False).verdict == UNDECIDED
+
+
+@pytest.mark.parametrize("curve", ["pair", "plane pair", ArgumentKind.TABLE])
+def test_squares_are_those_of_one_curve(curve):
+    one = next(c for c in all_claims() if isinstance(c, SquareClass))
+    with pytest.raises(ClaimError):
+        replace(one, curve=curve)
+    with pytest.raises(ClaimError, match="itself"):
+        replace(one, right=one.formula)
+
+
+def test_the_degrees_of_formulas_are_told_of_rational_and_polynomial_curves():
+    rows = [call() for call in formula_degrees([find("f0")])]
+    assert [row.curves for row in rows] == ["rational", "polynomial"]
+    polynomial = [reduction("f0", 2, world).main.generic_lowest for world in (False, True)]
+    assert [row.lowest for row in rows] == [str(degree) for degree in polynomial]
+    assert rows[0].nominal != rows[1].nominal
+
+
+# ---- the kernel
+
+
+def test_opinions_of_the_kernel(monkeypatch):
+    one, refuted = (next(c for c in all_claims() if c.expected == v) for v in (PROVED, REFUTED))
+    last = next(c for c in all_claims() if c not in (one, refuted))
+
+    class Theorem:
+        def __init__(self, claim, name, reason=""):
+            self.claim, self.name, self.reason, self.text = claim, name, reason, "Theorem."
+
+    class Made:
+        def __init__(self):
+            self.theorems = {
+                "File": (Theorem(one, "a"), Theorem(refuted, "b"), Theorem(last, "c", "no equality")),
+                "Other": (Theorem(last, "d"),),
+            }
+
+    monkeypatch.setattr(coq_judge, "library", Made)
+    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: {"a": "no axioms", "b": "axioms x"})
+    monkeypatch.setattr(coq_judge.shutil, "which", lambda name: "/bin/coqc")
+    found = coq_judge.opinions([one, refuted, last])
+    assert [str(found[c.paper, c.key]) for c in (one, refuted, last)] == [
+        "holds, no axioms",
+        "fails, axioms x",
+        "not accepted",
+    ]
+    assert [*coq_judge.opinions([one])] == [(one.paper, one.key)]
+    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: pytest.fail("nothing is compiled"))
+    monkeypatch.setattr(coq_judge.shutil, "which", lambda name: None)
+    found = coq_judge.opinions([one, last])
+    assert [found[c.paper, c.key].says for c in (one, last)] == [coq_judge.MISSING, "not stated"]
+
+
+def test_a_theorem_alone_is_compiled_with_what_it_requires(monkeypatch, tmp_path):
+    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
+
+    class Theorem:
+        claim, name, text = one, "a", "Theorem a : True. exact I. Qed.\n"
+
+    monkeypatch.setattr(coq_judge, "compile_file", lambda place, name: name)
+    assert coq_judge._alone(tmp_path, "File", Theorem()) == "File_a"
+    written = (tmp_path / "File_a.v").read_text(encoding="utf-8")
+    assert written == coq_judge.claims_header(one.paper, Theorem.text) + Theorem.text
+    assert written != Theorem.text

@@ -18,7 +18,7 @@ from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
 from exactspline.readings.generic_bezier import GenericReading
-from exactspline.readings.jet import JetReading, derivative_mark, polynomial_text
+from exactspline.readings.jet import JetReading, JetRing, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
 from exactspline.readings.other_parameter import InOtherParameter
@@ -349,3 +349,29 @@ def test_marks_of_derivatives(order):
     assert derivative_mark(("s",), (order,)) == ["", "′", "″", "‴", f"⁽{raised}⁾"][min(order, 4)]
     assert derivative_mark(("u", "v"), (order, 0)) == ("_" + "u" * order if order else "")
     assert derivative_mark(("u", "v"), (order, 2)) == "_" + "u" * order + "vv"
+
+
+def test_a_curve_of_numbers_has_the_coordinates_of_the_curve():
+    curve = example("rational_cubic")
+    series = numeric_curve(curve, "1/3", 2, 30)
+    assert len(series.p) == 2
+    for own, f in zip(series.p, curve.p, strict=True):
+        assert abs(own.value - own.context.mpf(int(f("1/3").numerator)) / int(f("1/3").denominator)) < 1e-28
+
+
+def test_the_variables_of_a_ring_are_derivatives_and_constants_once_each():
+    ring = JetRing(kind_of("plane with delta"), 2, 2)
+    assert sorted(ring.variables) == sorted([*[(n, (k,)) for n in ("x", "y", "w") for k in range(3)], ("delta", (0,))])
+    assert ring.constants == ("delta",)
+    hodograph = JetRing(kind_of("hodograph"), 2, 1)
+    assert len(set(hodograph.variables)) == len(hodograph.variables)
+    assert [n for n, _ in hodograph.variables if n in hodograph.rules] == list(hodograph.rules)
+
+
+@pytest.mark.parametrize("terms", [1, 3])
+def test_the_denominator_of_a_polynomial_curve_is_one_at_infinity(terms):
+    c = LeadingTermsReading(terms, 1).argument(CURVE, 2, polynomial=True)
+    ((grading, known),) = c.w.parts.items()
+    assert grading == (0, 0)
+    assert known == [1, *[0] * (terms - 1)]
+    assert (c.p[0] * c.w).parts == c.p[0].parts

@@ -23,6 +23,7 @@ from exactspline.symbolic.motions import MAPS
 from exactspline.symbolic.motions import _rotation as rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
+from exactspline.verification.kinds.invariance import _image as image_of
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -324,3 +325,28 @@ def test_parts_with_unequal_denominators_are_joined_over_their_least_multiple():
         top, bottom = part.lowest
         own, components = components[: len(top)], components[len(top) :]
         assert all(x * bottom == y * denominator for x, y in zip(own, top, strict=True))
+
+
+def test_a_jet_with_fractions_for_coefficients_on_a_curve():
+    curve, c = example("rational_cubic"), JetReading(1).argument(CURVE, 2)
+    x, y, w = *c.p, c.w
+    p, q, v = *curve.p, curve.w
+    for jet, expected in (
+        (x * y * mpq(2, 3) - w * w * mpq(5, 4), p * q * mpq(2, 3) - v * v * mpq(5, 4)),
+        (x * mpq(1, 7), p * mpq(1, 7)),
+        (w.constant(mpq(3, 5)), v.constant(mpq(3, 5))),
+        (x.d(1) * mpq(1, 6) + mpq(1, 4), p.d(1) * mpq(1, 6) + mpq(1, 4)),
+        (x * 6 + y * 4, p * 6 + q * 4),
+    ):
+        assert substitute(jet, curve) == expected
+
+
+def test_points_are_moved_by_their_coordinates():
+    p = Vector(mpq(3), mpq(4))
+    assert image_of(p, MAPS["inversion"], {}, mpq(1)) == [mpq(3, 25), mpq(-4, 25)]
+    k = {"move1": mpq(1), "move2": mpq(-2)}
+    assert image_of(p, MAPS["translation"], k, mpq(1)) == [4, 2]
+    matrix = {f"m{i}{j}": mpq(3 * i + j * j) for i in (1, 2, 3) for j in (1, 2, 3)}
+    top, below = MAPS["projective map"].image(p, mpq(1), matrix)
+    assert image_of(p, MAPS["projective map"], matrix, mpq(1)) == [x / below for x in top]
+    assert below not in (0, 1)
