@@ -21,7 +21,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification import coq_judge, sympy_judge
+from exactspline.verification import sympy_judge
 from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.curve_check import extra_zero, spline_table
@@ -232,71 +232,6 @@ def test_a_text_states_an_identity():
     assert "':nothing_known'" not in str(told.value)
 
 
-# ---- what Coq answers
-
-
-def test_what_coq_says_of_axioms():
-    assert coq_judge._told("about x\nClosed under the global context\n") == "no axioms"
-    said = "about x\nAxioms:\nfunctional_extensionality_dep : forall A,\n  (B : A)\nclassic\n  : forall P\n"
-    assert coq_judge._told(said) == "axioms functional_extensionality_dep, classic"
-
-
-def test_the_least_favourable_opinion_counts():
-    said = [coq_judge.Opinion("", each) for each in ("holds", "not stated", "fails", "not accepted", coq_judge.MISSING)]
-    assert coq_judge._together(said).says == "not accepted"
-    assert coq_judge._together(said[:3]).says == "not stated"
-    assert coq_judge._together([said[0], said[2]]).says == "holds"
-    assert coq_judge._together([said[0], said[4]]).says == coq_judge.MISSING
-    assert str(coq_judge.Opinion("t", "holds", "no axioms")) == "holds, no axioms"
-    assert str(coq_judge.Opinion("t", "holds")) == "holds"
-
-
-def test_what_coq_is_asked_to_compile(monkeypatch):
-    """A file of which no theorem is chosen is not compiled; of one that is not accepted every theorem is tried alone;
-    what others are built on is compiled anyhow.
-    """
-    asked = []
-
-    class Made:
-        files = ("Base", "None", "Good", "Bad")
-
-        def write(self, place):
-            asked.append("written")
-
-    class Theorem:
-        reason = ""
-
-        def __init__(self, name):
-            self.name = name
-
-    monkeypatch.setattr(coq_judge, "compile_file", lambda place, name: asked.append(name) or name != "Bad")
-    monkeypatch.setattr(coq_judge, "_alone", lambda place, name, each: asked.append(each.name) or each.name == "c")
-    monkeypatch.setattr(coq_judge, "assumptions", lambda place, name, names: dict.fromkeys(names, name))
-    chosen = {"None": (), "Good": (Theorem("a"),), "Bad": (Theorem("b"), Theorem("c"))}
-    found = coq_judge._compiled(Made(), chosen)
-    assert asked == ["written", "Base", "Good", "Bad", "b", "c"]
-    assert found == {"a": "Good", "c": "Bad_c"}
-
-
-def test_what_is_asked_of_theorems_and_what_is_told(monkeypatch, tmp_path):
-    asked = {}
-
-    def coqc(place, file):
-        asked[file] = (place / file).read_text(encoding="utf-8")
-        return True, "about a\nClosed under the global context\nabout b\nAxioms:\nclassic : forall P, P \\/ ~ P\n"
-
-    monkeypatch.setattr(coq_judge, "_coqc", coqc)
-    told = coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"])
-    assert told == {"a": "no axioms", "b": "axioms classic"}
-    text = asked["Ask.v"]
-    assert text.startswith(f"Require {coq_judge.ROOT}.papers.one.\n")
-    for name in "ab":
-        assert f'idtac "about {name}"' in text
-        assert f"Print Assumptions {coq_judge.ROOT}.papers.one.{name}.\n" in text
-    monkeypatch.setattr(coq_judge, "_coqc", lambda place, file: (False, "about a\nClosed under the global context"))
-    assert coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"]) == {}
-
-
 def test_continuity_is_that_of_the_least_continuous_component(monkeypatch):
     smooth = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 2])
     corner = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 1, 5, 0, 2])
@@ -421,13 +356,11 @@ def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
     value = lambda c: join(c.p[0], 0 * c.p[0], c.p[1])  # noqa: E731
     one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
     assert with_formula(monkeypatch, one, value).decide(2, polynomial=True).verdict == VERIFIED
-    assert (
-        with_formula(monkeypatch, one, lambda c: join(0 * c.w, 0 * c.w)).decide(2, polynomial=True).verdict == REFUTED
-    )
+    zero = lambda c: join(0 * c.w, 0 * c.w)  # noqa: E731
+    assert with_formula(monkeypatch, one, zero).decide(2, polynomial=True).verdict == REFUTED
     other = next(c for c in all_claims() if isinstance(c, Existence))
     assert with_formula(monkeypatch, other, value).decide(2, polynomial=False).verdict == REFUTED
-    nothing = with_formula(monkeypatch, other, lambda c: join(0 * c.w, 0 * c.w))
-    assert nothing.decide(2, polynomial=False).verdict == UNDECIDED
+    assert with_formula(monkeypatch, other, zero).decide(2, polynomial=False).verdict == UNDECIDED
 
 
 def test_names_have_their_articles():
@@ -470,50 +403,3 @@ def test_the_degrees_of_formulas_are_told_of_rational_and_polynomial_curves():
     polynomial = [reduction("f0", 2, world).main.generic_lowest for world in (False, True)]
     assert [row.lowest for row in rows] == [str(degree) for degree in polynomial]
     assert rows[0].nominal != rows[1].nominal
-
-
-# ---- the kernel
-
-
-def test_opinions_of_the_kernel(monkeypatch):
-    one, refuted = (next(c for c in all_claims() if c.expected == v) for v in (PROVED, REFUTED))
-    last = next(c for c in all_claims() if c not in (one, refuted))
-
-    class Theorem:
-        def __init__(self, claim, name, reason=""):
-            self.claim, self.name, self.reason, self.text = claim, name, reason, "Theorem."
-
-    class Made:
-        def __init__(self):
-            self.theorems = {
-                "File": (Theorem(one, "a"), Theorem(refuted, "b"), Theorem(last, "c", "no equality")),
-                "Other": (Theorem(last, "d"),),
-            }
-
-    monkeypatch.setattr(coq_judge, "library", Made)
-    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: {"a": "no axioms", "b": "axioms x"})
-    monkeypatch.setattr(coq_judge.shutil, "which", lambda name: "/bin/coqc")
-    found = coq_judge.opinions([one, refuted, last])
-    assert [str(found[c.paper, c.key]) for c in (one, refuted, last)] == [
-        "holds, no axioms",
-        "fails, axioms x",
-        "not accepted",
-    ]
-    assert [*coq_judge.opinions([one])] == [(one.paper, one.key)]
-    monkeypatch.setattr(coq_judge, "_compiled", lambda made, chosen: pytest.fail("nothing is compiled"))
-    monkeypatch.setattr(coq_judge.shutil, "which", lambda name: None)
-    found = coq_judge.opinions([one, last])
-    assert [found[c.paper, c.key].says for c in (one, last)] == [coq_judge.MISSING, "not stated"]
-
-
-def test_a_theorem_alone_is_compiled_with_what_it_requires(monkeypatch, tmp_path):
-    one = next(c for c in all_claims() if c.key == "C41a-f1-f2")
-
-    class Theorem:
-        claim, name, text = one, "a", "Theorem a : True. exact I. Qed.\n"
-
-    monkeypatch.setattr(coq_judge, "compile_file", lambda place, name: name)
-    assert coq_judge._alone(tmp_path, "File", Theorem()) == "File_a"
-    written = (tmp_path / "File_a.v").read_text(encoding="utf-8")
-    assert written == coq_judge.claims_header(one.paper, Theorem.text) + Theorem.text
-    assert written != Theorem.text
