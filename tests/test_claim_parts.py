@@ -29,7 +29,7 @@ from exactspline.verification.degree_tables import construction_table, formula_d
 from exactspline.verification.errata import _unrecorded, check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, SquareClass
+from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, IsoCurve, SquareClass
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
 from exactspline.verification.kinds.condition import _place
 from exactspline.verification.kinds.identity import Identity, Vanishing
@@ -403,3 +403,13 @@ def test_the_degrees_of_formulas_are_told_of_rational_and_polynomial_curves():
     polynomial = [reduction("f0", 2, world).main.generic_lowest for world in (False, True)]
     assert [row.lowest for row in rows] == [str(degree) for degree in polynomial]
     assert rows[0].nominal != rows[1].nominal
+
+
+def test_an_iso_curve_that_does_not_exist_on_one_segment_says_nothing():
+    """The first of two segments is one point, where γ′ = 0."""
+    one = next(c for c in all_claims() if isinstance(c, IsoCurve))
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
+    own = Evaluation(curve)
+    assert one.examine(own.handed(one.curve), own).is_vacuous
+    whole = Evaluation(example("rational_cubic"))
+    assert one.examine(whole.handed(one.curve), whole).verdict == VERIFIED

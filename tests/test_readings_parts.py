@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
-from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, kind_of
+from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
@@ -375,3 +375,13 @@ def test_the_denominator_of_a_polynomial_curve_is_one_at_infinity(terms):
     assert grading == (0, 0)
     assert known == [1, *[0] * (terms - 1)]
     assert (c.p[0] * c.w).parts == c.p[0].parts
+
+
+def test_derivatives_by_the_parameters_of_a_surface_are_subscripts():
+    x = TreeReading().argument(SURFACE, 3).p[0]
+    assert print_text(x.d(1, by="u")) == "p[0]_u"
+    assert print_text(x.d(2, by="u").d(1, by="v")) == "p[0]_uuv"
+    assert print_text((x.d(1, by="u") * 2).d(1, by="v")) == "(p[0]_u 2)_v"
+    curve = TreeReading().argument(PAIR, 3).first
+    assert print_text(curve.w.d(1, by="s")) == "∂_s w"
+    assert print_text(curve.w.d(1)) == "w′"
