@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.language.arguments import Operands, Pair
+from exactspline.language.choices import Parameter
 from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
@@ -16,7 +17,7 @@ from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
-from exactspline.symbolic.reduction import Reduction, reduce
+from exactspline.symbolic.reduction import Reduction, counted_in, reduce
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -81,9 +82,10 @@ def transposed(formula: Formula) -> Formula:
     return Formula(lambda c: formula.function(Pair(c.second, c.first)), formula.source, formula.kind, formula.symbol)
 
 
-def reduction_of(formula: Formula, dimension: int, polynomial: bool) -> Reduction:
-    """The reduction of a formula, made once."""
-    return _reduction(formula, dimension, polynomial, naming())
+def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
+    """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
+    found = _reduction(formula, dimension, polynomial, naming())
+    return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache

@@ -98,4 +98,4 @@ def _is_zero(value: Any) -> bool:
 
 
 def _lowest(value: Any) -> Any:
-    return in_lowest_terms(value) if isinstance(value, Rational) and all(value.denominator.polynomials) else value
+    return in_lowest_terms(value) if isinstance(value, Rational) else value
