@@ -64,7 +64,7 @@ def space_slope(c: Any) -> Any:
 
 
 #: What is computed at once of a curve in the plane and in space, and how many components each has.
-TOGETHER = {2: {tangent: 2, turning: 1, slope: 1}, 3: {tangent: 3, bending: 3, space_slope: 1}}
+TOGETHER = {2: {tangent: 2, turning: 1, slope: 1}, 3: {tangent: 3, bending: 3, twisting: 1, space_slope: 1}}
 
 INVARIANTS = frozenset(formula for own in TOGETHER.values() for formula in own)
 
