@@ -39,11 +39,11 @@ class SpaceFacts(Facts):
     def reduced_torsion(self) -> Rational[BSpline]:
         """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
         w, bend = self.operands.w, norm2(self.binormal)
-        top = self.twist if self.operands.polynomial else self.twist * w * w
+        top = self._twist if self.operands.polynomial else self._twist * w * w
         return where_it_exists(Rational(top, bend))
 
     @Fact
-    def twist(self) -> BSpline:
+    def _twist(self) -> BSpline:
         """``[γ′ γ″ γ‴]`` times a power of the weight function."""
         space(self.operands)
         found = self.value_of(twisting)
@@ -51,9 +51,9 @@ class SpaceFacts(Facts):
         return found
 
     @property
-    def twists_everywhere(self) -> bool:
+    def _twists_everywhere(self) -> bool:
         """Whether the torsion vanishes on no whole segment."""
-        return all(self.twist.polynomials)
+        return all(self._twist.polynomials)
 
     @Fact
     def torsion_numerator(self) -> ZeroForm:
