@@ -87,8 +87,9 @@ def invariants(given: Given) -> dict[Formula, SplineValue]:
     >>> from exactspline.language.kinds import PLANE
     >>> from exactspline.programs.program import operands_of
     >>> from exactspline.splines.examples import example
+    >>> from exactspline.splines.lowest_terms import in_lowest_terms
     >>> found = invariants(operands_of(PLANE, example("rational_cubic")))
-    >>> found[turning].degree, found[slope].degree
+    >>> found[turning].degree, in_lowest_terms(found[slope]).degree
     (3, 12)
     """
     dimension = given.signature.dimension
