@@ -65,10 +65,10 @@ def _sides(sides: Sides) -> list[list[str]]:
 def _patch_data(patch: BisectorPatch) -> Data:
     numerator, w = patch.value.elevated()
     assert isinstance(numerator, Vector)  # a surface
-    return {"sides": _sides(patch.sides)} | _control_net([*numerator, w])
+    return {"sides": _sides(patch.sides)} | control_net([*numerator, w])
 
 
-def _control_net(splines: list[TensorSpline]) -> Data:
+def control_net(splines: list[TensorSpline]) -> Data:
     """The control nets of several splines over the knots that carry them all."""
     splines = with_common_knots(splines)
     first = splines[0]
