@@ -13,7 +13,7 @@ from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claim import combined
-from exactspline.verification.claims import all_claims, select
+from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.kinds import (
     Coefficients,
     DegreeClaim,
@@ -297,6 +297,13 @@ def test_vacuous_rows_are_on_record():
     assert (row.verdict, row.as_recorded) == (UNDECIDED, False)
     (row,) = audit([replace(claim, vacuous=("circle",))], [example("circle")])
     assert (row.verdict, row.as_recorded) == (VERIFIED, False)
+
+
+def test_vacuous_rows_of_every_paper_that_comes_along_are_on_record():
+    (claim,) = [c for c in claims_of("levien_parallel_curves") if c.key == "OC2h-offset_step_derivative-root_velocity"]
+    assert {"straight_cubic", "straight_line"} <= set(claim.vacuous)
+    (row,) = audit([replace(claim, vacuous=())], [example("straight_line")])
+    assert (row.verdict, row.as_recorded) == (UNDECIDED, False)
 
 
 def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():

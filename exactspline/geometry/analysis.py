@@ -85,12 +85,12 @@ class Analysis(SpaceFacts):
     @Fact
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
-        return tuple(planar_pieces(self.curve)) if self.in_space else ()
+        return tuple(planar_pieces(self.curve)) if self.in_space and not self._twists_everywhere else ()
 
     @Fact
     def plane(self) -> Plane | None:
         """The plane of a space curve that has one."""
-        return plane_of(self.curve) if self.in_space else None
+        return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
 
 
 def analyse(curve: Nurbs) -> Analysis:

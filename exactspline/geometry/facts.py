@@ -235,7 +235,7 @@ class Facts:
     @Fact
     def standing(self) -> tuple[bool, ...]:
         """Segment by segment whether the curve stands still."""
-        return tuple([not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)])
+        return tuple([not any(parts) for parts in zip(*[x._polynomials for x in self.velocity], strict=True)])
 
     @Fact
     def ends(self) -> Ends:
@@ -324,13 +324,13 @@ class Facts:
         """
         return all(
             any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
-            for parts in zip(*[x.polynomials for x in self.velocity], strict=True)
+            for parts in zip(*[x._polynomials for x in self.velocity], strict=True)
         )
 
     @property
     def _knots_at_rest(self) -> list[int]:
         """The breakpoints at which γ′ = 0 on one side at least, that of a closed curve's seam among them."""
-        ends = [(x.polynomials, x.degree) for x in self.velocity]
+        ends = [(x._polynomials, x.degree) for x in self.velocity]
         count = len(self.breaks) - 1
         return [
             i

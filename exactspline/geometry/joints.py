@@ -84,7 +84,7 @@ def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
     """The value of a spline at an end of a segment."""
     if f.degree < 0:
         return mpq(0)
-    return ratio(f.polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
+    return ratio(f._polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
 
 
 def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:

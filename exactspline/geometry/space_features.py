@@ -12,12 +12,14 @@ from bisect import bisect_left
 
 from exactspline.exact import mpq
 from exactspline.geometry.constructions import Variant
+from exactspline.geometry.domain import space
 from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
-from exactspline.papers import find
+from exactspline.language.vector import norm2
+from exactspline.programs.invariants import twisting
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor, where_it_exists
@@ -36,7 +38,22 @@ class SpaceFacts(Facts):
     @Fact
     def reduced_torsion(self) -> Rational[BSpline]:
         """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
-        return where_it_exists(find("torsion_reduced")(self.operands))
+        w, bend = self.operands.w, norm2(self.binormal)
+        top = self._twist if self.operands.polynomial else self._twist * w * w
+        return where_it_exists(Rational(top, bend))
+
+    @Fact
+    def _twist(self) -> BSpline:
+        """``[γ′ γ″ γ‴]`` times a power of the weight function."""
+        space(self.operands)
+        found = self.value_of(twisting)
+        assert isinstance(found, BSpline)
+        return found
+
+    @property
+    def _twists_everywhere(self) -> bool:
+        """Whether the torsion vanishes on no whole segment."""
+        return all(self._twist.polynomials)
 
     @Fact
     def torsion_numerator(self) -> ZeroForm:
@@ -50,8 +67,8 @@ class SpaceFacts(Facts):
 
     def is_flat(self, root: Root) -> bool:
         """Whether γ′ × γ″ = 0 at a root (at a knot: seen from both sides)."""
-        if root.exact is not None:
-            return not any(any(self.bend(root.exact, side)) for side in Side)
+        if root.low == root.high:
+            return not any(any(self.bend(root.low, side)) for side in Side)
         found = self.bending.zeros.roots
         position = bisect_left(found, root)
         return position < len(found) and found[position] == root

@@ -9,17 +9,18 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import factorization
 from exactspline.language.argument import Evaluated
 from exactspline.language.factorization import Factorization
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 
 #: Longer sums are tried for the factors that were met before, which are shorter.
 LONG = 100
+#: So many pairs of terms are multiplied at once where products are multiplied out for a sum.
+PAIRS_OF_SUMS = 3 * 10**7
 #: Monic polynomials with exponents.
 Powers = Factorization[fmpq_mpoly]
 ONE = Powers()
@@ -165,9 +166,15 @@ def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
 
 
 def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
-    """The product multiplied out, short factors last."""
-    in_order = Powers(sorted(powers, key=lambda power: -len(power[0])))
-    return factorization.multiplied(in_order, ring.context.constant(1))
+    """The product multiplied out, short factors last.
+
+    Raises `FormulaError` where it is too large to be worked with.
+    """
+    result = ring.context.constant(1)
+    for base, e in sorted(powers, key=lambda power: -len(power[0])):
+        for _ in range(e):
+            result = bounded_product(result, base, PAIRS_OF_SUMS)
+    return result
 
 
 def _factored(operand: Operand) -> FactoredJet:

@@ -173,12 +173,12 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
 TERMS, PAIRS = 10**6, 10**9
 
 
-def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly, pairs: int = PAIRS) -> fmpq_mpoly:
     """The product of two polynomials.
 
     Raises `FormulaError` where it is too large.
     """
-    if len(a) * len(b) > PAIRS:
+    if len(a) * len(b) > pairs:
         raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
     product: fmpq_mpoly = a * b
     if len(product) > TERMS:

@@ -23,8 +23,10 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.services import Displayed
+from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
 from exactspline.readings.printing.printer import POWER
@@ -275,8 +277,9 @@ class _Names:
     comes to it.
     """
 
-    def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, argument: Evaluated) -> None:
-        self._formulas, self._kind = tuple(source.formulas.values()), kind
+    def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> None:
+        argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
+        self._formulas, self._kind, self._polynomial = tuple(source.formulas.values()), kind, polynomial
         self._dimension, self._order = dimension, order
         self._argument = argument.remembering()
         self._known: list[tuple[str, object] | None] = []
@@ -292,15 +295,25 @@ class _Names:
                 yield found
 
     def _named(self, formula: Formula) -> tuple[str, object] | None:
-        n = self._dimension
-        if not (
-            self._kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order
-        ):
+        n, kind = self._dimension, self._kind
+        if not (kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order):
+            return None
+        if kind.counted == BOTH and _degree_in_surface(formula, n, self._polynomial) > NAMED_DEGREE:
             return None
         return symbol_text(formula.symbol) or print_text.at(trace(formula, n), POWER), formula(self._argument)
 
 
 @cache
 def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> _Names:
-    argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
-    return _Names(source, kind, dimension, order, argument)
+    return _Names(source, kind, dimension, order, polynomial)
+
+
+#: Formulas of a higher degree in a surface are not held against factors: they have millions of terms.
+NAMED_DEGREE = 10
+
+
+def _degree_in_surface(formula: Formula, dimension: int, polynomial: bool) -> int:
+    """How many operands are multiplied in a term, at most."""
+    argument = DegreeReading(parameter=BOTH[0]).argument(formula.kind, dimension, polynomial=polynomial)
+    (components, _) = split(formula(argument))
+    return max(sum(k for _, k in names) for x in components for names, _ in cast(Degree, x.degree).terms)

@@ -110,6 +110,11 @@ class Part:
         """The common factor of numerator and denominator."""
         return self._factor([(p, min(p.above, p.below)) for p in self.powers], mpq(1))
 
+    @property
+    def kept(self) -> tuple[tuple[Jet, int], ...]:
+        """What the reduced form is a product of beside its core, with exponents."""
+        return tuple((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
+
     def _kept(self, p: Power) -> bool:
         return p.has_roots and p.above > p.below and self.role != GENERATOR
 
@@ -121,7 +126,8 @@ class Part:
     @cached_property
     def reduced(self) -> tuple[Jet, ...]:
         """The reduced form of zero-set problems and directions: the numerator without factors that have no zeros."""
-        kept = self._product((p, p.above - p.below) for p in self.powers if self._kept(p))
+        ring = self.core[0].ring
+        kept = Jet(ring, multiplied(ring, Powers((jet.polynomial, e) for jet, e in self.kept)))
         return tuple(kept * c for c in self.core)
 
     @cached_property
@@ -141,9 +147,8 @@ class Part:
     @cached_property
     def true(self) -> TrueDegree | None:
         """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
-        kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
         try:
-            counted = [(true_degree(jet, self.parameter), e) for jet, e in kept]
+            counted = [(true_degree(jet, self.parameter), e) for jet, e in self.kept]
             return product_of([*counted, (true_degree(self.core, self.parameter), 1)])
         except FormulaError:
             return None
@@ -151,7 +156,7 @@ class Part:
     @cached_property
     def generic(self) -> Degree:
         """The true degree of the reduced form on the generic curve, by the degree theorem."""
-        return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
+        return self._generic(self.kept)
 
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
         if self.is_zero:

@@ -59,7 +59,7 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
             return segment(a, i)
         low, high = a.breakpoints[i : i + 2]
         rest, n = _without(p, q)
-        found = zero_on_segment(rest, n) if n > 0 else None
+        found = zero_on_segment(rest, n)
         if found and not (found[0] == found[1] == 1 and q and q[b.degree] == 0):
             return between(low, high, found)
         if p[a.degree] == 0 and q and q[b.degree] != 0:

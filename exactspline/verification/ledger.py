@@ -120,6 +120,6 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
         finding = undecided(claim.claims, error)
     if finding.verdict == REFUTED:
         contradict(claim, proofs[claim][1], finding)
-    is_example = claim.source_paper.default and name in example_names() and own.curve is example(name)
+    is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

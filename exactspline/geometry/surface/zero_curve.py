@@ -185,6 +185,11 @@ class ZeroCurve:
         return not self.undecided
 
     @property
+    def may_have_zeros(self) -> bool:
+        """Whether there are zeros, or may be."""
+        return not self.complete or bool(self.parts)
+
+    @property
     def is_of_points(self) -> bool:
         """Whether all zeros are known and none of them is on a piece of a curve."""
         return self.complete and not self._arcs and not self._crossings

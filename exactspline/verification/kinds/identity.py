@@ -129,8 +129,7 @@ class Identity(Claim):
             return vacuous(self.factor, factor=factor)
         if not all(_numerator(bottom).polynomials) or not all(_denominator(top, bottom)):
             return vacuous(self.factor, "the factor does not exist on all of this curve: 1/0", factor)
-        (tops, a), (bottoms, b) = split(top), split(bottom)
-        left, right = bottoms[0], tops[0]
+        ((right,), a), ((left,), b) = split(top), split(bottom)
         left = left if a is None else left * a
         right = right if b is None else right * b
         left = left if m is None else left * m
