@@ -27,6 +27,7 @@ from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.curve_check import extra_zero, spline_table
 from exactspline.verification.degree_tables import construction_table, formula_degrees
+from exactspline.verification.divisors import _divided_by, divisors
 from exactspline.verification.errata import _unrecorded, check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators
@@ -445,3 +446,24 @@ def test_numerators_as_they_come_differ_by_their_factor(left, right):
     first, second = (split(f(argument))[0][0].expanded() for f in sides)
     top, bottom = factor.fraction()
     assert first * bottom == second * top
+
+
+@pytest.mark.parametrize(
+    ("name", "found"),
+    [
+        ("curvature_squared", ["(‖γ′‖²)³"]),
+        ("torsion", ["‖γ′ × γ″‖²"]),
+        ("evolute", ["[γ′ γ″]"]),
+        ("f2", []),
+        ("D1_D2_D3", []),
+    ],
+)
+def test_a_tree_tells_what_it_divides_by(name, found):
+    """A quotient by a number is none."""
+    tree = trace(find(name), find(name).kind.dimensions[-1], expand=True)
+    assert [print_text(node) for node in _divided_by(tree)] == found
+
+
+def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
+    """The right side of an iso-curve is handed the curve in space."""
+    assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}
