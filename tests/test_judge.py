@@ -171,7 +171,7 @@ def test_every_witness_satisfies_the_assumptions_of_its_claim():
 
 
 def test_every_assumption_fails_somewhere_or_is_checked():
-    """Assumptions are no decoration: all can be checked on a curve."""
+    """Assumptions are not decoration: all can be checked on a curve."""
     from exactspline.verification.evaluation import Evaluation
 
     cusp, line, flat = (Evaluation(example(name)) for name in ("cusp", "straight_line", "flat_point"))

@@ -76,6 +76,10 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
             for one in found.patches
             for part in one.parabolic
         ],
+        "parabolic_points": [
+            {"u": text(u), "v": text(v)}
+            for u, v in dict.fromkeys(point for one in found.patches for point in one.parabolic_points)
+        ],
         "singular_points": [_place_data(place, digits) for place in found.singular_points],
         "poles": [
             {
@@ -99,6 +103,7 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
         "minimal": one.minimal,
         "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
         "umbilic_everywhere": one.umbilics.everywhere,
+        "singular_curve": one.singular.factor is not None,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
         "undecided": [_hull_data(box) for box in boxes],
     }
@@ -190,6 +195,8 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
     for one in found.patches:
         for part in one.parabolic:
             made.add_row("parabolic curve", *(_near(side) for side in _extent(one, part)), part.shape.value)
+    for spot in dict.fromkeys(point for one in found.patches for point in one.parabolic_points):
+        made.add_row("parabolic point", *(text(x) for x in spot), "K = 0 there alone")
     for umbilic in found.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
     for place in found.singular_points:
@@ -240,6 +247,8 @@ def _of_patch(one: PatchInspection) -> str:
         told.append("H = 0")
     if one.umbilics.curve is not None or one.umbilics.edges:
         told.append("umbilics along a curve")
+    if one.singular.factor is not None:
+        told.append("no tangent planes along a curve")
     return ", ".join(filter(None, told))
 
 

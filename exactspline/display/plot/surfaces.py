@@ -87,7 +87,7 @@ def plot_mesh(
             label=_counted(mesh),
             zorder=2.1,
         )
-    framed(ax, [p for face in faces for p in face])
+    _framed(ax, [p for face in faces for p in face])
     legend_below(ax)
     return ax
 
@@ -107,7 +107,7 @@ def _counted(mesh: SurfaceMesh) -> str:
     return f"control net ({mesh.points} points{hidden})"
 
 
-def framed(ax: Any, points: Iterable[Point]) -> None:
+def _framed(ax: Any, points: Iterable[Point]) -> None:
     """Equal scales on the three axes, and all points in sight."""
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)
@@ -194,7 +194,7 @@ def plot_bisector(
     found = find(formula or default)
     if found.kind is not kind:
         raise FormulaError(
-            f"{found.name} is no bisector of these",
+            f"{found.name} is not a bisector of these",
             where="formula",
             remedy=f"its argument is of the kind {found.curve!r}, not {kind.name!r}",
         )

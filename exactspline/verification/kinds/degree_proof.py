@@ -1,4 +1,4 @@
-"""Degrees for all curves and all d: by the counting of Table 1, at infinity, and by the degree theorem."""
+"""Degrees for all curves and all d: by Table 1, at infinity, and by the degree theorem."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
-    """What holds of the degree of a claim for every d from its least one on."""
+    """The finding on the degree of a claim for every d from its least one on."""
     formula = claim.find(claim.formula)
     if claim.measure == Measure.NOMINAL:
         return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
