@@ -13,7 +13,7 @@ from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claim import combined
-from exactspline.verification.claims import all_claims, select
+from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.kinds import (
     Coefficients,
     DegreeClaim,
@@ -170,7 +170,7 @@ def test_every_witness_satisfies_the_assumptions_of_its_claim():
 
 
 def test_every_assumption_fails_somewhere_or_is_checked():
-    """Assumptions are no decoration: all can be checked on a curve."""
+    """Assumptions are not decoration: all can be checked on a curve."""
     from exactspline.verification.evaluation import Evaluation
 
     cusp, line, flat = (Evaluation(example(name)) for name in ("cusp", "straight_line", "flat_point"))
@@ -297,6 +297,13 @@ def test_vacuous_rows_are_on_record():
     assert (row.verdict, row.as_recorded) == (UNDECIDED, False)
     (row,) = audit([replace(claim, vacuous=("circle",))], [example("circle")])
     assert (row.verdict, row.as_recorded) == (VERIFIED, False)
+
+
+def test_vacuous_rows_of_every_paper_that_comes_along_are_on_record():
+    (claim,) = [c for c in claims_of("levien_parallel_curves") if c.key == "OC2h-offset_step_derivative-root_velocity"]
+    assert {"straight_cubic", "straight_line"} <= set(claim.vacuous)
+    (row,) = audit([replace(claim, vacuous=())], [example("straight_line")])
+    assert (row.verdict, row.as_recorded) == (UNDECIDED, False)
 
 
 def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():

@@ -25,7 +25,7 @@ def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, 
     >>> located("rectifying developable")[0].id
     'C5.4a'
 
-    They are sought among `claims`, without these among those that are meant where no paper is named. Raises
+    They are sought among `claims`, by default among those of the default papers. Raises
     `ClaimError` with the nearest ids.
     """
     known = all_claims() if claims is None else tuple(claims)

@@ -1,8 +1,6 @@
-"""One curve, one analysis: everything that is told of a curve is read from one lazy object that belongs to it.
-
-`analyse` makes it at the first call and keeps it with the curve. Each fact is computed when it is first asked for and
-then kept; it may be asked for from several threads. An analysis is not part of the curve's value: it is not copied,
-pickled or compared.
+"""One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
+it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
+threads may share it. An analysis is not part of the curve's value: it is not copied, pickled or compared.
 """
 
 from __future__ import annotations
@@ -23,8 +21,8 @@ _LOCK = Lock()
 
 
 class Analysis(SpaceFacts):
-    """What can be told of one curve in the plane or in space (see `exactspline.geometry.features` for what each list
-    holds).
+    """Everything that can be computed of one curve in the plane or in space (see `exactspline.geometry.features` for
+    what each list holds).
 
     >>> from exactspline.splines.examples import example
     >>> found = analyse(example("ellipse"))

@@ -1,9 +1,9 @@
-"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, out of its facts.
+"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, from its facts.
 
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it is smallest: these points are listed as inflections,
 undulations and flat points and not once more among the extrema. The form [D1 D2 D3] of the torsion vanishes there
 whatever τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
-else. What users call is in `exactspline.geometry.features`.
+else. The user's interface is `exactspline.geometry.features`.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class SpaceFacts(Facts):
 
 
 def flat_points(facts: SpaceFacts) -> list[Feature]:
-    """The zeros of the curvature at regular points, and where κN is turned round by a jump."""
+    """The zeros of the curvature at regular points, and where κN is reversed by a jump."""
     least = FeatureKind.MINIMUM
     features = [
         Feature(
@@ -104,7 +104,7 @@ def flat_points(facts: SpaceFacts) -> list[Feature]:
 
 
 def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
-    """The zero of the curvature at a knot with one tangent, if there is one, or its being turned round by a jump."""
+    """The zero of the curvature at a knot with one tangent, if there is one, or its reversal by a jump."""
     left, right = facts.bend(t, Side.LEFT), facts.bend(t, Side.RIGHT)
     flat = not any(left) and not any(right)
     if not any(left) or not any(right):
@@ -158,7 +158,7 @@ def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Featu
 
 
 def critical_points(facts: SpaceFacts, variant: Variant | str) -> list[Feature]:
-    """The extrema of the curvature and the points where κ′ = 0 without an extremum, but for those where κ = 0."""
+    """The extrema of the curvature and the points where κ′ = 0 without an extremum, except those where κ = 0."""
     features = []
     for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
         joint = facts.joint(root.low) if root.at_knot else None

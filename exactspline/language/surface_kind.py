@@ -156,7 +156,7 @@ class FormsKind(Kind):
     fundamental form of a surface, whatever the surface.
 
     What is said of them alone holds for every surface, and is short. Surfaces hand over their own:
-    ``Operands(E=…, F=…, …)``.
+    ``Operands(E=…, F=…, …)``. Beside them stands a function ``w``, for forms that have a denominator.
 
     >>> from exactspline.readings.jet import JetReading
     >>> c = JetReading(1).argument(FORMS, 3)
@@ -170,12 +170,12 @@ class FormsKind(Kind):
     counted = ()
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """The six coefficients; where degrees are asked for, all of one degree."""
-        return tuple(Symbol(name, name, BOTH) for name in "EFGLMN")
+        """The six coefficients and w; where degrees are asked for, all of one degree."""
+        return tuple(Symbol(name, name, BOTH) for name in "EFGLMNw")
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """The six coefficients."""
-        return dict.fromkeys("EFGLMN", False)
+        """The six coefficients and w."""
+        return dict.fromkeys("EFGLMNw", False)
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False

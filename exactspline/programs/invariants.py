@@ -63,7 +63,7 @@ def space_slope(c: Any) -> Any:
     return _slope([(norm2(bending(c)), 1), (norm2(tangent(c)), -3)], c)
 
 
-#: What is computed at once of a curve in the plane and in space, and how many components each has.
+#: What is computed at once for a curve in the plane and in space, and how many components each value has.
 TOGETHER = {2: {tangent: 2, turning: 1, slope: 1}, 3: {tangent: 3, bending: 3, twisting: 1, space_slope: 1}}
 
 INVARIANTS = frozenset(formula for own in TOGETHER.values() for formula in own)

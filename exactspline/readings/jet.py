@@ -1,8 +1,8 @@
 """The jet reading: the curve is indeterminate, its derivatives are the variables x, x′, x″, …, w, w′, ….
 
-What a formula returns is a differential polynomial over the rationals. Two that agree agree for every curve of every
-degree, so an equality here is a proof for all curves. A polynomial homogeneous of degree k and of weight m (number of
-primes) has nominal B-spline degree ``kd − m``.
+What a formula returns is a differential polynomial over the rationals. Two that are equal agree for every curve of
+every degree, so that an equality here is a proof for all curves. A polynomial homogeneous of degree k and of weight m
+(number of primes) has nominal B-spline degree ``kd − m``.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class JetRing:
         self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
-        #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see
+        #: Polynomials met as repeated factors: a factor hidden in a sum is mostly one of these (see
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
         self._ruled: dict[str, fmpq_mpoly] = {}
@@ -68,8 +68,8 @@ class JetRing:
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
     def derivative(self, i: int, by: str | None) -> fmpq_mpoly | None:
-        """The derivative of the i-th variable: the next one, or what the kind of argument says of it; None for what
-        does not depend on the parameter.
+        """The derivative of the i-th variable: the next one, or the rule of the kind of argument; None for what does
+        not depend on the parameter.
 
         Raises `FormulaError` where the ring has none, and for a function of several parameters where none is named.
         """
@@ -112,14 +112,14 @@ class JetRing:
         return self.gens[self.index[name, raised]]
 
     def primes(self, i: int) -> str:
-        """The i-th variable as people write it."""
+        """The i-th variable as it is written."""
         name, orders = self.variables[i]
         symbol = self.symbols[name]
         return symbol.text + derivative_mark(symbol.parameters, orders)
 
 
 def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
-    """The orders of the derivatives in so many parameters, up to an order in all.
+    """The orders of the derivatives in so many parameters, up to a total order.
 
     >>> orders_up_to(2, 1), orders_up_to(1, 2)
     ([(0,), (1,), (2,)], [(0, 0), (1, 0), (0, 1)])
@@ -129,7 +129,7 @@ def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
 
 
 def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
-    """How people write a derivative: primes, or the letters of the parameters.
+    """How a derivative is written: primes, or the letters of the parameters.
 
     >>> derivative_mark(("s",), (2,)), derivative_mark(("u", "v"), (2, 1)), derivative_mark((), (0,))
     ('″', '_uuv', '')
@@ -141,16 +141,16 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
     return f"_{letters}" if letters else ""
 
 
-#: More terms than this no polynomial may have, and no more pairs of terms are multiplied at once.
+#: The largest number of terms of a polynomial, and of pairs of terms that are multiplied at once.
 TERMS, PAIRS = 10**6, 10**9
 
 
-def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly, pairs: int = PAIRS) -> fmpq_mpoly:
     """The product of two polynomials.
 
-    Raises `FormulaError` where it is too large to be worked with.
+    Raises `FormulaError` where it is too large.
     """
-    if len(a) * len(b) > PAIRS:
+    if len(a) * len(b) > pairs:
         raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
     product: fmpq_mpoly = a * b
     if len(product) > TERMS:
@@ -158,7 +158,7 @@ def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     return product
 
 
-SHORTER = f"at most {TERMS} are worked with: factor the formula, or name its parts"
+SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
 
 
 class Jet(Operand):
@@ -203,7 +203,7 @@ class Jet(Operand):
     def d(self, order: int = 1, *, by: str | None = None) -> Jet:
         """The total derivative, or that by one parameter.
 
-        Raises `FormulaError` when the ring lacks the variable it leads to.
+        Raises `FormulaError` when the ring lacks the variable that it needs.
         """
         ring, result, provenance = self.ring, self.polynomial, self.provenance
         for _ in range(order):
@@ -251,7 +251,7 @@ class Jet(Operand):
 
 
 def polynomial_text(jet: Jet, limit: int = 12) -> str:
-    """The polynomial as people write it, cut after `limit` terms."""
+    """The polynomial as it is written, cut after `limit` terms."""
     terms = list(jet.polynomial.terms())
     if not terms:
         return "0"

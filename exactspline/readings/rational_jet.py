@@ -1,8 +1,7 @@
 """The fraction reading: quotients of differential polynomials in lowest terms.
 
-Where the jet reading carries out the naive algorithm, this one computes what the formula *is*, cancelling common
-factors after every operation: the way to prove an identity between large naive expressions without multiplying them
-out.
+Where the jet reading carries out the naive algorithm, this one computes the function itself, cancelling common factors
+after every operation: a way to prove an identity between large naive expressions without multiplying them out.
 """
 
 from __future__ import annotations
@@ -49,7 +48,7 @@ class JetFraction(FieldOperand):
         if self.bottom == right.bottom:
             return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
         if self.bottom.is_one() or right.bottom.is_one():
-            top = self.top * right.bottom + right.top * self.bottom  # has nothing in common with the other bottom
+            top = self.top * right.bottom + right.top * self.bottom  # has no common factor with the other bottom
             return JetFraction(self.ring, top, self.bottom * right.bottom)
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
@@ -71,7 +70,7 @@ class JetFraction(FieldOperand):
     def reciprocal(self) -> JetFraction:
         """``1 / a``; `FormulaError` for zero."""
         if not self.top:
-            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         unit = self.top.leading_coefficient()
         return JetFraction(self.ring, self.bottom / unit, self.top / unit)
 
@@ -104,9 +103,8 @@ class JetFraction(FieldOperand):
         return not self.top
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same quotient: what reading computes is in lowest terms, so that one look decides.
-
-        Quotients that look different are multiplied out all the same, unless their values at one point differ.
+        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal ones look
+        alike; quotients that look different are still multiplied out, unless their values at one point differ.
         """
         if not isinstance(other, JetFraction):
             return False

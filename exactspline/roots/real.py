@@ -1,4 +1,4 @@
-"""Real numbers known exactly without being written down: enclosed as narrowly as wanted, compared with any rational
+"""Exactly known real numbers without a closed form: enclosed as narrowly as needed, compared with any rational
 number, rounded correctly.
 """
 
@@ -110,10 +110,10 @@ class Real:
         return double(self.exact, rounding)
 
     def doubles(self) -> dict[str, float]:
-        """All three correctly rounded doubles by the names of the ways of rounding."""
+        """All three correctly rounded doubles by the names of the rounding modes."""
         return {str(way): self.double(way) for way in Rounding}
 
 
 def real(value: Number | Surd | Root | Real) -> Real:
-    """A number, in whatever way it is known, as a `Real`."""
+    """Any kind of number as a `Real`."""
     return value if isinstance(value, Real) else Real.of(value)

@@ -37,7 +37,8 @@ class Surd(Immutable):
         a, b = mpq(coefficient), int(radicand)
         if a == 0 or b <= 1 or is_square(b):
             raise NumberError(
-                f"{text(a)}√{b} is not an irrational number", remedy="use square_root, which tells them apart"
+                f"{text(a)}√{b} is not an irrational number",
+                remedy="use square_root, which returns rational roots as rational numbers",
             )
         fill(self, coefficient=a, radicand=b)
 
@@ -122,7 +123,7 @@ class Surd(Immutable):
         return f"{times}√{self.radicand}" + (f"/{q}" if q != 1 else "")
 
 
-#: Whose squares are taken out of a radicand.
+#: Primes whose squares are removed from a radicand.
 _PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(isqrt(p)) + 1))]
 _PRODUCT = prod(_PRIMES, start=mpz(1))
 
@@ -159,7 +160,7 @@ def parts(number: mpq | Surd) -> tuple[mpq, int]:
 
 
 def significant(number: mpq | Surd, digits: int) -> mpf:
-    """A number as an mpmath number that is off by a relative error below ``10^−digits``.
+    """A number as an mpmath number with a relative error below ``10^−digits``.
 
     >>> round(float(significant(square_root(mpq(2)), 20)), 6)
     1.414214

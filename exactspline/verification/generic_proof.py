@@ -1,4 +1,4 @@
-"""What proofs for all curves share: quotients of formulas in the jet ring, and what formulas are handed."""
+"""Shared by proofs for all curves: quotients of formulas in the jet ring, and arguments of formulas."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
-from exactspline.symbolic.reduction import Reduction, reduce
+from exactspline.symbolic.reduction import Reduction, counted_in, reduce
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -39,7 +39,7 @@ def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, nam
 
 
 def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
-    """The quotient of the numerators of two formulas as they come, nothing cancelled; None when they are not
+    """The quotient of the numerators of two formulas, with nothing cancelled; None when they are not
     proportional.
 
     >>> str(factor_of_numerators(find("f0"), find("f2"), 2))
@@ -53,7 +53,7 @@ def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polyn
 
 
 def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
-    """The irreducible factors of a denominator as it comes."""
+    """The irreducible factors of a denominator, with nothing cancelled."""
     argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
     below: FactoredJet | None = split(formula(argument))[1]
     found, one = Factorization[Named](), ring.context.constant(1)
@@ -83,15 +83,14 @@ def transposed(formula: Formula) -> Formula:
 
 
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
-    """The reduction of a formula, made once."""
-    return _reduction(formula, dimension, polynomial, parameter, naming())
+    """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
+    found = _reduction(formula, dimension, polynomial, naming())
+    return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache
-def _reduction(
-    formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None, names: tuple[Paper, ...]
-) -> Reduction:
-    return reduce(formula, dimension=dimension, polynomial=polynomial, parameter=parameter)
+def _reduction(formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Reduction:
+    return reduce(formula, dimension=dimension, polynomial=polynomial)
 
 
 def degree_table() -> Operands:

@@ -95,7 +95,7 @@ class Scene:
         lines = [_line("isolines", DARK, 0.7, self.mesh.isolines(*ISOLINES))]
         lines += [_line("control net", GREEN, 1, net)] if net else []
         lines += [
-            _line(name, color, 3, runs)
+            _line(name.replace("_", " "), color, 3, runs)
             for (name, runs), color in zip(self.curves, cycle((BLACK, VERMILLION)), strict=False)
         ]
         dots = [_dots("control points", BLUE, 5, dict.fromkeys(p for run in net for p in run))] if net else []
@@ -191,5 +191,5 @@ turning(document.getElementById("scenes"), {data});
 
 
 def save_page(page: str, path: str | os.PathLike[str]) -> None:
-    """Write a page; the file is there whole or not at all. Raises `PlotError` where nothing can be written."""
+    """Write a page; the file is written whole or not at all. Raises `PlotError` where nothing can be written."""
     write_atomically(path, lambda stream: stream.write(page.encode()), PlotError)

@@ -4,8 +4,21 @@ All is written for ``L, M, N`` with the normal ``n = S_u × S_v``, which is not 
 ``κ = λ/√(EG − F²)`` with the roots λ of ``(EG − F²) λ² − (EN − 2FM + GL) λ + (LN − M²) = 0``.
 """
 
+from exactspline.language.arguments import Operands
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, join
+
+
+def along_weight(c, w):
+    """The cubic form ``dw II(t, t)``."""
+    w_u, w_v = w.d(1, by="u"), w.d(1, by="v")
+    return join(w_u * c.L, 2 * w_u * c.M + w_v * c.L, w_u * c.N + 2 * w_v * c.M, w_v * c.N)
+
+
+def extremal_along_lines(c, cubic):
+    """The resultant of the lines of curvature and a cubic form."""
+    a, b, d = line_uu_of_forms(c), line_uv_of_forms(c), line_vv_of_forms(c)
+    return det(join(a, b, d, 0, 0), join(0, a, b, d, 0), join(0, 0, a, b, d), join(cubic, 0), join(0, cubic))
 
 
 @formula("first form", on="forms")
@@ -160,9 +173,20 @@ def ridge_cubic(c):
 
 @formula("ridges", on="forms")
 def ridges_of_forms(c):
-    """The resultant of the directions ``A t_u² + B t_u t_v + C t_v² = 0`` and that cubic form: zero on the ridges of
-    both principal curvatures.
+    """The resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v² = 0`` and that cubic form: zero on the
+    ridges of both principal curvatures.
     """
-    a, b, d = line_uu_of_forms(c), line_uv_of_forms(c), line_vv_of_forms(c)
-    cubic = ridge_cubic(c)
-    return det(join(a, b, d, 0, 0), join(0, a, b, d, 0), join(0, 0, a, b, d), join(cubic, 0), join(0, cubic))
+    return extremal_along_lines(c, ridge_cubic(c))
+
+
+@formula("ridges", on="forms")
+def ridge_cubic_over_weight(c):
+    """The cubic form of both fundamental forms divided by ``w⁴``."""
+    divided = {"E": c.E, "F": c.F, "G": c.G, "L": c.L, "M": c.M, "N": c.N}
+    return ridge_cubic(Operands(**{name: form / c.w**4 for name, form in divided.items()}))
+
+
+@formula("ridges", on="forms")
+def ridge_cubic_weighted(c):
+    """``w T + 4 (EG − F²) dw II(t, t)``."""
+    return ridge_cubic(c) * c.w + along_weight(c, c.w) * (4 * area_of_forms(c))

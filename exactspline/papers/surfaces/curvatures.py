@@ -16,7 +16,29 @@ from exactspline.papers.surfaces.by_forms import (
     stationary_root_by_u,
     umbilicity_of_forms,
 )
-from exactspline.papers.surfaces.fundamental_forms import E, F, G, L, M, N, S_u, S_v, normal
+from exactspline.papers.surfaces.fundamental_forms import (
+    E,
+    E_reduced,
+    F,
+    F_reduced,
+    G,
+    G_reduced,
+    L,
+    L_reduced,
+    M,
+    M_reduced,
+    N,
+    N_reduced,
+    S_u,
+    S_v,
+    normal,
+)
+
+
+def reduced_forms(c):
+    """``w⁴`` times the first and ``w⁷`` times the second fundamental form, from the numerators of derivatives."""
+    first = {"E": E_reduced(c), "F": F_reduced(c), "G": G_reduced(c)}
+    return Operands(**first, L=L_reduced(c), M=M_reduced(c), N=N_reduced(c))
 
 
 def forms(c):
@@ -58,6 +80,36 @@ def mean_curvature_squared(c):
 def umbilicity(c):
     """``(EN − 2FM + GL)² − 4 (EG − F²)(LN − M²)``: never negative, zero at the umbilics."""
     return umbilicity_of_forms(forms(c))
+
+
+@formula("reduced", on="surface")
+def area_squared_reduced(c):
+    """``w⁸ (EG − F²)``."""
+    return area_of_forms(Operands(E=E_reduced(c), F=F_reduced(c), G=G_reduced(c)))
+
+
+@formula("reduced", on="surface")
+def parabolic_reduced(c):
+    """``w¹⁴ (LN − M²)``."""
+    return parabolic_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface")
+def minimality_reduced(c):
+    """``w¹¹ (EN − 2FM + GL)``."""
+    return minimality_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface", symbol="K")
+def gaussian_curvature_reduced(c):
+    """``w² · w¹⁴ (LN − M²)/(w⁸ (EG − F²))²``."""
+    return parabolic_reduced(c) * c.w**2 / area_squared_reduced(c) ** 2
+
+
+@formula("reduced", on="surface", symbol="H^2")
+def mean_curvature_squared_reduced(c):
+    """``w² (w¹¹ (EN − 2FM + GL))²/(4 (w⁸ (EG − F²))³)``."""
+    return minimality_reduced(c) ** 2 * c.w**2 / (4 * area_squared_reduced(c) ** 3)
 
 
 @formula("F. Brioschi 1852, after C. F. Gauss, Disquisitiones generales circa superficies curvas, 11", on="surface")

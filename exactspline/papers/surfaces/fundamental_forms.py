@@ -110,6 +110,42 @@ def G_reduced(c):
     return norm2(D_v(c))
 
 
+@formula("reduced", on="surface", symbol="D_{uu}")
+def D_uu(c):
+    """``w³ S_uu``."""
+    return D_u(c).d(1, by="u") * c.w - D_u(c) * (2 * c.w.d(1, by="u"))
+
+
+@formula("reduced", on="surface", symbol="D_{uv}")
+def D_uv(c):
+    """``w³ S_uv``."""
+    return D_u(c).d(1, by="v") * c.w - D_u(c) * (2 * c.w.d(1, by="v"))
+
+
+@formula("reduced", on="surface", symbol="D_{vv}")
+def D_vv(c):
+    """``w³ S_vv``."""
+    return D_v(c).d(1, by="v") * c.w - D_v(c) * (2 * c.w.d(1, by="v"))
+
+
+@formula("reduced", on="surface")
+def L_reduced(c):
+    """``w⁷ L``."""
+    return det(D_u(c), D_v(c), D_uu(c))
+
+
+@formula("reduced", on="surface")
+def M_reduced(c):
+    """``w⁷ M``."""
+    return det(D_u(c), D_v(c), D_uv(c))
+
+
+@formula("reduced", on="surface")
+def N_reduced(c):
+    """``w⁷ N``."""
+    return det(D_u(c), D_v(c), D_vv(c))
+
+
 @formula("planar maps", on="planar map", symbol="J")
 def jacobian(c):
     """``[S_u S_v]``, by which areas are multiplied: a map of the plane has an inverse near where it is not zero."""

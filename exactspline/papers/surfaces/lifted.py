@@ -9,11 +9,15 @@ from exactspline.language.arguments import Operands
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, generalized_cross, join, norm2
 from exactspline.papers.surfaces.by_forms import (
+    along_weight,
+    area_of_forms,
+    extremal_along_lines,
     line_uu_of_forms,
     line_uv_of_forms,
     line_vv_of_forms,
     minimality_of_forms,
     parabolic_of_forms,
+    ridge_cubic,
 )
 from exactspline.papers.surfaces.fundamental_forms import E_reduced, F_reduced, G_reduced
 
@@ -152,3 +156,22 @@ def minimality_of_spheres(c):
 def focal_discriminant_lifted(c):
     """``(w⁸ h)² − 4 w² ‖Π_n‖² w⁸ (LN − M²)``: of the quadratic of the centres ``(w p + σ Π_n)/w²`` of curvature."""
     return minimality_lifted(c) ** 2 - 4 * c.w**2 * area_squared_lifted(c) * parabolic_lifted(c)
+
+
+@formula("lifted", on="surface")
+def ridge_cubic_lifted(c):
+    """``w¹²`` times the cubic form of the ridges: that of ``w⁴ I`` and ``w⁴ II``, corrected by ``4 w ‖Π_n‖² dw II``."""
+    forms = lifted_forms(c)
+    return ridge_cubic(forms) + along_weight(forms, c.w) * (4 * c.w * area_squared_lifted(c))
+
+
+@formula("lifted", on="surface")
+def ridges_lifted(c):
+    """``w⁴⁸`` times the polynomial of the ridges."""
+    return extremal_along_lines(lifted_forms(c), ridge_cubic_lifted(c))
+
+
+@formula("lifted", on="surface")
+def area_of_lifted_forms(c):
+    """``EG − F²`` of ``w⁴ I``."""
+    return area_of_forms(Operands(E=E_reduced(c), F=F_reduced(c), G=G_reduced(c)))

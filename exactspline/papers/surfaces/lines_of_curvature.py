@@ -3,7 +3,7 @@
 from exactspline.language.formula import formula
 from exactspline.language.vector import det
 from exactspline.papers.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms, line_vv_of_forms
-from exactspline.papers.surfaces.curvatures import forms
+from exactspline.papers.surfaces.curvatures import forms, reduced_forms
 from exactspline.papers.surfaces.fundamental_forms import S_u, S_v, normal
 
 
@@ -41,3 +41,21 @@ def turning_uv(c):
 def turning_vv(c):
     """``[n n_v S_v]``."""
     return det(normal(c), normal(c).d(1, by="v"), S_v(c))
+
+
+@formula("reduced", on="surface")
+def line_coefficient_uu_reduced(c):
+    """``w¹¹ (EM − FL)``."""
+    return line_uu_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface")
+def line_coefficient_uv_reduced(c):
+    """``w¹¹ (EN − GL)``."""
+    return line_uv_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface")
+def line_coefficient_vv_reduced(c):
+    """``w¹¹ (FN − GM)``."""
+    return line_vv_of_forms(reduced_forms(c))
