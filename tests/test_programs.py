@@ -13,10 +13,11 @@ from exactspline.language.kinds import CurveKind, PairKind, TableKind
 from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import det
-from exactspline.papers import papers
+from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instructions
-from exactspline.programs.program import operands_of
+from exactspline.programs.invariants import TOGETHER, bending, slope, space_slope, tangent, turning, twisting
+from exactspline.programs.program import operands_of, program_of
 from exactspline.splines.examples import example
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
@@ -109,3 +110,32 @@ def test_equal_subexpressions_are_computed_once():
     once = formula("here", on="plane")(lambda c: det(c.p.d(1), c.p.d(2)) + 1)
     counts = [program_for(f, example("cubic_s")).count("mul") for f in (twice, once)]
     assert counts == [3, 2]
+
+
+@pytest.mark.parametrize("name", ["rational_cubic_spline", "cubic_s", "circle", "rational_quartic"])
+def test_the_lowest_forms_of_a_plane_curve_are_those_of_the_lifts(name):
+    """κ and κ′ by the shared program are the Wronskians of the lifts but for a positive constant; so are γ′ and D1."""
+    c = example(name)
+    given = operands_of(find("f2").kind, c)
+    found = {f: program_of(f, given.signature).on(given) for f in TOGETHER[2]}
+    assert found[tangent] == find("D1")(c)
+    for own, lifted in ((turning, "inflections_lifted"), (slope, "vertices_lifted")):
+        a, b = found[own], find(lifted)(c)
+        ratio = next((a(t) / b(t) for t in map(rational, ("1/7", "2/7", "3/7")) if b(t)), 1)  # 1 on a circle: 0 = 0
+        assert ratio > 0
+        assert a == b * ratio
+        assert own(c) == a
+        assert a.degree <= b.degree
+
+
+@pytest.mark.parametrize("name", ["rational_space_cubic_spline", "space_quartic", "twisted_cubic"])
+def test_the_lowest_forms_of_a_space_curve_are_those_of_the_lifts(name):
+    c = example(name)
+    given = operands_of(find("torsion").kind, c)
+    found = {f: program_of(f, given.signature).on(given) for f in TOGETHER[3]}
+    assert found[tangent] == find("D1")(c)
+    assert found[bending] == find("binormal_lifted")(c)
+    assert found[twisting] == find("torsion_zeros_lifted")(c)
+    a, b = found[space_slope], find("space_critical_curvature_lifted")(c)
+    assert a == b
+    assert space_slope(c) == a

@@ -1,4 +1,4 @@
-"""Right answers, each of a kind that reads what a student wrote and tells where it differs."""
+"""Right answers; each kind reads what a student wrote and says where it differs."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from itertools import count, zip_longest
 
 from exactspline.classroom.parts import Math, Part, Point, Polynomial
 from exactspline.classroom.reading import AnswerError, cleaned, numbers, points, polynomials
+from exactspline.errors import counted
 from exactspline.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -73,6 +74,14 @@ def shown(point: Sequence[mpq]) -> str:
     return text(point[0]) if len(point) == 1 else f"({', '.join(map(text, point))})"
 
 
+def named(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
+    """Values with their names, as they are printed with commas between them."""
+    joined: list[Part] = []
+    for name, value in zip(names, values, strict=True):
+        joined += [*([", "] if joined else []), Math(name, (value,))]
+    return tuple(joined)
+
+
 @dataclass(frozen=True)
 class Numbers(Answer):
     """Numbers in an order, each with its name."""
@@ -88,10 +97,7 @@ class Numbers(Answer):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The answer as it is printed."""
-        joined: list[Part] = []
-        for name, value in zip(self.names, self.values, strict=True):
-            joined += [*([", "] if joined else []), Math(name, (value,))]
-        return tuple(joined)
+        return named(self.names, self.values)
 
     @property
     def written(self) -> str:
@@ -99,10 +105,10 @@ class Numbers(Answer):
         return ", ".join(map(text, self.values))
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every number that is another one, or their count."""
+        """Every wrong number, or the wrong count."""
         found = numbers(answer)
         if len(found) != len(self.values):
-            yield f"{_counted(len(self.values), 'number')} wanted, not {len(found)}"
+            yield f"{counted(len(self.values), 'number')} wanted, not {len(found)}"
             return
         for name, right, given in zip(self.names, self.values, found, strict=True):
             if given != right:
@@ -131,19 +137,19 @@ class Parameters(Answer):
         return ", ".join(map(text, self.values)) or "none"
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every parameter that is missing or too much."""
+        """Every parameter that is missing or wrong."""
         found = () if cleaned(answer).lower() == "none" else numbers(answer)
         for t in self.values:
             if t not in found:
                 yield f"t = {text(t)} is missing"
         for t in dict.fromkeys(found):
             if t not in self.values:
-                yield f"t = {text(t)} is none of them"
+                yield f"t = {text(t)} is not one of them"
 
 
 @dataclass(frozen=True)
 class Points(Answer):
-    """The control points of a curve or of a function over knots that the exercise names; there is one right answer."""
+    """The control points of a curve or of a function over the knots of the exercise; there is one right answer."""
 
     reference: Nurbs | BSpline
 
@@ -172,14 +178,14 @@ class Points(Answer):
         return ", ".join(map(shown, self.rows))
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every control point that is another one; then a parameter and both values there."""
+        """Every wrong control point; then a parameter and both values there."""
         rows, dimension = self.rows, len(self.rows[0])
         found = points(answer, dimension)
         if any(len(point) != dimension for point in found):
-            yield f"points of {_counted(dimension, 'coordinate')} are wanted"
+            yield f"points of {counted(dimension, 'coordinate')} are wanted"
             return
         if len(found) != len(rows):
-            yield f"{_counted(len(rows), 'point')} wanted, not {len(found)}"
+            yield f"{counted(len(rows), 'point')} wanted, not {len(found)}"
             return
         wrong = [i for i, (right, given) in enumerate(zip(rows, found, strict=True)) if right != given]
         for i in wrong:
@@ -192,7 +198,7 @@ class Points(Answer):
         return value if isinstance(value, tuple) else (value,)
 
     def _of(self, rows: tuple[Point, ...]) -> Callable[[mpq], Point]:
-        """What the points of a student give at a parameter."""
+        """The function of a student's control points."""
         degree, knots = self.reference.degree, self.reference.knots
         splines = [BSpline(degree, knots, column) for column in zip(*rows, strict=True)]
         return lambda t: tuple(f(t) for f in splines)
@@ -213,10 +219,7 @@ class Polynomials(Answer):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The answer as it is printed."""
-        joined: list[Part] = []
-        for name, value in zip(self.names, self.values, strict=True):
-            joined += [*([", "] if joined else []), Math(name, (value,))]
-        return tuple(joined)
+        return named(self.names, self.values)
 
     @property
     def written(self) -> str:
@@ -226,10 +229,10 @@ class Polynomials(Answer):
         )
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every coefficient that is another one; then a parameter and both values there."""
+        """Every wrong coefficient; then a parameter and both values there."""
         found = polynomials(answer)
         if len(found) != len(self.values):
-            yield f"{_counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
+            yield f"{counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
             return
         for name, right, given in zip(self.names, self.values, found, strict=True):
             pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
@@ -244,7 +247,7 @@ class Polynomials(Answer):
 class Circle(Answer):
     """Whether it is a circle: ``no``, or its centre and the square of its radius."""
 
-    #: Centre and squared radius; empty where it is none.
+    #: Centre and squared radius; empty where it is not a circle.
     values: Point
 
     @property
@@ -266,20 +269,16 @@ class Circle(Answer):
         return ", ".join(map(text, self.values)) or "no"
 
     def differences(self, answer: str) -> Iterator[str]:
-        """That it is one or is none, or which number is another one."""
+        """Whether it is a circle, or which number is wrong."""
         said_no = cleaned(answer).lower() == "no"
         if said_no or not self.values:
             if said_no and self.values:
                 yield "it is a circle"
             elif not said_no:
                 numbers(answer)
-                yield "it is no circle"
+                yield "it is not a circle"
             return
         yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
-
-
-def _counted(n: int, what: str) -> str:
-    return f"{n} {what}{'s' if n != 1 else ''}"
 
 
 def _values_of(p: Polynomial) -> Callable[[mpq], Point]:

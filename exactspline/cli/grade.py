@@ -1,4 +1,4 @@
-"""``grade``: other people's libraries held against exact answers."""
+"""``grade``: other people's libraries compared with exact answers."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ if TYPE_CHECKING:
 def grade(
     out: Output,
     library: Annotated[
-        list[str] | None,
-        typer.Argument(metavar="LIBRARY...", help="Libraries by name; all that are installed if none."),
+        list[str] | None, typer.Argument(metavar="LIBRARY", help="Libraries by name; all that are installed if none.")
     ] = None,
     cases: Annotated[
         int, typer.Option("--cases", metavar="N", min=0, help="The first N cases of each family; 0 for all.")
@@ -60,7 +59,9 @@ def _known(names: list[str], libraries: dict[str, str]) -> list[str]:
 
     for name in names:
         if name not in libraries:
-            raise OptionsError(f"no library is called {name!r}", remedy=nearest(name, libraries, listed_by="grade"))
+            raise OptionsError(
+                f"there is no library called {name!r}", remedy=nearest(name, libraries, listed_by="grade")
+            )
     return names
 
 

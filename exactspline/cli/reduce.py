@@ -1,4 +1,4 @@
-"""``reduce``: the reduction of a formula of the library or of the user, found by factoring."""
+"""``reduce``: the reduction of a formula of the library or of the user, found by factorization."""
 
 from __future__ import annotations
 
@@ -30,7 +30,9 @@ def reduce(
     ] = "",
     dimension: Annotated[
         int | None,
-        typer.Option("--dimension", metavar="N", min=2, max=7, help="Of the curve; without it what the formula says."),
+        typer.Option(
+            "--dimension", metavar="N", min=2, max=7, help="Dimension of the curve; by default that of the formula."
+        ),
     ] = None,
     polynomial: Annotated[bool, typer.Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
     everything: Annotated[bool, typer.Option("--all", help="Every formula of the library.")] = False,
@@ -40,6 +42,7 @@ def reduce(
     degree.
     """
     from exactspline.display.reductions import reduction_rows, reduction_sheet
+    from exactspline.language.formula import Formula
     from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas
     from exactspline.symbolic.reduction import reduce as reduction
@@ -50,7 +53,11 @@ def reduce(
         if one
         else [f for f in all_formulas().values() if f.kind is not TABLE and not f.kind.adjoins_roots]
     )
-    calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
+    calls = [
+        partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial, parameter=parameter))
+        for f in chosen
+        for parameter in (f.kind.counted if isinstance(f, Formula) and len(f.kind.counted) > 1 else (None,))
+    ]
     found = tracked(calls, "reducing")
     out.give(
         "reduce",
@@ -77,7 +84,7 @@ def _formula(name: str, trust: bool) -> Any:
 
 
 def _guarded(name: str, call: Any) -> Any:
-    """Whatever goes wrong in code of the user is bad input: one line."""
+    """Any exception in code of the user is bad input: one line."""
     try:
         return call()
     except ExactSplineError:

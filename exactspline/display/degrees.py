@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from exactspline.display.sheet import Sheet
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.degree_tables import DegreeRow, FormulaDegrees, GenericRow
+from exactspline.verification.patch_degrees import PatchRow
 
 NOTHING, ZERO = "–", "zero"
 
@@ -50,6 +51,20 @@ def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
     for row in rows:
         made.add_row(row.formula, row.curves, row.nominal, row.cancelled, row.reduced, row.lowest)
     return made
+
+
+def patch_sheet(rows: Iterable[PatchRow], degrees: tuple[int, int]) -> Sheet:
+    """Formulas of surfaces on patches of one bidegree."""
+    numbers = ("nominal", "reduced", "attained")
+    title = f"Formulas on patches of degree {degrees[0]} × {degrees[1]}"
+    made = Sheet("formula", "patches", *numbers, title=title, numbers=numbers, heads=2)
+    for row in rows:
+        made.add_row(row.formula, row.patches, _pair(row.naive), _pair(row.true), _pair(row.attained))
+    return made
+
+
+def _pair(degrees: tuple[int, int] | None) -> str:
+    return ZERO if degrees is None else f"{degrees[0]} × {degrees[1]}"
 
 
 def _degree(row: DegreeRow) -> str:

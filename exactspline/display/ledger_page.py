@@ -57,7 +57,7 @@ def page(rows: Sequence[Row]) -> str:
 
 
 def write_page(path: str, rows: Sequence[Row]) -> None:
-    """Write the page: the file is there whole or not at all."""
+    """Write the page: the file is written whole or not at all."""
     text = page(rows).encode()
     write_atomically(path, lambda stream: stream.write(text))
 

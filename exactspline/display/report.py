@@ -59,7 +59,7 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
 
 
 def write_report(path: str, claims: Sequence[Claim], rows: Sequence[Row]) -> None:
-    """Write the report: the file is there whole or not at all."""
+    """Write the report: the file is written whole or not at all."""
     text = report(claims, rows).encode()
     write_atomically(path, lambda stream: stream.write(text))
 

@@ -1,4 +1,4 @@
-"""Numbers that only a ball can hold: angles in degrees, arc lengths; enclosed by rational numbers, by FLINT's balls."""
+"""Numbers known only as balls: angles in degrees, arc lengths; enclosed by rational numbers, by FLINT's balls."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surd import Surd, parts, square_root
 
-#: Digits behind the point after which a ball that still leaves a question open is given up.
+#: Digits after the point up to which a ball is refined to decide a question.
 MOST_DIGITS = 1500
 
 

@@ -1,8 +1,8 @@
 """The constructions of the paper and the forms each can be computed in.
 
 A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it,
-others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by
-whatever the curve at hand allows: the naive variant in lowest terms.
+others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by all
+common factors on the given curve: the naive variant in lowest terms.
 """
 
 from __future__ import annotations
@@ -20,11 +20,19 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import default_papers, find
-from exactspline.programs.wronskian import wronskian_of
+from exactspline.programs.invariants import slope, space_slope, turning, twisting
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
 from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+
+#: Of constructions that are zero sets the lifted form at its true degree, up to a positive constant.
+LOWEST = {
+    "zero_curvature": turning,
+    "critical_curvature": slope,
+    "zero_torsion": twisting,
+    "space_critical_curvature": space_slope,
+}
 
 
 class Variant(StrEnum):
@@ -38,7 +46,7 @@ class Variant(StrEnum):
     #: As the paper reduces it, and in a reduced form that the paper does not print.
     PAPER = "paper"
     REDUCED = "reduced"
-    #: From the lifts of the curve, and then divided by whatever the curve at hand allows.
+    #: From the lifts of the curve, and then divided by all common factors on the given curve.
     LIFTED = "lifted"
     MINIMAL = "minimal"
 
@@ -48,8 +56,8 @@ class Construction:
     """A derived object: its name, its variants as names of formulas, and whether only its zero set matters (then a
     positive factor may go).
 
-    A ruled surface is directrix and generator side by side; what its minimal form is,
-    `exactspline.splines.lowest_terms.in_lowest_terms` says.
+    A ruled surface is directrix and generator side by side; its minimal form is defined in
+    `exactspline.splines.lowest_terms.in_lowest_terms`.
     """
 
     name: str
@@ -86,7 +94,7 @@ class Construction:
 
     @property
     def dimension(self) -> int:
-        """That of the curves it speaks of."""
+        """The kind of its curves."""
         return kind_of(self.curve).dimensions[0]
 
     def on(
@@ -104,7 +112,7 @@ class Construction:
             return cast("BSpline | SplineVector", numerator(value) if self.zero_set else joined(value))
         if not self.zero_set:
             return cast("BSpline | SplineVector", joined(in_lowest_terms(value_of(self.formula(variant)))))
-        formula, power = _lowest(self.wronskian_of if not curve.polynomial else "", self.lifted, *self._first)
+        formula, power = _lowest(self.lifted, *self._first)
         form = value_of(formula)
         assert isinstance(form, BSpline)
         if power % 2 and curve.w.polynomials[0][0] < 0:
@@ -142,9 +150,9 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
 
 
 @cache
-def _lowest(lift: str, lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
+def _lowest(lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
     """The formula from which the minimal form is made, and the power of w that it may still have."""
-    return wronskian_of(find(lift)) if lift else find(lifted), _power_of_w(lifted, construction, first, dimension)
+    return LOWEST.get(construction) or find(lifted), _power_of_w(lifted, construction, first, dimension)
 
 
 @cache
@@ -171,11 +179,11 @@ def construction(name: str) -> Construction:
     >>> [f"{variant}: {formula}" for variant, formula in construction("evolute").variants.items()]
     ['naive: evolute', 'paper: evolute_reduced', 'lifted: evolute_lifted']
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` naming those that exist.
     """
     if name not in all_constructions():
         raise FormulaError(
-            f"no construction is called {name!r}",
+            f"there is no construction called {name!r}",
             remedy=nearest(name, all_constructions(), listed_by="exactspline derive"),
         )
     return all_constructions()[name]

@@ -1,8 +1,8 @@
-"""What is known of one curve, each fact computed once and when it is first asked for: the forms whose zeros its
+"""The facts of one curve, each computed once, when it is first needed: the forms whose zeros its
 features are, these zeros, its joints and its singular points.
 
-Nothing here is recomputed, and everything takes time linear in the segments (sorting apart). Which parameter a form
-depends on is no business of this module: it asks the zero sets.
+Nothing here is recomputed, and everything takes time linear in the segments (sorting apart). This module does not
+depend on the parameter of a form: it uses the zero sets.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from time import perf_counter
-from typing import Any, Generic, TypeVar, overload
+from typing import Any, Generic, TypeVar, cast, overload
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
@@ -36,7 +36,7 @@ from exactspline.language.choices import Side
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
-from exactspline.papers import find
+from exactspline.programs.invariants import INVARIANTS, bending, invariants, tangent
 from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
@@ -47,39 +47,40 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
 
 T = TypeVar("T")
+F = TypeVar("F", bound="Facts")
 
 
-class Fact(Generic[T]):
+class Fact(Generic[F, T]):
     """A property that is computed once for its object, under the object's lock, and kept."""
 
-    def __init__(self, compute: Callable[[Any], T]) -> None:
+    def __init__(self, compute: Callable[[F], T]) -> None:
         self.compute, self.__doc__ = compute, compute.__doc__
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
     @overload
-    def __get__(self, facts: None, owner: type) -> Fact[T]: ...
+    def __get__(self, facts: None, owner: type) -> Fact[F, T]: ...
 
     @overload
     def __get__(self, facts: Facts, owner: type) -> T: ...
 
-    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[T]:
+    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[F, T]:
         if facts is None:
             return self
-        return facts.once(self.name, lambda: self.compute(facts))
+        return facts.once(self.name, lambda: self.compute(cast(F, facts)))
 
 
 @dataclass(frozen=True)
 class ZeroForm:
-    """A form on a curve, its zeros, and the seconds that it took to find them."""
+    """A form on a curve, its zeros, and the time that it took to find them, in seconds."""
 
     form: BSpline
     zeros: ZeroSet
     seconds: float
 
     def sign_at(self, root: Root, side: Side | str = Side.RIGHT) -> int:
-        """The sign of the form at a root of whatever form (at a knot the limit from a side): from the certified zeros
+        """The sign of the form at a root of any form (at a knot the limit from a side): from the certified zeros
         alone, nothing is evaluated.
         """
         breaks = self.form.mesh.breaks
@@ -87,21 +88,31 @@ class ZeroForm:
             value = self.form(root.low, side)
             return int(value > 0) - int(value < 0)
         segment = bisect_right(breaks, root.low) - 1
-        while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
-            segment += 1
-        if breaks[segment] == root:
-            return self.sign_at(knot_root(breaks[segment]), side)
+        if root.segment != breaks[segment : segment + 2]:
+            while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
+                segment += 1
+            if breaks[segment] == root:
+                return self.sign_at(knot_root(breaks[segment]), side)
         isolation = self.zeros.isolations[segment]
         if isolation is None:
             return 0
-        found = self.zeros.roots
-        position = bisect_left(found, root)
-        if position < len(found) and found[position] == root:
-            return 0
-        before = found[position - 1] if position else None
-        if before is not None and before > breaks[segment]:
-            return before.signs[1] or 0
-        return isolation.signs[0]
+        before = None
+        for zero in self._inside(segment, len(isolation.inner)):
+            if root < zero:
+                break
+            before = zero
+        if before is None:
+            return isolation.signs[0]
+        return 0 if before == root else before.signs[1] or 0
+
+    def _inside(self, segment: int, count: int) -> Sequence[Root]:
+        """The number of roots strictly inside a segment."""
+        if not count:
+            return ()
+        found, start = self.zeros.roots, self.form.mesh.breaks[segment]
+        first = bisect_left(found, start, key=lambda zero: zero.low)
+        first += found[first].at_knot
+        return found[first : first + count]
 
     def vanishes_on(self, breaks: Sequence[mpq]) -> list[bool]:
         """Whether the form vanishes identically between breakpoints that are at least as fine as its own."""
@@ -142,7 +153,7 @@ class Facts:
         self.breaks: tuple[mpq, ...] = curve.breakpoints
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """What is kept under a key, computed by the first who asks."""
+        """The value kept under a key, computed at the first request."""
         if key not in self._known:
             with self._lock:
                 if key not in self._known:
@@ -176,7 +187,12 @@ class Facts:
         if self._given is None:
             value: SplineValue = formula(self.operands)
             return value
-        return self._given.value(formula)
+        return self._invariants[formula] if formula in INVARIANTS else self._given.value(formula)
+
+    @Fact
+    def _invariants(self) -> dict[Formula, SplineValue]:
+        assert self._given is not None
+        return invariants(self._given)
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -185,13 +201,13 @@ class Facts:
         return ZeroForm(f, zeros(f, periodic=self.closed), perf_counter() - start)
 
     def sign_of(self, name: str, root: Root, side: Side | str = Side.RIGHT) -> int:
-        """The sign of a zero-set construction at a root of whatever form, exactly: apart from what form answers it."""
+        """The sign of a zero-set construction at a root of any form, exactly, whichever form decides it."""
         return self.zero_form(name).sign_at(root, side)
 
     @Fact
     def velocity(self) -> Vector[BSpline]:
         """D1, a positive multiple of γ′."""
-        return Vector(*self._vector("D1"))
+        return self._vector(tangent)
 
     @Fact
     def speed(self) -> ZeroForm:
@@ -202,24 +218,24 @@ class Facts:
     def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
         space(self.operands)
-        return Vector(*self._vector("binormal_form"))
+        return self._vector(bending)
 
-    def _vector(self, formula: str) -> Vector[BSpline]:
-        found = self.value_of(find(formula))
+    def _vector(self, formula: Formula) -> Vector[BSpline]:
+        found = self.value_of(formula)
         assert isinstance(found, Vector)
         return found
 
     # ---- knots
 
     def sides(self, t: mpq) -> tuple[mpq, mpq]:
-        """The parameters whose left and right limits meet at a knot: the same one, but for the seam."""
+        """The parameters whose left and right limits meet at a knot: equal except at the seam."""
         a, b = self.curve.domain
         return (b, a) if self.closed and t in (a, b) else (t, t)
 
     @Fact
     def standing(self) -> tuple[bool, ...]:
         """Segment by segment whether the curve stands still."""
-        return tuple([not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)])
+        return tuple([not any(parts) for parts in zip(*[x._polynomials for x in self.velocity], strict=True)])
 
     @Fact
     def ends(self) -> Ends:
@@ -264,7 +280,7 @@ class Facts:
         return Joint(t, self._smooth_kind(t, left, right, order), order, seam, curvatures=curvatures)
 
     def _smooth_kind(self, t: mpq, left: Jet, right: Jet, order: int) -> JointKind:
-        """The kind of a joint with one tangent."""
+        """The kind of a joint with a common tangent."""
         if self.curve.dimension == 3:
             a, b = bend_of(left), bend_of(right)
             if not any(a) or not any(b):
@@ -286,7 +302,7 @@ class Facts:
 
     @Fact
     def singular_points(self) -> tuple[Feature, ...]:
-        """The parameters where γ′ = 0; of an interval on which the curve stands still its ends."""
+        """The parameters where γ′ = 0; of an interval on which γ′ vanishes identically its ends."""
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
             for root in (() if self._moves_between_knots else self.speed.zeros)
@@ -295,25 +311,26 @@ class Facts:
         resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
         knots = [Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1") for joint in resting]
         if not self.closed:
-            ends = zip((self.breaks[0], self.breaks[-1]), (Side.RIGHT, Side.LEFT), strict=True)
-            stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
-            knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
+            ends = [(x._polynomials, x.degree) for x in self.velocity]
+            stands = all(c[0][0] == 0 for c, _ in ends), all(c[-1][n] == 0 for c, n in ends)
+            where = [t for t, still in zip((self.breaks[0], self.breaks[-1]), stands, strict=True) if still]
+            knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in where]
         return tuple(sorted(inner + knots, key=lambda f: f.root))
 
     @property
     def _moves_between_knots(self) -> bool:
-        """Whether it is quickly seen that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
-        there, or two without a common factor; False says nothing.
+        """A quick test that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
+        there, or two without a common factor; False proves nothing.
         """
         return all(
             any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
-            for parts in zip(*[x.polynomials for x in self.velocity], strict=True)
+            for parts in zip(*[x._polynomials for x in self.velocity], strict=True)
         )
 
     @property
     def _knots_at_rest(self) -> list[int]:
         """The breakpoints at which γ′ = 0 on one side at least, that of a closed curve's seam among them."""
-        ends = [(x.polynomials, x.degree) for x in self.velocity]
+        ends = [(x._polynomials, x.degree) for x in self.velocity]
         count = len(self.breaks) - 1
         return [
             i
@@ -341,7 +358,7 @@ class Facts:
         return self.regular_pairs(located(found))
 
     def regular_pairs(self, found: list[tuple[Root, bool]]) -> list[tuple[Root, bool]]:
-        """What is not a singular point, out of roots in order."""
+        """The roots, in order, that are not singular points."""
         singular = among([root for root, _ in found], self._singular_roots)
         return [pair for pair, here in zip(found, singular, strict=True) if not here]
 

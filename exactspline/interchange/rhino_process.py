@@ -1,5 +1,5 @@
-"""What rhino3dm sees in an archive, as JSON on standard output: run as a process of its own, since on a damaged archive
-the library may crash, take gigabytes, or not come back.
+"""What rhino3dm reads from an archive, as JSON on standard output: run as a process of its own, since on a damaged
+archive the library may crash, take gigabytes, or not come back.
 
 Doubles are written as C99 hexadecimal floats, exactly.
 """
@@ -46,8 +46,8 @@ def _described(rhino: Any, geometry: Any, where: str, name: str) -> list[dict[st
     ]
 
 
-def main() -> None:
-    """Read an archive from standard input."""
+def entries(data: bytes) -> list[dict[str, Any]]:
+    """The contents of an archive; the memory of this process is limited first."""
     import rhino3dm
 
     try:
@@ -55,13 +55,18 @@ def main() -> None:
 
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     except (ImportError, ValueError, OSError):
-        # no such limits on this system: the time is bounded all the same
+        # no such limits on this system; the time is still bounded
         pass
-    model = rhino3dm.File3dm.FromByteArray(sys.stdin.buffer.read())
+    model = rhino3dm.File3dm.FromByteArray(data)
     rows = []
     for number, entry in enumerate(model.Objects, 1):
         rows += _described(rhino3dm, entry.Geometry, f"object {number}", str(entry.Attributes.Name or ""))
-    json.dump(rows, sys.stdout)
+    return rows
+
+
+def main() -> None:
+    """Read an archive from standard input."""
+    json.dump(entries(sys.stdin.buffer.read()), sys.stdout)
 
 
 if __name__ == "__main__":

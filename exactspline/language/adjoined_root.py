@@ -2,18 +2,19 @@
 
 Over the quotients of differential polynomials (`exactspline.readings.rational_jet`) this is an algebraic extension of
 that field: with σ = ‖γ′‖, the root of γ′·γ′, unit vectors and Frenet frames are elements of it, and an equality there
-is a proof for all curves. Extensions stand on each other: over σ the root ρ = ‖γ′ × γ″‖. The derivative follows from
+is a proof for all curves. Extensions are stacked: over σ the root ρ = ‖γ′ × γ″‖. The derivative follows from
 σ² = S: ``σ′ = S′ / (2 S) · σ``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, T
 from exactspline.language.operand import Constant, FieldOperand, Operand
-from exactspline.language.vector import cross, norm2
+from exactspline.language.vector import Vector, cross, norm2
 
 
 class Adjoined(FieldOperand):
@@ -43,14 +44,14 @@ class Adjoined(FieldOperand):
         return self.lifted(self.square.constant(value))
 
     def beside(self, other: object) -> Adjoined | None:
-        """Another element of this extension, a constant made one; None for anything else.
+        """Another element of this extension, constants converted; None for anything else.
 
         Raises `FormulaError` for an element of another extension.
         """
         found = super().beside(other)
         if isinstance(found, Adjoined) and found.square is not self.square and not found.square == self.square:
             raise FormulaError(
-                "elements of two extensions in one operation", remedy="adjoin the roots one on the other"
+                "elements of two extensions in one operation", remedy="adjoin the roots one after the other"
             )
         return found
 
@@ -152,11 +153,12 @@ def framed(curve: Curve[T]) -> FramedCurve:
     >>> norm2(tangent) == c.sigma.constant(1)
     True
     """
-    first = curve.gamma.d(1)
+    gamma = cast("Vector[T]", curve.gamma)  # a reading that can divide divides the components
+    first = gamma.d(1)
     sigma = root_of(norm2(first))
     if curve.dimension == 2:
         return FramedCurve(curve, {"sigma": sigma}, sigma.lifted)
-    bend = norm2(cross(first, curve.gamma.d(2)))
+    bend = norm2(cross(first, gamma.d(2)))
     rho = root_of(sigma.lifted(bend))
     return FramedCurve(
         curve, {"sigma": rho.lifted(sigma), "rho": rho}, lambda operand: rho.lifted(sigma.lifted(operand))

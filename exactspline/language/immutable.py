@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn, Self
+from typing import NoReturn, Self
 
 _set = object.__setattr__
 
@@ -10,7 +10,7 @@ _set = object.__setattr__
 class Immutable:
     """A value: nothing of it can be set or deleted, a copy of it is the value itself.
 
-    What it computes lazily it keeps through `fill`; two threads that compute the same thing keep equal results, so
+    What is computed lazily is kept by `fill`; two threads that compute the same thing keep equal results, so
     that none of them has to wait.
 
     >>> from exactspline import BSpline
@@ -30,11 +30,11 @@ class Immutable:
     def __copy__(self) -> Self:
         return self
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+    def __deepcopy__(self, memo: dict[int, object]) -> Self:
         return self
 
 
 def fill(value: Immutable, **fields: object) -> None:
-    """Give a value its fields: where it is made, and where a part computed lazily is kept."""
+    """Set the fields of a value: when it is made, and when a part that is computed lazily is kept."""
     for name, content in fields.items():
         _set(value, name, content)

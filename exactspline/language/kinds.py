@@ -1,4 +1,4 @@
-"""The kinds of arguments that there are. A new one is a new class (here or in a file beside this one) and an entry in
+"""All kinds of arguments. A new one is a new class (here or in a file beside this one) and an entry in
 `KINDS`; readings build from what it declares.
 """
 
@@ -16,11 +16,14 @@ from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POIN
 from exactspline.language.hodograph_kind import HODOGRAPH
 from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
 from exactspline.language.kind import Kind, Rule, Symbol
+from exactspline.language.surface_kind import CURVE_ON_SURFACE, FORMS, PLANAR_MAP, SURFACE
 from exactspline.language.vector import Vector
 
 __all__ = [
     "CURVE",
+    "CURVE_ON_SURFACE",
     "DIMENSIONS",
+    "FORMS",
     "FRAMED",
     "FRAMED_PLANE",
     "FRAMED_SPACE",
@@ -30,11 +33,13 @@ __all__ = [
     "INTERSECTION",
     "KINDS",
     "PAIR",
+    "PLANAR_MAP",
     "PLANE",
     "PLANE_PAIR",
     "PLANE_POINT",
     "POINT_IN_SPACE",
     "SPACE",
+    "SURFACE",
     "TABLE",
     "CurveKind",
     "FramedKind",
@@ -50,12 +55,12 @@ __all__ = [
 
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-#: Names that constants cannot have: those of operands and of what formulas may name beside them.
+#: Names that constants cannot have: those of operands, and of everything else that formulas may name.
 RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
 RESERVED |= {"beside", "made", "degree", "provenance", "ring", "generator", "directrix"}
 #: The longest name of a constant.
 LETTERS = 30
-#: Greek letters as people spell them.
+#: Greek letters as they are spelled.
 GREEK = {
     **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
     **{"kappa": "κ", "lambda": "λ", "lamda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ"},
@@ -64,7 +69,7 @@ GREEK = {
 
 
 def constant_text(name: str) -> str:
-    """The name of a constant as people write it.
+    """The name of a constant as it is written.
 
     >>> constant_text("delta"), constant_text("lambda_1"), constant_text("r")
     ('δ', 'λ₁', 'r')
@@ -85,8 +90,8 @@ class CurveKind(Kind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Coordinates, denominator, the coordinates of the point, and the constants."""
-        point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), "") for i, x in enumerate(COORDINATES[:dimension])]
-        constants = [Symbol(name, constant_text(name), "") for name in self.constants]
+        point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), ()) for i, x in enumerate(COORDINATES[:dimension])]
+        constants = [Symbol(name, constant_text(name), ()) for name in self.constants]
         return (
             *_functions(COORDINATES, "w", dimension, 0, polynomial),
             *(point if self.with_point else ()),
@@ -100,7 +105,7 @@ class CurveKind(Kind):
         return {"p": True, "w": False, "gamma": True} | axes | beside
 
     def with_constants(self, names: Iterable[str]) -> CurveKind:
-        """The kind with constants beside what it has.
+        """The kind with constants added.
 
         >>> PLANE.with_constants(["delta"])
         <kind plane with delta>
@@ -155,7 +160,7 @@ class TableKind(Kind):
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """The operands of index 1, then those of index 2, vectors by their components."""
         names = [(f"{x}{i}", f"d{i}") for i in "12" for x in ("p", "w", *(f"v{j}_" for j in range(dimension)))]
-        return tuple(Symbol(name, name, PARAMETERS[0], degree) for name, degree in names)
+        return tuple(Symbol(name, name, PARAMETERS[:1], degree) for name, degree in names)
 
     def names(self, dimension: int) -> dict[str, bool]:
         """Scalars and vectors of both indices."""
@@ -196,7 +201,7 @@ def _functions(names: str, w: str, dimension: int, which: int, polynomial: bool)
     """The functions of one curve: numerators, and the denominator of a rational one."""
     bar = "\u0304" if which else ""
     own = [*names[:dimension], *([] if polynomial else [w])]
-    return tuple(Symbol(name, name.lower() + bar, PARAMETERS[which]) for name in own)
+    return tuple(Symbol(name, name.lower() + bar, (PARAMETERS[which],)) for name in own)
 
 
 def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[Any] | None = None) -> Curve[Any]:
@@ -215,13 +220,14 @@ KINDS: dict[str, Kind] = {
         *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT),
         *(FRAMED, FRAMED_PLANE, FRAMED_SPACE),
         *(HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION),
+        *(SURFACE, PLANAR_MAP, FORMS, CURVE_ON_SURFACE),
     )
 }
 
 
 @cache
 def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
-    """One object for one kind, so that kinds can be compared."""
+    """One object per kind, so that kinds can be compared."""
     plain = kind.name.partition(" with ")[0]
     name = f"{plain} with {', '.join(constants)}"
     return CurveKind(name, kind.dimensions, with_point=kind.with_point, constants=constants)
@@ -229,7 +235,7 @@ def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
 
 def common_kind(kinds: Iterable[Kind]) -> Kind:
     """The kind of argument on which formulas of all these kinds can be evaluated, in the dimensions that they share:
-    that of the most operands, with the constants of all.
+    the one with the most operands, with the constants of all.
 
     >>> common_kind([PLANE, PLANE_POINT]), common_kind([CURVE, SPACE])
     (<kind plane point>, <kind curve>)
@@ -254,16 +260,16 @@ def kind_of(name: str) -> Kind:
     >>> kind_of("plane").dimensions, kind_of("space with r, h").names(3)["r"]
     ((2,), False)
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` naming those that exist.
     """
     plain, beside, constants = name.partition(" with ")
     if plain not in KINDS:
-        raise FormulaError(f"no kind of argument is called {name!r}", remedy=nearest(plain, KINDS))
+        raise FormulaError(f"there is no kind of argument called {name!r}", remedy=nearest(plain, KINDS))
     kind = KINDS[plain]
     if not beside:
         return kind
     if type(kind) is not CurveKind:
-        raise FormulaError(f"constants beside {plain!r}", remedy="they stand beside curves: 'plane with delta'")
+        raise FormulaError(f"constants beside {plain!r}", remedy="constants belong to curves: 'plane with delta'")
     return kind.with_constants(_constants(constants))
 
 

@@ -13,6 +13,7 @@ from exactspline.language.services import Displayed, service
 
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance
+    from exactspline.language.rational import Rational
     from exactspline.language.vector import Vector
 
 #: The constants that may stand in a formula.
@@ -24,7 +25,7 @@ D_co = TypeVar("D_co", covariant=True)
 
 
 class Scalar(Protocol):
-    """What the products of vectors need of a component: exact numbers have it as well as operands."""
+    """What products of vectors need of a component: exact numbers have it, and so do operands."""
 
     def __add__(self, other: Self, /) -> Self: ...
     def __sub__(self, other: Self, /) -> Self: ...
@@ -51,11 +52,11 @@ class Ring(Protocol):
         """An exact constant of the ring."""
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order, by the one parameter there is or by the one that is named."""
+        """The derivative of an order, by the only parameter or by the one that is named."""
 
 
 class Counted(Ring, Protocol):
-    """What naive semantics, Table 1, needs besides: a degree, elevation, and how the operand was made."""
+    """What naive semantics (Table 1) needs in addition: a degree, elevation, and how the operand was made."""
 
     @property
     def degree(self) -> object:
@@ -85,6 +86,7 @@ class HasDegree(Protocol[D_co]):
 
 
 R = TypeVar("R", bound=Ring)
+C = TypeVar("C", bound=Counted)
 D = TypeVar("D")
 
 
@@ -117,14 +119,14 @@ class Operand(Displayed, ABC):
         return bool(self.is_zero)
 
     def hash_of_quotients(self, numerators: tuple[Self, ...]) -> int:
-        """A hash of the quotients by this that all equal ones share; a reading that can tell more than nothing does."""
+        """A hash of the quotients by this that all equal ones share; a reading may refine it."""
         return len(numerators)
 
     @abstractmethod
-    def __add__(self, other: object, /) -> Self: ...
+    def __add__(self, other: Self | Constant, /) -> Self: ...
 
     @abstractmethod
-    def __mul__(self, other: object, /) -> Self: ...
+    def __mul__(self, other: Self | Constant, /) -> Self: ...
 
     @abstractmethod
     def scaled(self, constant: Constant, /) -> Self:
@@ -136,34 +138,35 @@ class Operand(Displayed, ABC):
 
     @abstractmethod
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order, by the one parameter there is or by the one that is named."""
+        """The derivative of an order, by the only parameter or by the one that is named."""
 
     def __neg__(self) -> Self:
         return self.scaled(-1)
 
-    def __sub__(self, other: object) -> Self:
-        difference: Self = self + (-cast(Any, other))
-        return difference
+    def __sub__(self, other: Self | Constant) -> Self:
+        return self + (-other)
 
-    def __rsub__(self, other: object) -> Self:
+    def __rsub__(self, other: Constant) -> Self:
         return (-self).__add__(other)
 
-    def __radd__(self, other: object) -> Self:
+    def __radd__(self, other: Constant) -> Self:
         return self.__add__(other)
 
-    def __rmul__(self, other: object) -> Self:
+    def __rmul__(self, other: Constant) -> Self:
         return self.__mul__(other)
 
     @overload
     def __truediv__(self, other: Constant) -> Self: ...
     @overload
-    def __truediv__(self, other: Operand) -> Any: ...
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self: C, other: C) -> Rational[C]: ...
+    @overload
+    def __truediv__(self, other: Operand) -> Operand: ...
+    def __truediv__(self, other: object) -> object:
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
         return other.dividing(self) if isinstance(other, Operand) else NotImplemented
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: Constant) -> Operand:
         return self.constant(other) / self if isinstance(other, CONSTANTS) else NotImplemented
 
     def __pow__(self, exponent: int) -> Self:
@@ -178,7 +181,7 @@ class Operand(Displayed, ABC):
         raise no_truth_value(self)
 
     def beside(self, other: object) -> Self | None:
-        """Another operand of the same reading, a constant made one; None for anything else."""
+        """Another operand of the same reading, constants converted; None for anything else."""
         if isinstance(other, type(self)):
             return other
         return self.constant(other) if isinstance(other, CONSTANTS) else None
@@ -192,7 +195,7 @@ class Operand(Displayed, ABC):
         return vector.mapped(lambda component: component * self)
 
     def only_parameter(self, by: str | None) -> None:
-        """Make sure that a derivative is asked for by the parameter that there is.
+        """Make sure that a derivative is taken by the only parameter.
 
         Raises `FormulaError` for another one.
         """
@@ -211,11 +214,15 @@ class FieldOperand(Operand):
     def reciprocal(self) -> Self:
         """``1 / a``."""
 
-    def __truediv__(self, other: object) -> Any:
+    @overload
+    def __truediv__(self, other: Self | Constant) -> Self: ...
+    @overload
+    def __truediv__(self, other: Operand) -> Operand: ...
+    def __truediv__(self, other: object) -> object:
         right = self.beside(other)
         return NotImplemented if right is None else self * right.reciprocal()
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: Constant) -> Self:
         left = self.beside(other)
         return NotImplemented if left is None else left * self.reciprocal()
 
@@ -225,7 +232,7 @@ class FieldOperand(Operand):
 
 
 class OwnProducts(ABC):
-    """A vector of a kind of its own, which carries out products of vectors itself: a quotient, a node of a tree."""
+    """A vector of its own kind, which carries out products of vectors itself: a quotient, a node of a tree."""
 
     __slots__ = ()
 
@@ -235,7 +242,7 @@ class OwnProducts(ABC):
 
 
 class OwnJoining(ABC):
-    """An operand that puts vectors together itself."""
+    """An operand that joins vectors itself."""
 
     __slots__ = ()
 
@@ -245,7 +252,7 @@ class OwnJoining(ABC):
 
 
 class OwnVectors(OwnProducts, OwnJoining):
-    """An operand that stands for scalars and vectors alike: putting together and taking along are up to it."""
+    """An operand that stands for scalars and vectors alike: joining and operations on vectors are up to it."""
 
     __slots__ = ()
 

@@ -66,12 +66,12 @@ def ruled(directrix: V, generator: V) -> RuledSurface[V]:
 
 
 def development(surface: RuledSurface[Vector[R]]) -> R:
-    """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is one along every ruling."""
+    """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is constant along every ruling."""
     return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
 
 
 def _extended(value: Any, before: list[Any], behind: list[Any]) -> Any:
-    """A vector, or the numerator of a vector quotient, with components before and behind its own."""
+    """A vector, or the numerator of a vector quotient, with components before and after its own."""
     if isinstance(value, Rational):
         return value.with_numerator(lambda v: Vector(*before, *v, *behind))
     return Vector(*before, *value, *behind)

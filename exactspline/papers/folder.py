@@ -122,7 +122,7 @@ class Paper:
     def claim_tables(self) -> Iterator[Table]:
         """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims.
 
-        Raises `ClaimError` for what is no table of claims.
+        Raises `ClaimError` for what is not a table of claims.
         """
         for file in self.claim_files:
             data = self._read(file)
@@ -132,7 +132,7 @@ class Paper:
             for i, entry in enumerate(entries):
                 place = f"{self.name}/{file}, claim {i + 1}"
                 if not isinstance(entry, dict):
-                    raise ClaimError("a claim is no table", where=place, remedy="write [[claim]]")
+                    raise ClaimError("a claim is not a table", where=place, remedy="write [[claim]]")
                 yield Table(place, common | entry)
 
     def construction_tables(self) -> dict[str, Table]:
@@ -175,7 +175,7 @@ def _digest(file: Traversable) -> str:
 def read_toml(file: Traversable, place: str) -> dict[str, object]:
     """A file of tables; empty where there is none.
 
-    Raises `ClaimError` for what is no TOML, with the line.
+    Raises `ClaimError` for what is not TOML, with the line.
     """
     if not file.is_file():
         return {}
@@ -260,5 +260,5 @@ def folder_at(path: str | Path) -> Path:
     if not folder.is_dir():
         raise ClaimError("there is no such folder", where=str(path), remedy="exactspline new-paper FOLDER writes one")
     if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):
-        raise ClaimError("is no folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
+        raise ClaimError("is not a folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
     return folder

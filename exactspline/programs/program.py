@@ -25,7 +25,7 @@ from exactspline.splines.values import SplineValue
 
 
 class Signature(NamedTuple):
-    """What a program depends on besides its formula: the argument as far as it is known without its numbers.
+    """What a program depends on besides its formula: everything about the argument except its numbers.
 
     `degrees` are those of the operands, `groups` say which of them have the same denominators on all segments.
     """
@@ -39,10 +39,10 @@ class Signature(NamedTuple):
 
 
 class ProgramReading(Reading):
-    """What is computed, written down: operands are loaded, operations become instructions."""
+    """A record of the computation: operands are loaded, operations become instructions."""
 
     name = "program"
-    proves = "nothing: it is the work to be done"
+    proves = "nothing: it records the work to be done"
 
     def __init__(self, degrees: Sequence[int], groups: Sequence[int], *, unit_widths: bool) -> None:
         self.degrees, self.groups = tuple(degrees), tuple(groups)
@@ -65,7 +65,7 @@ class ProgramReading(Reading):
 
 
 class Given(NamedTuple):
-    """An argument, its splines in the order of its kind's symbols, and what is known of them beforehand."""
+    """An argument, its splines in the order of its kind's symbols, and what is known of them in advance."""
 
     argument: Evaluated
     splines: tuple[BSpline, ...]
@@ -73,10 +73,8 @@ class Given(NamedTuple):
     signature: Signature
 
     def value(self, formula: Formula) -> SplineValue:
-        """The value of a formula that such arguments can be handed.
-
-        A program is made where it pays: once `WORTH_IT` segments have asked for it. Until then the formula is read as
-        always, with the same result.
+        """The value of a formula that applies to such arguments. A program is made where it pays off: once `WORTH_IT`
+        segments have asked for it. Until then the formula is read as always, with the same result.
         """
         key = formula, self.signature
         program = _programs.get(key)
@@ -97,8 +95,8 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
     """The splines of an argument for formulas of a kind.
 
     None where there is no program: of two curves, of adjoined roots or constants, of splines over different breakpoints
-    or made from one another (then naive semantics sees more than the kind tells), and where the denominator of a
-    polynomial curve is not 1.
+    or made from one another (then naive semantics sees more structure than the kind declares), and where the
+    denominator of a polynomial curve is not 1.
     """
     if type(kind) is CurveKind:
         if kind.constants or not isinstance(argument, Curve) or (kind.with_point and argument.point is None):
@@ -135,8 +133,8 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
 
 @lru_cache(None)
 def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
-    """How many of the operands are functions; the constants come behind them."""
-    return sum(bool(symbol.parameter) for symbol in kind.symbols(dimension, polynomial=polynomial))
+    """How many of the operands are functions; the constants come after them."""
+    return sum(bool(symbol.parameters) for symbol in kind.symbols(dimension, polynomial=polynomial))
 
 
 def _is_one(w: BSpline) -> bool:
@@ -159,7 +157,7 @@ def _places(kind: Kind, dimension: int, polynomial: bool) -> tuple[tuple[str, in
 
 
 class Program:
-    """A formula as instructions, and what becomes of what they make.
+    """A formula as instructions, and how its value is assembled from them.
 
     >>> from exactspline.papers import find
     >>> from exactspline.splines.examples import example
@@ -169,7 +167,7 @@ class Program:
     (6, 9)
     """
 
-    def __init__(self, value: Any, reading: ProgramReading, signature: Signature) -> None:
+    def __init__(self, value: object, reading: ProgramReading, signature: Signature) -> None:
         self.signature = signature
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves
@@ -184,7 +182,7 @@ class Program:
         )
 
     def __call__(self, argument: Evaluated) -> SplineValue:
-        """The value on an argument with the program's signature, what is made of it a leaf: how, nobody sees.
+        """The value on an argument with the program's signature; it has no provenance.
 
         Raises `FormulaError` for an argument with another one.
         """
@@ -199,7 +197,7 @@ class Program:
         return value
 
     def splines(self, given: Given) -> list[BSpline]:
-        """What the terms of the value are on the segments of an argument."""
+        """The terms of the value on the segments of an argument."""
         operands = given.splines
         below = [operands[k].denominators for k in self.groups]
         columns: Any = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
@@ -252,7 +250,7 @@ def _rebuilt(value: Any, splines: Any) -> Any:
     return next(splines)
 
 
-#: The programs there are, and how many segments have asked for those that there are not.
+#: All programs, and how many segments have asked for those that do not exist yet.
 _programs: dict[tuple[Formula, Signature], Program] = {}
 _segments_asked: dict[tuple[Formula, Signature], int] = {}
 

@@ -1,4 +1,4 @@
-"""The operand of the program reading: what an operation makes is written down, and what is known of it beforehand."""
+"""The operand of the program reading: results of operations are recorded, with what is known of them in advance."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from exactspline.splines.knots import SMOOTH
 
 
 class Recorder:
-    """What is written down while a formula is traced: instructions, and multipliers that only segments know."""
+    """What is recorded while a formula is traced: instructions, and multipliers that depend on the segments."""
 
     def __init__(self, *, unit_widths: bool) -> None:
         self.instructions = Instructions()
@@ -74,7 +74,7 @@ class Term(Operand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve of the kind; others may, which nobody knows beforehand.
+        """Whether it vanishes on every curve of the kind; whether others vanish cannot be known in advance.
 
         Raises `FormulaError` for these.
         """
@@ -138,7 +138,7 @@ class Term(Operand):
         return self._with(node=node, number=number, below=below, degree=degree, raised=raised)
 
     def _down_to(self, raised: int, widths: int) -> Term:
-        """With so many powers of ``u + v`` and of the width's denominator apart, the others multiplied in."""
+        """With so many powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
         code = self.recorder.instructions
         node = code.raised(self.node, self.raised - raised)
         if self.widths > widths:
@@ -220,8 +220,18 @@ class Term(Operand):
         node = ZERO if term.node == ZERO else term.recorder.instructions.derived(name, term.node)
         return term._with(node=node, degree=self.degree - 1)
 
+    def by_v(self) -> Term:
+        """``∂v``: not the derivative of the function, but a part of it."""
+        return self._partial("dv")
+
+    def over_u(self) -> Term:
+        """Divided by u, where the form is a multiple of it: the same integers, of a degree one lower."""
+        term = self if self.node == ZERO else self._down_to(0, self.widths)
+        node = ZERO if term.node == ZERO else term.recorder.instructions.derived("over_u", term.node)
+        return term._with(node=node, degree=self.degree - 1)
+
     def per_width(self, weight: int, dropped: int) -> Term:
-        """The term over so many powers of the segment's width, that many times less continuous."""
+        """The term over so many powers of the segment's width, its continuity lowered by as many."""
         orders = tuple(k + dropped if k >= 0 else k for k in self.orders)
         if self.recorder.unit_widths:
             return self._with(orders=orders)

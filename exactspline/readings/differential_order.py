@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from exactspline.language.adjoined_root import Adjoined
@@ -51,7 +52,7 @@ class Order(Operand):
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Order:
-        """So many derivatives more."""
+        """That many more derivatives."""
         return Order(self.order + order)
 
 
@@ -62,7 +63,7 @@ class OrderReading(Reading):
     proves = "how many derivatives a formula needs"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand underived."""
+        """The operands themselves, not differentiated."""
         return kind.argument(dimension, lambda _: Order(0), Order(0), polynomial=polynomial)
 
 
@@ -96,6 +97,7 @@ def _highest(value: Any) -> int:
     return max(map(_highest, parts))
 
 
+@lru_cache(4096)
 def _orders(formula: Formula, dimension: int) -> Any:
     kind = formula.kind if isinstance(formula, Formula) else CURVE
     return joined(formula(OrderReading().argument(kind, dimension)))

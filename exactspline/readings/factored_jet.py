@@ -1,27 +1,26 @@
 """The factored reading: differential polynomials kept as products, never multiplied out unless a sum asks for it.
 
-A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums take out
+A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums factor out
 what both sides share.
 """
 
 from __future__ import annotations
 
-from typing import Any
-
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import factorization
 from exactspline.language.argument import Evaluated
 from exactspline.language.factorization import Factorization
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 
-#: Sums of more terms than this are tried for the factors that were met before; those have fewer.
+#: Longer sums are tried for the factors that were met before, which are shorter.
 LONG = 100
+#: So many pairs of terms are multiplied at once where products are multiplied out for a sum.
+PAIRS_OF_SUMS = 3 * 10**7
 #: Monic polynomials with exponents.
 Powers = Factorization[fmpq_mpoly]
 ONE = Powers()
@@ -64,7 +63,7 @@ class FactoredJet(Operand):
         """Multiplied out."""
         return multiplied(self.ring, self.powers) * self.unit
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> FactoredJet:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -75,16 +74,17 @@ class FactoredJet(Operand):
         _remember(self.ring, powers)
         return FactoredJet(self.ring, self.unit * right.unit, powers, provenance)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> FactoredJet:
         return self._sum(other, 1, SUM)
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: object) -> FactoredJet:
         return self._sum(other, -1, DIFFERENCE)
 
-    def _sum(self, other: object, sign: int, name: int) -> Any:
+    def _sum(self, other: object, sign: int, name: int) -> FactoredJet:
         right = self.beside(other)
         if right is None:
-            return NotImplemented
+            refused: FactoredJet = NotImplemented
+            return refused
         provenance = (name, self.provenance, right.provenance)
         if self.is_zero or right.is_zero:
             left = self if right.is_zero else right
@@ -133,7 +133,7 @@ class FactoredJet(Operand):
 
 
 def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenance) -> FactoredJet:
-    """A polynomial times powers: made monic, the variables that divide it taken out."""
+    """A polynomial times powers: made monic, the variables that divide it factored out."""
     if not p:
         return FactoredJet(ring, fmpq(0), ONE, provenance)
     unit = p.leading_coefficient()
@@ -166,9 +166,15 @@ def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
 
 
 def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
-    """The product multiplied out, short factors last."""
-    in_order = Powers(sorted(powers, key=lambda power: -len(power[0])))
-    return factorization.multiplied(in_order, ring.context.constant(1))
+    """The product multiplied out, short factors last.
+
+    Raises `FormulaError` where it is too large to be worked with.
+    """
+    result = ring.context.constant(1)
+    for base, e in sorted(powers, key=lambda power: -len(power[0])):
+        for _ in range(e):
+            result = bounded_product(result, base, PAIRS_OF_SUMS)
+    return result
 
 
 def _factored(operand: Operand) -> FactoredJet:

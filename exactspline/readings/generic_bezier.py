@@ -1,13 +1,12 @@
 """The generic reading: one Bézier segment of a given degree whose control points and weights are indeterminates.
 
 What a formula returns has Bézier coefficients that are polynomials in them; one that is not the zero polynomial
-vanishes on special curves only.
+vanishes only on special curves.
 """
 
 from __future__ import annotations
 
 from math import comb
-from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -25,7 +24,7 @@ class Generic(Operand):
     __slots__ = ("coefficients", "context")
     provenance = 0
 
-    def __init__(self, context: Any, coefficients: list[fmpq_mpoly]) -> None:
+    def __init__(self, context: fmpq_mpoly_ctx, coefficients: list[fmpq_mpoly]) -> None:
         self.context, self.coefficients = context, coefficients
 
     @property
@@ -70,7 +69,7 @@ class Generic(Operand):
         if not isinstance(other, Generic):
             return NotImplemented
         zero = self.context.constant(0)
-        product = [zero] * max(self.degree + other.degree + 1, 0)
+        product = [zero] * (self.degree + other.degree + 1)
         for i, x in enumerate(self.coefficients):
             for j, y in enumerate(other.coefficients):
                 product[i + j] += x * y
@@ -101,19 +100,19 @@ class GenericReading(Reading):
     """
 
     name = "generic"
-    proves = "what holds for all curves of one degree but special ones"
+    proves = "what holds for all curves of one degree except special ones"
 
     def __init__(self, degree: int) -> None:
         self.degree = degree
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Functions of the one parameter there is.
+        """Functions of the only parameter.
 
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
-        if len({symbol.parameter for symbol in symbols}) > 1:
-            raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
+        if len({parameter for symbol in symbols for parameter in symbol.parameters}) > 1:
+            raise FormulaError(f"a generic segment of {kind!r}", remedy="this reading has one parameter")
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]
         context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         gens, size = context.gens(), self.degree + 1

@@ -1,7 +1,7 @@
 """The numeric reading: Taylor series of mpmath numbers to any precision, floating-point or intervals.
 
 The expansion of a curve is made from its knots and control points alone: de Boor's triangle run at ``t + h``, a series
-in h. It shares no code with the splines, so that what they tell can be held against it.
+in h. It shares no code with the splines, so that their answers can be compared with it.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from exactspline.errors import DomainError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 
 class Arithmetic(Protocol):
-    """What is needed of a context of mpmath."""
+    """What is needed from a context of mpmath."""
 
     def mpf(self, value: int, /) -> Coefficient:
         """A number of the arithmetic."""
 
 
 class NumericSeries(Series):
-    """A series of mpmath numbers; exact constants are rounded (in intervals: enclosed) where they meet it.
+    """A series of mpmath numbers; exact constants are rounded (in intervals: enclosed) when they are combined with it.
 
     >>> h = NumericSeries(arithmetic(30), [0, 1, 0])
     >>> [str(a) for a in (1 / (2 - h)).coefficients]
@@ -38,7 +38,7 @@ class NumericSeries(Series):
 
     __slots__ = ("context",)
 
-    def __init__(self, context: Arithmetic, coefficients: Iterable[Any]) -> None:
+    def __init__(self, context: Arithmetic, coefficients: Iterable[Coefficient | Constant]) -> None:
         super().__init__(number(context, a) if isinstance(a, CONSTANTS) else a for a in coefficients)
         self.context = context
 
@@ -66,12 +66,12 @@ class NumericSeries(Series):
         return self._made(Series(self.coefficients).scaled(cast(Any, number(self.context, constant))))
 
     def d(self, order: int = 1, *, by: str | None = None) -> NumericSeries:
-        """The derivative, known to so many terms less."""
+        """The derivative, known to correspondingly fewer terms."""
         return self._made(super().d(order, by=by))
 
 
 def arithmetic(digits: int, *, intervals: bool = False) -> Arithmetic:
-    """An arithmetic of mpmath of its own with so many decimal digits; with `intervals`, every result encloses the true
+    """A separate context of mpmath with so many decimal digits; with `intervals`, every result encloses the true
     value.
 
     >>> str(number(arithmetic(40), "1/3"))
@@ -109,7 +109,8 @@ def numeric_curve(
     j = _span(knots, curve.degree, place, side)
     weights = list(curve.weights)
     rows = [[x * w for x, w in zip(column, weights, strict=True)] for column in zip(*curve.control_points, strict=True)]
-    at = NumericSeries(context, [place, 1, *[0] * (terms - 2)][:terms])
+    first: list[Coefficient | Constant] = [place, 1, *[0] * terms]
+    at = NumericSeries(context, first[:terms])
     made = [_de_boor(knots, curve.degree, points, j, at) for points in (*rows, weights)]
     return Curve(Vector(*made[:-1]), made[-1], polynomial=curve.polynomial)
 
@@ -118,7 +119,7 @@ def _span(knots: Sequence[mpq], n: int, t: mpq, side: Side | str) -> int:
     """The index j of a non-empty span [t_j, t_{j+1}] that holds t."""
     inside = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1] and knots[j] <= t <= knots[j + 1]]
     if not inside:
-        raise DomainError(f"{text(t)} is outside the domain", remedy="choose a parameter of the curve")
+        raise DomainError(f"{short_text(t)} is outside the domain", remedy="choose a parameter of the curve")
     return inside[0] if side == Side.LEFT else inside[-1]
 
 

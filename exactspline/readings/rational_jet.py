@@ -1,8 +1,7 @@
 """The fraction reading: quotients of differential polynomials in lowest terms.
 
-Where the jet reading carries out the naive algorithm, this one computes what the formula *is*, cancelling common
-factors after every operation: the way to prove an identity between large naive expressions without multiplying them
-out.
+Where the jet reading carries out the naive algorithm, this one computes the function itself, cancelling common factors
+after every operation: a way to prove an identity between large naive expressions without multiplying them out.
 """
 
 from __future__ import annotations
@@ -46,11 +45,15 @@ class JetFraction(FieldOperand):
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, self.top + right.top, self.bottom)
+        if self.bottom == right.bottom:
+            return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
+        if self.bottom.is_one() or right.bottom.is_one():
+            top = self.top * right.bottom + right.top * self.bottom  # has no common factor with the other bottom
+            return JetFraction(self.ring, top, self.bottom * right.bottom)
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
-        top = self.top * its + right.top * mine
-        left = _gcd(top, shared)
-        return JetFraction(self.ring, top / left, mine * its * (shared / left))
+        top, rest = _without_common(self.top * its + right.top * mine, shared)
+        return JetFraction(self.ring, top, mine * its * rest)
 
     def __mul__(self, other: object) -> JetFraction:
         right = self.beside(other)
@@ -58,14 +61,16 @@ class JetFraction(FieldOperand):
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, bounded_product(self.top, right.top), self.bottom)
-        a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
-        top = bounded_product(self.top / a, right.top / b)
-        return JetFraction(self.ring, top, bounded_product(self.bottom / b, right.bottom / a))
+        if self is right:
+            return JetFraction(self.ring, *(bounded_product(part, part) for part in (self.top, self.bottom)))
+        first, below = _without_common(self.top, right.bottom)
+        second, beneath = _without_common(right.top, self.bottom)
+        return JetFraction(self.ring, bounded_product(first, second), bounded_product(beneath, below))
 
     def reciprocal(self) -> JetFraction:
         """``1 / a``; `FormulaError` for zero."""
         if not self.top:
-            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         unit = self.top.leading_coefficient()
         return JetFraction(self.ring, self.bottom / unit, self.top / unit)
 
@@ -98,9 +103,8 @@ class JetFraction(FieldOperand):
         return not self.top
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same quotient: what reading computes is in lowest terms, so that one look decides.
-
-        Quotients that look different are multiplied out all the same, unless their values at one point differ.
+        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal ones look
+        alike; quotients that look different are still multiplied out, unless their values at one point differ.
         """
         if not isinstance(other, JetFraction):
             return False
@@ -120,6 +124,14 @@ class JetFraction(FieldOperand):
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
+
+
+def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """Two polynomials divided by their greatest common divisor."""
+    if bottom.is_one():
+        return top, bottom
+    common = _gcd(top, bottom)
+    return (top, bottom) if common.is_one() else (top / common, bottom / common)
 
 
 def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:

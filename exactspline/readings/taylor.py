@@ -1,11 +1,12 @@
 """The series reading: Taylor series at a parameter, truncated. Values and derivatives of any formula there, without
 splines or quotient rules.
 
-Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mpmath's ``mpf`` or intervals.
+Coefficients are the numbers of the curve's expansion: ``mpq`` (exact), mpmath's ``mpf`` or intervals.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import factorial
 from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class Coefficient(Scalar, Protocol):
-    """A number of whatever arithmetic a series is in."""
+    """A number of the arithmetic of a series."""
 
     def __truediv__(self, other: int, /) -> Self: ...
 
@@ -38,8 +39,9 @@ class Series(FieldOperand):
 
     __slots__ = ("coefficients",)
     degree = 0
+    coefficients: tuple[Any, ...]
 
-    def __init__(self, coefficients: Any) -> None:
+    def __init__(self, coefficients: Iterable[Coefficient]) -> None:
         self.coefficients = tuple(coefficients)
 
     def constant(self, value: Constant) -> Series:
@@ -81,7 +83,7 @@ class Series(FieldOperand):
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Series:
-        """The derivative, known to so many terms less."""
+        """The derivative, known to correspondingly fewer terms."""
         self.only_parameter(by)
         if order >= len(self.coefficients):
             raise FormulaError(
@@ -134,8 +136,8 @@ class TaylorReading(Reading):
         self.given, self.t, self.terms, self.side = given, t, terms, side
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The expansion of the argument at hand."""
-        # what is given is made of splines: a constructor's argument that this room cannot name
+        """The expansion of the given argument."""
+        # what is given is made of splines: an argument of a constructor that this room cannot name
         expanded: Evaluated = self.given.mapped(
             lambda operand: taylor(cast("BSpline", operand), self.t, self.terms, self.side)
         )

@@ -1,4 +1,4 @@
-"""Real numbers known exactly without being written down: enclosed as narrowly as wanted, compared with any rational
+"""Exactly known real numbers without a closed form: enclosed as narrowly as needed, compared with any rational
 number, rounded correctly.
 """
 
@@ -85,7 +85,7 @@ class Real:
 
         def bounds(low: mpq, high: mpq, digits: int) -> list[Bounds] | None:
             above, below = values_between(top, low, high), values_between(bottom, low, high)
-            if above is None or below is None or below.low <= 0 <= below.high:
+            if above is None or below is None or below.low <= 0:
                 return None
             size = root_of(quotient(above, below), digits + 5)
             return [size if sign > 0 else Bounds(-size.high, -size.low)]
@@ -110,10 +110,10 @@ class Real:
         return double(self.exact, rounding)
 
     def doubles(self) -> dict[str, float]:
-        """All three correctly rounded doubles by the names of the ways of rounding."""
+        """All three correctly rounded doubles by the names of the rounding modes."""
         return {str(way): self.double(way) for way in Rounding}
 
 
 def real(value: Number | Surd | Root | Real) -> Real:
-    """A number, in whatever way it is known, as a `Real`."""
+    """Any kind of number as a `Real`."""
     return value if isinstance(value, Real) else Real.of(value)

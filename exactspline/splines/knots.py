@@ -1,6 +1,6 @@
 """Knot vectors as a small algebra: multiplicity, continuity, refinement, union.
 
-Two views of the same thing. A `KnotVector` is the full list with multiplicities, as people write it. A `Mesh` is the
+Two views of the same thing. A `KnotVector` is the full list with multiplicities, as it is written. A `Mesh` is the
 list of distinct breakpoints of a domain; together with the continuity at each interior breakpoint it says the same for
 a spline of known degree (multiplicity = degree − continuity).
 """
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, NumberError
-from exactspline.exact import Number, mpq, rational, text, to_fmpz
+from exactspline.exact import Number, mpq, rational, short_text, text, to_fmpz
 from exactspline.language.immutable import Immutable, fill
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ class KnotVector(Immutable):
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 
     def insert(self, t: Number, times: int = 1) -> KnotVector:
-        """The vector with t in it so many times more."""
+        """The vector with t inserted so many more times."""
         return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
 
     def domain(self, degree: int) -> tuple[mpq, mpq]:
@@ -180,7 +180,7 @@ class Mesh(Immutable):
         a, b = self.domain
         if not a <= t <= b:
             raise DomainError(
-                f"the parameter {text(t)} is outside the domain [{text(a)}, {text(b)}]",
+                f"the parameter {short_text(t)} is outside the domain [{text(a)}, {text(b)}]",
                 remedy="stay inside",
                 parameter=t,
                 domain=(a, b),

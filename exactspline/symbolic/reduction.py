@@ -1,16 +1,15 @@
-"""Reductions that nobody has to know: a formula is evaluated naively over the indeterminate curve and its numerator and
-denominator are factored.
-
-What is found is an identity of differential polynomials, ``numerator = constant · factors · core``. Products are kept
-as products while the formula is evaluated, every factorization is verified by multiplying it out again. Every factor is
-the named formula it is proportional to, sign included; one without a name has coprime integer coefficients, the first
-one positive. So the constant carries the sign.
+"""Reductions found automatically: a formula is evaluated naively over the indeterminate curve, and its numerator and
+denominator are factored. The result is an identity of differential polynomials, ``numerator = constant · factors ·
+core``. Products are kept as products while the formula is evaluated, every factorization is verified by multiplying it
+out again. Every factor is the named formula it is proportional to, sign included; one without a name has coprime
+integer coefficients, the first one positive. The constant therefore carries the sign.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from contextlib import nullcontext
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -19,6 +18,7 @@ from flint import fmpq, fmpq_mpoly
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.choices import Parameter
 from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
@@ -26,18 +26,18 @@ from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import find, owner
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector
-from exactspline.symbolic.substitution import substitute
+from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
+from exactspline.symbolic.substitution import Substitution
 
-#: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
-#: alone.
+#: The role of a part of a formula: its value matters or, for a generator, whose ruling parameter is free, only its
+#: direction.
 VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
 
 
@@ -59,7 +59,7 @@ class Power:
 
     @property
     def meaning(self) -> str:
-        """Why it has no zero; for one with roots of its own, that it has."""
+        """The reason why it has no zero, or that it may have roots of its own."""
         return self.assumption.meaning if self.assumption else "may have roots of its own"
 
     @property
@@ -82,31 +82,38 @@ class Part:
     core_name: str
     is_scalar: bool
     is_quotient: bool
+    #: The parameter in which degrees are counted.
+    parameter: Parameter
 
     @property
     def cancelled(self) -> Factor:
-        """What leaves the numerator, to reach the reduced form: factors without zeros, and of a generator every
-        factor.
+        """The factors removed from the numerator to reach the reduced form: those without zeros, and for a generator
+        every factor.
         """
         gone = [p for p in self.powers if not self._kept(p) and (not p.has_roots or self.role == GENERATOR)]
         return self._factor([(p, p.above - p.below) for p in gone], self.constant)
 
     @property
     def rooted(self) -> Factor:
-        """The factors with roots of their own: kept, each with its name. Of a generator they are told although they are
-        not needed.
+        """The factors with roots of their own: kept, each with its name. For a generator they are listed although they
+        are not needed.
         """
         return self._factor([(p, p.above - p.below) for p in self.powers if p.has_roots and p.above > p.below], mpq(1))
 
     @property
     def poles(self) -> Factor:
-        """What is left of the denominator and may have roots: where the value does not exist."""
+        """The remaining factors of the denominator that may have roots: there the value does not exist."""
         return self._factor([(p, p.below - p.above) for p in self.powers if p.has_roots and p.below > p.above], mpq(1))
 
     @property
     def shared(self) -> Factor:
-        """What numerator and denominator have in common."""
+        """The common factor of numerator and denominator."""
         return self._factor([(p, min(p.above, p.below)) for p in self.powers], mpq(1))
+
+    @property
+    def kept(self) -> tuple[tuple[Jet, int], ...]:
+        """What the reduced form is a product of beside its core, with exponents."""
+        return tuple((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
 
     def _kept(self, p: Power) -> bool:
         return p.has_roots and p.above > p.below and self.role != GENERATOR
@@ -116,13 +123,18 @@ class Part:
             constant, Factorization((Named(p.name, p.jet.polynomial), e) for p, e in powers), self.core[0].ring
         )
 
-    @property
+    @cached_property
     def reduced(self) -> tuple[Jet, ...]:
-        """The reduced form of zero-set problems and directions: the numerator without what has no zeros."""
-        kept = self._product((p, p.above - p.below) for p in self.powers if self._kept(p))
+        """The reduced form of zero-set problems and directions: the numerator without factors that have no zeros."""
+        ring = self.core[0].ring
+        kept = Jet(ring, multiplied(ring, Powers((jet.polynomial, e) for jet, e in self.kept)))
         return tuple(kept * c for c in self.core)
 
-    @property
+    @cached_property
+    def _substitutions(self) -> tuple[Substitution, ...]:
+        return tuple(map(Substitution, self.reduced))
+
+    @cached_property
     def lowest(self) -> tuple[tuple[Jet, ...], Jet]:
         """Numerator and denominator in lowest terms: the same value."""
         top = self._product((p, p.above - p.below) for p in self.powers).scaled(self.constant)
@@ -132,30 +144,30 @@ class Part:
         ring = self.core[0].ring
         return Jet(ring, multiplied(ring, Powers((p.jet.polynomial, e) for p, e in powers if e > 0)))
 
-    @property
+    @cached_property
     def true(self) -> TrueDegree | None:
         """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
-        kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
         try:
-            return product_of([*[(true_degree(jet), e) for jet, e in kept], (true_degree(self.core), 1)])
+            counted = [(true_degree(jet, self.parameter), e) for jet, e in self.kept]
+            return product_of([*counted, (true_degree(self.core, self.parameter), 1)])
         except FormulaError:
             return None
 
-    @property
+    @cached_property
     def generic(self) -> Degree:
         """The true degree of the reduced form on the generic curve, by the degree theorem."""
-        return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
+        return self._generic(self.kept)
 
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
         if self.is_zero:
             return Degree.number(-1)
-        total = generic_degree([c for c in self.core if not c.is_zero])
+        total = generic_degree([c for c in self.core if not c.is_zero], self.parameter)
         for jet, e in powers:
             for _ in range(e):
-                total = total * generic_degree([jet])
+                total = total * generic_degree([jet], self.parameter)
         return total
 
-    @property
+    @cached_property
     def generic_lowest(self) -> Degree:
         """The true degree of the value in lowest terms on the generic curve: the larger of numerator and
         denominator.
@@ -167,7 +179,7 @@ class Part:
         denominator = Degree.number(0)
         for jet, e in below:
             for _ in range(e):
-                denominator = denominator * generic_degree([jet])
+                denominator = denominator * generic_degree([jet], self.parameter)
         return numerator.max(denominator)
 
     @property
@@ -176,7 +188,7 @@ class Part:
         return all(c.is_zero for c in self.core)
 
     def data(self) -> dict[str, object]:
-        """The part for a program."""
+        """The part as data."""
         found = self.true
         return {
             "part": self.role,
@@ -197,7 +209,7 @@ class Part:
 
     @property
     def text(self) -> str:
-        """The reduced form by the names of what it is made of."""
+        """The reduced form in terms of named factors."""
         if self.is_zero:
             return "0"
         names = [str(self.rooted)] if self.role != GENERATOR and self.rooted.powers else []
@@ -207,7 +219,7 @@ class Part:
         """The reduced form on a curve, in any reading; splines come at the true degree that the theorem guarantees, by
         exact division.
         """
-        values: list[Any] = [substitute(jet, curve) for jet in self.reduced]
+        values: list[Any] = [each.on(curve) for each in self._substitutions]
         in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
         surplus = self.true.surplus if self.true and in_one_parameter else 0
         lowered = [
@@ -225,6 +237,7 @@ class Reduction:
     dimension: int
     polynomial: bool
     parts: tuple[Part, ...]
+    kind: Kind
 
     @property
     def joined(self) -> list[Jet]:
@@ -247,38 +260,45 @@ class Reduction:
 
 
 def reduce(
-    formula: Formula | Callable[..., object], *, dimension: int | None = None, polynomial: bool = False
+    formula: Formula | Callable[..., object],
+    *,
+    dimension: int | None = None,
+    polynomial: bool = False,
+    parameter: Parameter | None = None,
 ) -> Reduction:
     """The reduction of a formula, or of any function that takes a curve and returns a scalar, a vector, a quotient or a
     ruled surface.
 
-    `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1. Without a dimension a formula is
-    taken at its word and a plain function tried in the plane and then in space.
+    `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1, `parameter` is that in which
+    degrees are counted: the first one where none is named. Without a dimension a formula is read in its own dimension,
+    and a plain function is tried in the plane and then in space.
 
-    >>> from exactspline.papers import find
+    >>> from exactspline.papers import find, owner
     >>> part = reduce(find("curvature_squared_derivative")).main
     >>> str(part.naive), str(part.cancelled), part.text
     ('48d', 'w⁵·(‖D1‖²)⁻⁴', '[X X′ X″ X‴]·f2')
     >>> part.true.j, part.generic
     (0, 11d − 18)
 
-    Raises `FormulaError` when the function returns nothing of the kind, `ShapeError` when it does not fit the
+    Raises `FormulaError` when the function returns anything else, `ShapeError` when it does not fit the
     dimension.
     """
     known = _dimensions(formula)
     chosen = [dimension] if dimension else known
-    for n in chosen[:-1]:
-        try:
-            return _reduced(formula, n, polynomial)
-        except ShapeError:
-            continue
-    return _reduced(formula, chosen[-1], polynomial)
+    source = owner(formula) if isinstance(formula, Formula) else None
+    with nullcontext() if source is None or source.default else speaking_of(source):
+        for n in chosen[:-1]:
+            try:
+                return _reduced(formula, n, polynomial, parameter)
+            except ShapeError:
+                continue
+        return _reduced(formula, chosen[-1], polynomial, parameter)
 
 
 @cache
-def reduction(name: str, dimension: int, polynomial: bool = False) -> Reduction:
+def reduction(name: str, dimension: int, polynomial: bool = False, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula of the library, made once."""
-    return reduce(find(name), dimension=dimension, polynomial=polynomial)
+    return reduce(find(name), dimension=dimension, polynomial=polynomial, parameter=parameter)
 
 
 def _dimensions(formula: Any) -> list[int]:
@@ -293,7 +313,7 @@ def _dimensions(formula: Any) -> list[int]:
 
 
 def _kind(formula: Any) -> Kind:
-    """What a formula is handed; any other function a curve."""
+    """The kind of argument of a formula; a curve for any other function."""
     return formula.kind if isinstance(formula, Formula) else CURVE
 
 
@@ -302,15 +322,34 @@ def name_of_function(formula: object) -> str:
     return formula.name if isinstance(formula, Formula) else str(getattr(formula, "__name__", formula))
 
 
-def _reduced(formula: Any, dimension: int, polynomial: bool) -> Reduction:
+def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Parameter | None) -> Reduction:
     name = name_of_function(formula)
     kind = _kind(formula)
-    degrees = _parts(formula(DegreeReading().argument(kind, dimension, polynomial=polynomial)), name)
+    counted = parameter or kind.parameters(dimension)[0]
+    degrees = _naive(formula, kind, dimension, polynomial, counted)
     value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
     parts = [
-        _part(role, naive.degree, part) for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
+        _part(role, naive, part, counted) for naive, (role, part) in zip(degrees, _parts(value, name), strict=True)
     ]
-    return Reduction(name, dimension, polynomial, tuple(parts))
+    return Reduction(name, dimension, polynomial, tuple(parts), kind)
+
+
+def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
+    """The degrees of the parts as Table 1 counts them."""
+    argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
+    return [part.degree for _, part in _parts(formula(argument), name_of_function(formula))]
+
+
+def counted_in(found: Reduction, formula: Formula, parameter: Parameter) -> Reduction:
+    """The same reduction, its degrees counted in another parameter.
+
+    >>> f = find("surfaces:L")
+    >>> [str(counted_in(reduce(f), f, parameter).main.generic) for parameter in (Parameter.U, Parameter.V)]
+    ['4d_u − 6', '4d_v − 2']
+    """
+    degrees = _naive(formula, found.kind, found.dimension, found.polynomial, parameter)
+    parts = (replace(part, naive=n, parameter=parameter) for part, n in zip(found.parts, degrees, strict=True))
+    return replace(found, parts=tuple(parts))
 
 
 def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
@@ -324,7 +363,7 @@ def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
     return [(VALUE, value)]
 
 
-def _part(role: str, naive: Degree, value: Any) -> Part:
+def _part(role: str, naive: Degree, value: Any, parameter: Parameter) -> Part:
     numerator, denominator = _over_one_denominator(value)
     ring = numerator[0].ring
     if denominator is not None and denominator.is_zero:
@@ -337,7 +376,8 @@ def _part(role: str, naive: Degree, value: Any) -> Part:
     constant = (
         unit * above.constant / below.constant / (rational_of(denominator.unit) if denominator is not None else 1)
     )
-    return Part(role, naive, constant, _powers(ring, above, below), core, core_name, is_scalar, denominator is not None)
+    powers = _powers(ring, above, below)
+    return Part(role, naive, constant, powers, core, core_name, is_scalar, denominator is not None, parameter)
 
 
 def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:
@@ -346,7 +386,7 @@ def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:
     for base, e in powers:
         factor = factored(ring, base, ring.context.constant(1))
         if factor.fraction()[0] != base * int(factor.constant.denominator):
-            raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
+            raise ReductionError("the product of the factors is not what was factored", remedy="report this")
         constant *= factor.constant**e
         found = found * factor.powers**e
     return Factor(constant, found, ring)
@@ -396,8 +436,8 @@ def _over_one_denominator(value: Any) -> tuple[list[FactoredJet], FactoredJet | 
 def _content(
     ring: JetRing, components: list[FactoredJet], divisors: list[fmpq_mpoly]
 ) -> tuple[Powers, list[fmpq_mpoly]]:
-    """The greatest common divisor of the components and their quotients by it; what they are known to share first, to
-    spare large computations.
+    """The greatest common divisor of the components and their quotients by it; known common factors are divided out
+    first, to avoid large computations.
     """
     present = [c for c in components if not c.is_zero]
     if not present:
@@ -417,12 +457,12 @@ def _content(
     content = content / content.leading_coefficient()
     cores = [p / content for p in rests]
     if any(core * content != p for core, p in zip(cores, rests, strict=True)):
-        raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
+        raise ReductionError("the product of the factors is not what was factored", remedy="report this")
     return (common * Powers([(content, 1)]) if content.total_degree() > 0 else common), cores
 
 
 def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:
-    """A common factor q taken out as often as it goes."""
+    """A common factor q divided out as often as possible."""
     times = 0
     while True:
         results = [divmod(p, q) for p in polynomials]

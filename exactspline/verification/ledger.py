@@ -10,7 +10,7 @@ from exactspline.errors import ExactSplineError
 from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import speaking_of
+from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
 from exactspline.verification.claim import Claim, contradict, fitting
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
@@ -26,8 +26,8 @@ Task = Callable[[], Row]
 def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Iterator[Row]:
     """The rows of the ledger, one by one.
 
-    Without curves: every claim decided for all curves, and then checked on every example curve it speaks of. With
-    curves: checked on these.
+    Without curves: every claim decided for all curves, and then checked on every example curve to which it applies.
+    With curves: checked on these.
 
     >>> from exactspline.verification.claims import select
     >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
@@ -40,9 +40,8 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Ite
 
 
 def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> list[Task]:
-    """The checks to be made, as calls that give a row each: so that progress can be shown.
-
-    Every curve is evaluated by an object of this run, so that runs in several threads can share curves.
+    """The checks as calls that return a row each, so that progress can be shown. Each run evaluates curves with its own
+    objects, so that runs in several threads can share curves.
     """
     chosen, proofs = list(claims), Proofs()
     calls: list[Task] = []
@@ -62,7 +61,7 @@ def _curves_of(source: Paper) -> list[Nurbs]:
 
 
 def _on_curves(claims: Iterable[Claim], curves: Iterable[Nurbs], proofs: Proofs) -> list[Task]:
-    """Curve by curve the claims that speak of it; what is evaluated on a curve is evaluated once."""
+    """Curve by curve, the claims that apply to it; formulas are evaluated once per curve."""
     calls: list[Task] = []
     for curve in curves:
         own = Evaluation(curve)
@@ -83,10 +82,12 @@ class Proofs:
 
     def __init__(self) -> None:
         self._made: dict[Claim, tuple[str, Finding]] = {}
+        self._jets: SharedJets = {}
 
     def __getitem__(self, claim: Claim) -> tuple[str, Finding]:
         if claim not in self._made:
-            self._made[claim] = _proof(claim)
+            with sharing(self._jets):
+                self._made[claim] = _proof(claim)
         return self._made[claim]
 
 
@@ -108,7 +109,7 @@ def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
 
 
 def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
-    """A claim checked on one curve. What is refuted there must not be proved for all curves."""
+    """A claim checked on one curve. A claim refuted there must not be proved for all curves."""
     start = perf_counter()
     try:
         with speaking_of(claim.source_paper):
@@ -119,6 +120,6 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
         finding = undecided(claim.claims, error)
     if finding.verdict == REFUTED:
         contradict(claim, proofs[claim][1], finding)
-    is_example = claim.source_paper.default and name in example_names() and own.curve is example(name)
+    is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -1,4 +1,4 @@
-"""The questions that libraries are asked, and what counts as the same answer."""
+"""The questions to libraries, and what counts as the same answer."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Asked:
-    """A question: its name, what is asked, and what a right answer is allowed to be off by."""
+    """A question: its name, its meaning, and the error allowed."""
 
     name: str
     meaning: str
@@ -25,7 +25,7 @@ PLACES = (
     "knot too) may be named or not; a parameter is invented where the exact function is above 2⁻³² of its largest "
     "Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
 )
-STRAIGHT = "anything where γ′ × γ″ is below 2⁻²⁰ of what γ′ and γ″ are"
+STRAIGHT = "anything where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
 QUESTIONS: dict[str, Asked] = {
     asked.name: asked
     for asked in (

@@ -46,7 +46,7 @@ def folder(path: str | Path) -> Path:
 def make(number: int, folder: str | Path) -> Made:
     """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as a page that turns.
 
-    Raises `PlotError` for a number that is no figure of the paper, without matplotlib, and where nothing can be
+    Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where nothing can be
     written.
     """
     if number not in FIGURES:

@@ -120,11 +120,11 @@ def figure_6() -> Drawn:
     for i, (surface, mesh) in enumerate(_surfaces(ELLIPSE)):
         iso_curve = surface.directrix
         if any(iso_curve[k] != plane[k] for k in range(2)) or not iso_curve[2].is_zero:
-            raise PlotError("the planar bisector is no iso-curve of the surface", where=f"figure 6{TITLES[i][:3]}")
+            raise PlotError("the planar bisector is not an iso-curve of the surface", where=f"figure 6{TITLES[i][:3]}")
         ax = _frame(figure, i, ELLIPSE, mesh, TITLES[i], net=False)
         plot_quotient(iso_curve, ax, control_polygon=False, color=VERMILLION, label="planar bisector")
         frames.append(ax)
-        runs = [[p for _, p in part] for part in sampled(iso_curve, iso_curve.denominator.breakpoints)]
+        runs = [[p for _, p in part] for part in sampled(iso_curve.point, iso_curve.denominator.breakpoints)]
         scenes.append(_scene(ELLIPSE, replace(mesh, net=[]), TITLES[i], ("planar bisector", runs)))
     _alike(frames)
     caption = (

@@ -159,8 +159,8 @@ def shown_name(curve: Nurbs) -> str:
 
 
 def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
-    """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is there whole
-    or not at all.
+    """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is written
+    whole or not at all.
 
     The same picture gives the same bytes. Raises `PlotError` for another suffix and where nothing can be written.
     """

@@ -73,7 +73,7 @@ def plot_function(
             f"the graph of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
         )
     if scale is not None and scale not in SCALES:
-        raise PlotError(f"{shown(scale)} is no scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
+        raise PlotError(f"{shown(scale)} is not a scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
     ax = axes_for(ax)
     spread: list[Point | None] = []
     for samples in sampled(f, f.breakpoints):
@@ -182,7 +182,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
     no other, the root a dot.
 
-    What is drawn is the interval at hand: `Root.refine` makes it narrower. Intervals on which the function vanishes are
+    What is drawn is the current interval: `Root.refine` makes it narrower. Intervals on which the function vanishes are
     thick bars at the bottom.
 
     >>> from exactspline.roots.zero_set import zeros

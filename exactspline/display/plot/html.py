@@ -191,5 +191,5 @@ turning(document.getElementById("scenes"), {data});
 
 
 def save_page(page: str, path: str | os.PathLike[str]) -> None:
-    """Write a page; the file is there whole or not at all. Raises `PlotError` where nothing can be written."""
+    """Write a page; the file is written whole or not at all. Raises `PlotError` where nothing can be written."""
     write_atomically(path, lambda stream: stream.write(page.encode()), PlotError)

@@ -65,7 +65,7 @@ def plot_mesh(
     if any(abs(x) > LARGEST for face in faces for p in face for x in p):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
     rgb = library("matplotlib.colors").to_rgb(color)
-    shades = [_shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
+    shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
     from exactspline.display.plot.depth import DepthCollection
 
     made = DepthCollection(mesh, color, shades, zorder=1)
@@ -92,7 +92,7 @@ def plot_mesh(
     return ax
 
 
-def _shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
+def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
     """The colour of a face by its slope to the light, the same for both of its sides."""
     (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
     ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
@@ -194,7 +194,7 @@ def plot_bisector(
     found = find(formula or default)
     if found.kind is not kind:
         raise FormulaError(
-            f"{found.name} is no bisector of these",
+            f"{found.name} is not a bisector of these",
             where="formula",
             remedy=f"its argument is of the kind {found.curve!r}, not {kind.name!r}",
         )

@@ -1,15 +1,14 @@
-"""What there is beside the surface, as values: lines along a curve of pairs, planes, single pairs, poles."""
+"""The parts of a bisector beside its surface: lines along a curve of pairs, planes, single pairs, poles."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
 
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.system import System
@@ -51,7 +50,7 @@ _EXCHANGED = {
 
 
 class Correspondence(StrEnum):
-    """How the pairs of a curve of pairs belong together."""
+    """How the parameters of a curve of pairs are related."""
 
     ALL = "all pairs"
     FIRST_FIXED = "s fixed"
@@ -69,7 +68,7 @@ class PairEquation:
     ('s - t', mpq(0,1))
     """
 
-    #: The powers of s and t, and the integers before them.
+    #: The exponents of s and t, and the integer coefficients.
     terms: tuple[tuple[tuple[int, int], int], ...]
 
     @classmethod
@@ -80,7 +79,7 @@ class PairEquation:
 
     @property
     def polynomial(self) -> fmpz_mpoly:
-        """As a polynomial of FLINT in s and t."""
+        """The equation as a polynomial of FLINT in s and t."""
         return CONTEXT.from_dict(dict(self.terms))
 
     @property
@@ -88,10 +87,10 @@ class PairEquation:
         """The polynomial as text."""
         return str(self.polynomial)
 
-    def __call__(self, s: Any, t: Any) -> mpq:
+    def __call__(self, s: Number, t: Number) -> mpq:
         """The exact value."""
-        s, t = rational(s), rational(t)
-        return sum((x * s**i * t**j for (i, j), x in self.terms), mpq(0))
+        u, v = rational(s), rational(t)
+        return sum((x * u**i * v**j for (i, j), x in self.terms), mpq(0))
 
     def transposed(self) -> PairEquation:
         """With the parameters exchanged."""
@@ -102,8 +101,8 @@ class PairEquation:
 class LinePiece:
     """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 when that is s, 1 when it is t.
 
-    The other parameter is a constant, a quotient of splines, or None where any will do. Directrix and generator are
-    splines over the whole segment.
+    The other parameter is a constant, a quotient of splines, or None where any value will do. Directrix and generator
+    are splines over the whole segment.
     """
 
     of: int
@@ -115,18 +114,17 @@ class LinePiece:
     def pair(self, parameter: Number) -> tuple[Parameter | None, Parameter | None]:
         """The two parameters that a parameter of the piece stands for."""
         u = self._inside(parameter)
-        other = self.other(u) if isinstance(self.other, Rational) else self.other
+        other = self.other.number(u) if isinstance(self.other, Rational) else self.other
         return (u, other) if self.of == 0 else (other, u)
 
-    def __call__(self, parameter: Any, ruling: Any) -> tuple[mpq, ...]:
+    def __call__(self, parameter: Number, ruling: Number) -> tuple[mpq, ...]:
         """A point; `ShapeError` outside the piece, `ZeroDivisionError` where the line is at infinity."""
-        point: tuple[mpq, ...] = self.surface.at(rational(ruling))(self._inside(parameter))
-        return point
+        return self.surface.at(rational(ruling)).point(self._inside(parameter))
 
-    def _inside(self, parameter: Any) -> mpq:
+    def _inside(self, parameter: Number) -> mpq:
         u = rational(parameter)
         if not self.low <= u <= self.high:
-            raise ShapeError(f"{text(u)} is outside this piece", remedy="stay between low and high")
+            raise ShapeError(f"{short_text(u)} is outside this piece", remedy="stay between low and high")
         return u
 
     @property
@@ -280,7 +278,7 @@ class SinglePair:
 class PoleCurve:
     """An irreducible factor of the surface's determinant: along its zeros on the rectangle the surface is at infinity.
 
-    ``certain`` tells that it has zeros there: it takes both signs.
+    ``certain`` says that it has zeros there: it takes both signs.
     """
 
     equation: PairEquation
@@ -322,7 +320,7 @@ class SpecialPairs:
 
 
 def _conditions(cause: Cause) -> Conditions:
-    """The planes that are conditions: a curve without a tangent has no normal plane."""
+    """The effective planes: a curve without a tangent has no normal plane."""
     void = {
         Cause.FIRST_CUSP: Conditions.FIRST,
         Cause.SECOND_CUSP: Conditions.SECOND,
@@ -342,7 +340,7 @@ def _other(correspondence: Correspondence) -> Correspondence:
 
 
 def interval_text(side: Interval) -> str:
-    """An interval for people.
+    """An interval as text.
 
     >>> interval_text((mpq(0), mpq(1, 2)))
     '[0, 1/2]'

@@ -77,7 +77,7 @@ def of_patch(first: Piece, second: Piece) -> SpecialPairs:
 
 
 def _with_tangents(system: System) -> SpecialPairs:
-    """Those of the system in which the tangents have lost their zeros."""
+    """Those of the system in which zeros of the tangents are divided out."""
     factor = system.factor
     found = SpecialPairs() if factor else _everywhere(system)
     # where all minors vanish everywhere, only where the curves overlap is there more
@@ -120,7 +120,7 @@ def _along(system: System, g: fmpz_mpoly) -> SpecialPairs:
 
 
 def _kind(system: System, g: fmpz_mpoly) -> Solutions | None:
-    """What a general pair of an equation has for its solutions; None when its planes are parallel and apart."""
+    """The solutions of a general pair of an equation; None when its planes are parallel and distinct."""
     if not all(divides(g, v) for v in system.crosses()):
         return Solutions.LINE
     return Solutions.PLANE if divides(g, system.chord) else None
@@ -237,7 +237,7 @@ def _changes_sign(g: fmpz_mpoly, boxes: list[Sides]) -> bool:
 
 
 def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
-    """Each single pair, and the lines at each cusp, once where the curves run on smoothly to the next patch."""
+    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch."""
 
     def shared(pair: SinglePair) -> bool:
         return any(
@@ -260,7 +260,7 @@ def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> Spe
 
 
 def _runs_on(curve: Nurbs, t: mpq) -> bool:
-    """Whether a segment ends where another one begins, at one point with one tangent (or both stop there)."""
+    """Whether a segment ends where another one begins, with the same point and tangent (or with γ′ = 0 on both)."""
     if t == curve.domain[0] or curve(t, Side.LEFT) != curve(t, Side.RIGHT):
         return False
     i = curve.breakpoints.index(t)

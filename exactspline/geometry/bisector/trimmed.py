@@ -19,7 +19,7 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
@@ -40,7 +40,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 class PieceKind(StrEnum):
-    """What a piece has for its feet."""
+    """The kind of feet of a piece."""
 
     ARC = "arc"
     END_POINT = "end point"
@@ -62,15 +62,14 @@ class TrimmedPiece:
     value: Rational[BSpline]
     foot: mpq | None = None
 
-    def __call__(self, t: Any) -> tuple[mpq, ...]:
+    def __call__(self, t: Number) -> tuple[mpq, ...]:
         """The point at a parameter of the piece; `ShapeError` outside it, `ZeroDivisionError` at an end that is
         infinite.
         """
         t = rational(t)
         if not self.low <= t <= self.high:
-            raise ShapeError(f"{text(t)} is outside this piece", remedy="stay between low and high")
-        point: tuple[mpq, ...] = self.value(t)
-        return point
+            raise ShapeError(f"{short_text(t)} is outside this piece", remedy="stay between low and high")
+        return self.value.point(t)
 
     def restricted(self) -> Rational[BSpline] | None:
         """The piece as a quotient over [low, high] alone; None where an end is irrational."""
@@ -93,8 +92,8 @@ def _rational(t: Parameter) -> mpq | None:
 
 @dataclass(frozen=True)
 class TrimmedBisector:
-    """The true bisector in pieces; ``missing`` tells of segments without an arc, and of corners without a line, with
-    the reason.
+    """The true bisector in pieces; ``missing`` lists segments without an arc and corners without a line, with the
+    reason.
     """
 
     pieces: tuple[TrimmedPiece, ...]
@@ -130,7 +129,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
             missing.append(f"[{text(a)}, {text(b)}]: {arc}")
             continue
         forms, value = arc
-        moved = Rational(value.numerator + Vector(*[value.denominator * x for x in q]), value.denominator)
+        moved = Rational(value.vector + Vector(*[value.denominator * x for x in q]), value.denominator)
         for low, high in conditions.kept(*forms, (a, b), i):
             pieces.append(TrimmedPiece(PieceKind.ARC, low, high, moved))
     for kind, t in _corners(curve, missing):
@@ -159,8 +158,8 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
     """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the
     quotient.
 
-    The reason instead where there is none, or but a point: where that is on the true bisector, pieces beside it end
-    there.
+    The reason instead where there is none, or only a point; where that point is on the true bisector, neighbouring
+    pieces end there.
     """
     a, b = c.w.breakpoints[i : i + 2]
     part = c.mapped(lambda f: f.restrict(a, b))
@@ -179,7 +178,9 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     ones are named as missing.
     """
     a, b = curve.domain
-    has_ends = not curve.closed or find("D1")(curve).is_zero  # a curve that is one point is closed, and all end
+    has_ends = (
+        not curve.closed or find("D1")(curve).is_zero
+    )  # a curve that is a single point is closed, and consists of ends
     found = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
     found += [(PieceKind.CORNER, joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
     for feature in singular_points(curve):

@@ -44,6 +44,10 @@ class LatexPrinter(Printer):
         power = f"^{{{order}}}" if order > 1 else ""
         return rf"\partial_{{{by}}}{power} {base}"
 
+    def subscripted(self, base: str, letters: str) -> str:
+        """``a_{uv}``."""
+        return f"{base}_{{{letters}}}"
+
     def component(self, base: str, index: str) -> str:
         """An index."""
         shown = index.replace("…", r" \ldots ")
@@ -62,7 +66,7 @@ class LatexPrinter(Printer):
         return "[" + r"\ ".join(parts) + "]"
 
     def perp(self, text: str) -> str:
-        """A vector turned by a right angle."""
+        """A vector rotated by a right angle."""
         return rf"{text}^\perp"
 
     def wedge(self, parts: list[str]) -> str:

@@ -1,5 +1,5 @@
-"""What a theorem quantifies over: the argument of its formulas, as a term and as jets in the position γ instead of the
-numerators p = w γ, in which naive formulas are short.
+"""The quantified argument of a theorem: the argument of its formulas, as a term and as jets in the position γ instead
+of the numerators p = w γ, in which naive formulas are short.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Setting:
 
     @property
     def shape(self) -> str:
-        """Its word in the base: ``plane``, ``space_point``, ``pair``, ``table``."""
+        """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``."""
         if isinstance(self.kind, PairKind):
             return "pair"
         if isinstance(self.kind, TableKind):
@@ -53,7 +53,7 @@ class Setting:
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier of the theorem."""
         return {
             "plane": "every_plane_curve",
             "space": "every_space_curve",
@@ -86,14 +86,19 @@ class Setting:
 
     def position(self, name: str, order: int = 0) -> int:
         """The number of a variable in the list of jets."""
-        functions = [symbol.name for symbol in self.symbols if symbol.parameter]
+        functions = [symbol.name for symbol in self.symbols if symbol.parameters]
         if name in functions:
             return functions.index(name) * (self.order + 1) + order + 1
-        constants = [symbol.name for symbol in self.symbols if not symbol.parameter]
+        constants = [symbol.name for symbol in self.symbols if not symbol.parameters]
         return len(functions) * (self.order + 1) + constants.index(name) + 1
 
+    def _place(self, i: int) -> int:
+        """The number of the i-th variable of the ring."""
+        name, orders = self.ring.variables[i]
+        return self.position(name, sum(orders))
+
     def named(self, name: str) -> str:
-        """The variable of a proof that stands for an operand."""
+        """The variable of a proof for an operand."""
         if self.has_point and name in POINT[: self.dimension]:
             return f"q{POINT.index(name) + 1}"
         return f"{name}_"
@@ -102,7 +107,7 @@ class Setting:
     def introduced(self) -> list[str]:
         """The variables of a proof, and the hypotheses about them, in the order of the quantifier."""
         names = [self.named(symbol.name) for symbol in self.symbols]
-        constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameter]
+        constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameters]
         return [*names, *constants, *[f"H{weight}" for weight in self.weights]]
 
     @property
@@ -110,10 +115,10 @@ class Setting:
         """The list of jets."""
         parts = []
         for symbol in self.symbols:
-            if symbol.parameter:
-                parameter = "s" if symbol.parameter == PARAMETERS[0] else "s_bar"
+            if symbol.parameters:
+                parameter = "s" if symbol.parameters == PARAMETERS[:1] else "s_bar"
                 parts.append(f"jets {parameter} {self.order} {self.named(symbol.name)}")
-        constants = [self.named(symbol.name) for symbol in self.symbols if not symbol.parameter]
+        constants = [self.named(symbol.name) for symbol in self.symbols if not symbol.parameters]
         return " ++ ".join([*parts, *([f"[{'; '.join(constants)}]"] if constants else [])])
 
     @property
@@ -121,9 +126,9 @@ class Setting:
         """What the derivatives of the jets are."""
         chains = {str(parameter): list[str]() for parameter in PARAMETERS}
         for symbol in self.symbols:
-            if symbol.parameter:
-                chains[symbol.parameter].append(f"chain {self.position(symbol.name)} {self.order}")
-        constants = [str(self.position(symbol.name)) for symbol in self.symbols if not symbol.parameter]
+            if symbol.parameters:
+                chains[symbol.parameters[0]].append(f"chain {self.position(symbol.name)} {self.order}")
+        constants = [str(self.position(symbol.name)) for symbol in self.symbols if not symbol.parameters]
         if constants:
             chains[PARAMETERS[0]].append(f"constants [{'; '.join(constants)}]%positive")
         first, second = (" ++ ".join(chains[parameter]) or "[]" for parameter in PARAMETERS)
@@ -155,9 +160,7 @@ class Setting:
             if c.denominator != 1:
                 raise FormulaError(f"the coefficient {c}", remedy="multiply the denominators out")
             factors = [
-                f"var {self.position(*self.ring.variables[i])}" + (f" ^ {int(e)}" if e > 1 else "")
-                for i, e in enumerate(exponents)
-                if e
+                f"var {self._place(i)}" + (f" ^ {int(e)}" if e > 1 else "") for i, e in enumerate(exponents) if e
             ]
             if abs(c) != 1 or not factors:
                 factors.insert(0, f"num {integer(abs(int(c)))}")

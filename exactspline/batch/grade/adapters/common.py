@@ -1,10 +1,10 @@
-"""What adapters share: the curve as a library is given it, and how a library is asked."""
+"""Shared by the adapters: the curve as it is passed to a library, and how a library is asked."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import SupportsFloat
+from typing import Any, SupportsFloat
 
 from exactspline.batch.grade.data import GivenData, Rows, WithKnots
 
@@ -13,7 +13,7 @@ from exactspline.batch.grade.data import GivenData, Rows, WithKnots
 class Given:
     """A curve of doubles, Cartesian control points, and the parameter that a question is about.
 
-    `finer` is the same curve with that parameter as one knot more, where it is to be removed.
+    `finer` is the same curve with that parameter as an additional knot, where it is to be removed.
     """
 
     degree: int
@@ -25,7 +25,7 @@ class Given:
 
     @classmethod
     def of(cls, data: GivenData) -> Given:
-        """What came as JSON."""
+        """From JSON data."""
         finer = data.get("finer")
         own = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
         return cls(*own, finer=cls.of(finer) if finer else None)
@@ -55,7 +55,7 @@ class Given:
 
 
 class DeclinedError(Exception):
-    """A library says itself that it has no answer."""
+    """A library reports itself that it has no answer."""
 
 
 class Adapter:
@@ -81,6 +81,24 @@ class Adapter:
         """The library's answer."""
         answer: Callable[[Given], object] = getattr(self, question)
         return answer(given)
+
+
+class IncreasingDegree(Adapter):
+    """A library whose curves have the method ``IncreaseDegree``."""
+
+    def _curve(self, given: Given) -> Any:
+        """The curve as an object of the library."""
+        raise NotImplementedError
+
+    def _rows(self, curve: Any, given: Given) -> Rows:
+        """The control points of such an object."""
+        raise NotImplementedError
+
+    def elevate(self, given: Given) -> Rows:
+        """``curve.IncreaseDegree(degree + 1)``."""
+        curve = self._curve(given)
+        curve.IncreaseDegree(given.degree + 1)
+        return self._rows(curve, given)
 
 
 def floats(values: Iterable[SupportsFloat]) -> list[float]:
