@@ -72,6 +72,8 @@ if TYPE_CHECKING:
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.many_curves import features_of_many as features_of_many
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
+    from exactspline.geometry.surface.inspection import inspect_surface as inspect_surface
+    from exactspline.geometry.surface.planar_maps import jacobian_sign as jacobian_sign
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
     from exactspline.interchange.bridges.geomdl import to_geomdl as to_geomdl
@@ -221,6 +223,9 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
+    # what a surface has
+    "inspect_surface": "geometry.surface.inspection:inspect_surface",
+    "jacobian_sign": "geometry.surface.planar_maps:jacobian_sign",
     # the classroom: exercises, and the algorithms step by step
     "exercise": "classroom.topics:exercise",
     "de_boor_triangle": "splines.triangles:de_boor_triangle",
@@ -311,7 +316,7 @@ _HOMES = {
     "plot_ruled_surface": "display.plot.surfaces:plot_ruled_surface",
 }
 
-#: What objects offer though it lives further right than they do (see `exactspline.language.services`).
+#: Methods of objects that are implemented further right (see `exactspline.language.services`).
 _SERVICES = {
     "at": "roots.enclosure:at",
     "at_floats": "geometry.floats:at_floats",
@@ -319,7 +324,9 @@ _SERVICES = {
     "curvature_floats": "geometry.floats:curvature_floats",
     "formula_text": "readings.printing.text:print_text",
     "html": "display.notebook:html",
+    "kind": "language.kinds:kind_of",
     "latex": "display.latex:latex",
+    "paper": "papers:paper",
     "plot": "display.plot.curves:plot_curve",
     "quotient": "language.rational:Rational",
     "short": "display.notebook:short",
@@ -333,7 +340,7 @@ __all__ = [*_HOMES, "__version__"]  # noqa: PLE0604
 if not TYPE_CHECKING:
 
     def __getattr__(name):
-        """Import a public name when it is first used, so that importing the package costs next to nothing."""
+        """Import a public name when it is first used, so that importing the package is cheap."""
         if name not in _HOMES:
             raise AttributeError(f"module 'exactspline' has no attribute {name!r}")
         module, _, attribute = _HOMES[name].partition(":")

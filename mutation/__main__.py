@@ -24,7 +24,7 @@ from mutation.mutants import Mutant, drawn
 
 RESULTS = MAP.parent / "results.jsonl"
 SURVIVORS = ROOT / "mutation" / "survivors.toml"
-#: Verdicts that are no failure: refuted, or no change at all. A run that did not end, or broke, says nothing.
+#: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or broke, says nothing.
 HARMLESS = ("killed", "equivalent")
 #: How many of the mutants of engines that nobody explained must be noticed, in per cent.
 TARGET = 95
@@ -63,7 +63,11 @@ def arguments() -> argparse.Namespace:
         "--file", default="", help="only mutants of files whose names contain one of these: roots/,symbolic/"
     )
     parser.add_argument("--function", default="", help="only mutants of functions whose names contain this")
-    parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
+    parser.add_argument(
+        "--again",
+        default="",
+        help="only judge anew what has this verdict (survived, timeout, broken) and is not explained",
+    )
     parser.add_argument("--results", type=Path, default=RESULTS)
     parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
     parser.add_argument("--table", action="store_true", help="only tell what is judged so far, module by module")
@@ -75,7 +79,8 @@ def main() -> int:
     """Judge what is left to judge."""
     options = arguments()
     known, end = {} if options.witnesses else read(options.results), monotonic() + 60 * options.minutes
-    known = {name: result for name, result in known.items() if result["verdict"] not in options.again.split(",")}
+    options.once_more = {name for name, result in known.items() if result["verdict"] in options.again.split(",")}
+    known = {name: result for name, result in known.items() if name not in options.once_more}
     options.results.parent.mkdir(parents=True, exist_ok=True)
 
     def told(mutant: Mutant, result: dict[str, Any]) -> bool:
@@ -171,6 +176,9 @@ def table(known: Known) -> int:
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
     parts = options.file.split(",")
+    if options.again:
+        why = explained()
+        mutants = [m for m in mutants if m.key in options.once_more and m.stable not in why]
     return drawn(
         [m for m in mutants if any(part in m.file for part in parts) and options.function in m.function],
         options.sample or most,

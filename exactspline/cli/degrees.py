@@ -24,7 +24,7 @@ def degrees(
         bool, typer.Option("--formulas", help="Every formula of the library instead of the constructions.")
     ] = False,
     generic: Annotated[
-        bool, typer.Option("--generic", help="For all curves: what is proved of the generic curve of degree d.")
+        bool, typer.Option("--generic", help="For all curves: what is proved for the generic curve of degree d.")
     ] = False,
     certify: Annotated[
         bool, typer.Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
@@ -138,7 +138,7 @@ def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], pa
 
 
 def _is_one_of(title: str, names: list[str]) -> bool:
-    """Whether a row is wanted: all are where no name is given."""
+    """Whether a row is selected: all are where no name is given."""
     return not names or any(_plain(title).startswith(_plain(name)) for name in names)
 
 

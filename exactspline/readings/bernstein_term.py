@@ -1,11 +1,14 @@
 """The monomial reading: one term of the curve in the scaled Bernstein basis, of symbolic degree d.
 
-Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. What a
-formula that is linear in p and in w returns are a few monomials beside that of the product, with polynomials in d, a
-and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees at once.
+Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. A formula
+that is linear in p and in w returns a few monomials next to that of the product, whose coefficients are polynomials in
+d, a and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees at
+once.
 """
 
 from __future__ import annotations
+
+from collections import defaultdict
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -43,19 +46,24 @@ class Monomials(Operand):
                 "a sum of terms of different degree in p or in w",
                 remedy="this reading is for formulas homogeneous in both",
             )
-        shifts = self.terms.keys() | other.terms.keys()
+        terms = self._no_terms() | self.terms
+        for shift, c in other.terms.items():
+            terms[shift] += c
+        return Monomials(self.exponents, terms)
+
+    def _no_terms(self) -> defaultdict[tuple[int, int], fmpq_mpoly]:
         zero = self.exponents[0] * 0
-        return Monomials(self.exponents, {s: self.terms.get(s, zero) + other.terms.get(s, zero) for s in shifts})
+        return defaultdict(lambda: zero)
 
     def __mul__(self, other: object) -> Monomials:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Monomials):
             return NotImplemented
-        terms: dict[tuple[int, int], fmpq_mpoly] = {}
+        terms = self._no_terms()
         for (i, j), x in self.terms.items():
             for (k, m), y in other.terms.items():
-                terms[i + k, j + m] = terms.get((i + k, j + m), x * 0) + x * y
+                terms[i + k, j + m] += x * y
         (u, v), (s, t) = self.exponents, other.exponents
         return Monomials((u + s, v + t), terms)
 
@@ -65,7 +73,7 @@ class Monomials(Operand):
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
     def elevated_to(self, other: object) -> Monomials:
-        """Itself: what this reading is for needs no degree elevation."""
+        """Itself: this reading needs no degree elevation."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
@@ -73,10 +81,10 @@ class Monomials(Operand):
         self.only_parameter(by)
         result, (u, v) = self, self.exponents
         for _ in range(order):
-            terms: dict[tuple[int, int], fmpq_mpoly] = {}
+            terms = self._no_terms()
             for (i, j), c in result.terms.items():
-                terms[i, j + 1] = terms.get((i, j + 1), c * 0) + c * (v - j)
-                terms[i + 1, j] = terms.get((i + 1, j), c * 0) - c * (u - i)
+                terms[i, j + 1] += c * (v - j)
+                terms[i + 1, j] -= c * (u - i)
             result = Monomials(self.exponents, terms)
         return result
 
@@ -96,7 +104,7 @@ class BernsteinTermReading(Reading):
     """
 
     name = "term"
-    proves = "which coefficients of what is linear in p and in w vanish, for every degree d"
+    proves = "which coefficients of an expression linear in p and in w vanish, for every degree d"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The same term for all numerators, another one for the denominators."""

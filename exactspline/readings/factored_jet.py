@@ -1,6 +1,6 @@
 """The factored reading: differential polynomials kept as products, never multiplied out unless a sum asks for it.
 
-A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums take out
+A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums factor out
 what both sides share.
 """
 
@@ -17,7 +17,7 @@ from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PR
 from exactspline.language.reading import Reading
 from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 
-#: Sums of more terms than this are tried for the factors that were met before; those have fewer.
+#: Longer sums are tried for the factors that were met before, which are shorter.
 LONG = 100
 #: So many pairs of terms are multiplied at once where products are multiplied out for a sum.
 PAIRS_OF_SUMS = 3 * 10**7
@@ -133,7 +133,7 @@ class FactoredJet(Operand):
 
 
 def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenance) -> FactoredJet:
-    """A polynomial times powers: made monic, the variables that divide it taken out."""
+    """A polynomial times powers: made monic, the variables that divide it factored out."""
     if not p:
         return FactoredJet(ring, fmpq(0), ONE, provenance)
     unit = p.leading_coefficient()

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from math import gcd, lcm
 from operator import attrgetter
+from threading import RLock
 from typing import Any, NamedTuple, cast
 
 from flint import fmpq_mpoly
@@ -27,7 +28,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
 from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
@@ -49,6 +50,10 @@ class Factor(Displayed):
     constant: mpq
     powers: Factorization[Named]
     ring: JetRing
+
+    def __reduce__(self) -> tuple[object, ...]:
+        powers = tuple((base.name, terms_of(base.polynomial), e) for base, e in self.powers)
+        return _factor, (self.constant, powers, self.ring)
 
     def __str__(self) -> str:
         parts = [power_text(base.name, e) for base, e in self.powers]
@@ -84,6 +89,12 @@ class Factor(Displayed):
         return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
 
 
+def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: JetRing) -> Factor:
+    """The unpickled factor."""
+    named = [(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]
+    return Factor(constant, Factorization(named), ring)
+
+
 def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:
     """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the
     fraction reading: rational, or with w = 1.
@@ -110,7 +121,9 @@ _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 @contextmanager
 def sharing(jets: SharedJets) -> Iterator[None]:
-    """While this lasts, `jets_for` hands out these arguments and adds to them: many proofs compute a formula once."""
+    """In this context, `jets_for` returns these arguments and adds to them, so that many proofs compute a formula
+    once.
+    """
     token = _SHARED.set(jets)
     try:
         yield
@@ -119,7 +132,7 @@ def sharing(jets: SharedJets) -> Iterator[None]:
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
-    """Whether neither the formulas nor a factor as claims write it speak of the denominator, but of γ alone."""
+    """Whether the formulas, and a factor as claims write it, involve γ alone and not its denominator."""
     weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
     return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
 
@@ -144,7 +157,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
     (ps, _), (qs, _) = split(cast(Any, left)), split(cast(Any, right))
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
-        raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
+        raise ClaimError("the right side vanishes identically", remedy="a factor of zero is not determined")
     if len(ps) != len(qs):
         return None
     quotient = ps[pivot] / qs[pivot]
@@ -212,26 +225,27 @@ def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
     return mpq(int(quotient.p), int(quotient.q)) if same else None
 
 
-def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
+def named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:
     """The denominators and the scalar polynomial formulas of the library that this ring can express."""
-    return [(name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero]
+    return ((name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero)
 
 
-def named_values(ring: JetRing) -> list[tuple[str, object]]:
-    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
-    found: list[tuple[str, object]] = []
+def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
+    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them; each
+    is computed when it is first reached.
+    """
+    yield from _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial)
     for source in naming():
-        found += _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
-    return _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial) + found
+        yield from _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
-#: The paper whose own words for things come first; None where none is spoken of.
+#: The paper whose names take precedence; None outside of any paper.
 _SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
 
 
 def naming() -> tuple[Paper, ...]:
-    """The papers whose formulas give factors their names: that which is spoken of and those that it uses, then those
-    that are meant where none is named.
+    """The papers whose formulas give factors their names: the current paper and those that it uses, then the default
+    papers.
     """
     source = _SPOKEN_OF.get()
     own = (source, *source.uses) if source is not None and not source.default else ()
@@ -240,7 +254,7 @@ def naming() -> tuple[Paper, ...]:
 
 @contextmanager
 def speaking_of(source: Paper) -> Iterator[None]:
-    """While this lasts, factors have the names that a paper has for them."""
+    """In this context, factors have the names that a paper gives them."""
     token = _SPOKEN_OF.set(source)
     try:
         yield
@@ -258,18 +272,40 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
     return [(jet.ring.symbols[name].text, jet) for name, jet in jets]
 
 
+class _Names:
+    """The polynomial formulas of one paper that a ring can express, with their values, each computed when the first
+    comes to it.
+    """
+
+    def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> None:
+        argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
+        self._formulas, self._kind, self._polynomial = tuple(source.formulas.values()), kind, polynomial
+        self._dimension, self._order = dimension, order
+        self._argument = argument.remembering()
+        self._known: list[tuple[str, object] | None] = []
+        self._lock = RLock()
+
+    def __iter__(self) -> Iterator[tuple[str, object]]:
+        for i, formula in enumerate(self._formulas):
+            if i == len(self._known):
+                with self._lock:
+                    if i == len(self._known):
+                        self._known.append(self._named(formula))
+            if (found := self._known[i]) is not None:
+                yield found
+
+    def _named(self, formula: Formula) -> tuple[str, object] | None:
+        n, kind = self._dimension, self._kind
+        if not (kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order):
+            return None
+        if kind.counted == BOTH and _degree_in_surface(formula, n, self._polynomial) > NAMED_DEGREE:
+            return None
+        return symbol_text(formula.symbol) or print_text.at(trace(formula, n), POWER), formula(self._argument)
+
+
 @cache
-def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, object]]:
-    """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
-    c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
-    return [
-        (symbol_text(formula.symbol) or print_text.at(trace(formula, dimension), POWER), formula(c))
-        for formula in source.formulas.values()
-        if kind.takes(formula.kind, dimension)
-        and is_polynomial(formula, dimension)
-        and order_of(formula, dimension) <= order
-        and (kind.counted != BOTH or _degree_in_surface(formula, dimension, polynomial) <= NAMED_DEGREE)
-    ]
+def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> _Names:
+    return _Names(source, kind, dimension, order, polynomial)
 
 
 #: Formulas of a higher degree in a surface are not held against factors: they have millions of terms.

@@ -65,7 +65,7 @@ class Substitution:
         self.unit = mpq(1, below)
         monomials = [tuple(map(int, exponents)) for exponents in jet.polynomial.monoms()]
         numbers = [int(c.p) * (below // int(c.q)) for c in coefficients]
-        #: For each inner value its variable and the steps, what it needs before it.
+        #: For each inner value its variable and steps, after those that it needs.
         self.nodes: list[tuple[int, list[Step]]] = []
         self._known: dict[tuple[tuple[int, ...], ...], int] = {}
         self.whole = self._value(sorted(zip(monomials, numbers, strict=True), reverse=True), 0)

@@ -1,4 +1,4 @@
-"""A claim spelled out: what it says in text and in LaTeX, its naive and its reduced side with their degrees, the
+"""A claim spelled out: the statement as text and as LaTeX, its naive and its reduced side with their degrees, the
 factor, the verdict.
 
 Nothing is written by hand: formulas come from the tree reading, degrees from the degree reading, the verdict from the
@@ -32,7 +32,7 @@ NAIVE, REDUCED = "naive", "reduced"
 
 @dataclass(frozen=True)
 class Side:
-    """One formula of a claim: its role, its name and source, what it is in text and in LaTeX, its degree for a rational
+    """One formula of a claim: its role, its name and source, its text and LaTeX, its degree for a rational
     and a polynomial curve.
     """
 
@@ -66,7 +66,7 @@ class Statement(Displayed):
         return self.finding.verdict == self.claim.expected
 
     def data(self) -> dict[str, object]:
-        """The statement for a program."""
+        """The statement as data."""
         c, f = self.claim, self.finding
         head: dict[str, object] = {
             "id": c.id,
@@ -117,7 +117,7 @@ def statements(wanted: str) -> Iterator[Statement]:
 
 
 def statement(claim: Claim) -> Statement:
-    """A claim spelled out, with its one verdict: the proof, held against the example curves."""
+    """A claim spelled out, with its one verdict: the proof, compared with the example curves."""
     reading, finding = combined(claim)
     return Statement(claim, latex_of(claim), sides(claim), reading, finding)
 
@@ -162,7 +162,7 @@ def _degrees(name: str, claim: Claim, polynomial: bool) -> str:
 
 
 def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> Degree | None:
-    """The degree of a formula, None where it has none: over roots, of functions that are given by an equation."""
+    """The degree of a formula, None where it has none: over roots, for functions given by an equation."""
     formula = claim.find(name)
     counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
@@ -185,8 +185,8 @@ def _size(name: str, claim: Claim) -> int:
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:
-    """The tree of a formula; where it would only repeat the symbol (the derivative of something with a name) the names
-    in it are spelled out.
+    """The tree of a formula; where it would only repeat the symbol (the derivative of a named formula) the names in it
+    are expanded.
 
     >>> from exactspline import find
     >>> telling_tree(find("curvature_squared_derivative"), 2)
@@ -198,7 +198,7 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
 
 
 def latex_of(claim: Claim) -> str:
-    r"""What a claim says, as LaTeX.
+    r"""The statement of a claim as LaTeX.
 
     >>> latex_of(select(["C4.1a"])[0]), latex_of(select(["C4.2g"])[0])
     ('f_1 = w\\,f_2', '\\deg g_2 = 9d - 6')

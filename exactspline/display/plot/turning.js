@@ -5,7 +5,7 @@
 //   lines:    [{label, color, width, runs: [[[x, y, z], …], …]}],
 //   dots:     [{label, color, size, places: [[x, y, z], …]}]}
 
-const START = { turn: -Math.PI / 3, tilt: 0.4, zoom: 1.15 };
+const START = { turn: -Math.PI / 3, tilt: 0.4, zoom: 1 };
 const STEP = Math.PI / 36;
 
 const SURFACE = [

@@ -1,7 +1,7 @@
 """The zeros of a form on a patch: their topology, exactly, by boxes in which the curve is a graph.
 
 A box is done where the form keeps its sign, or where one of its derivatives does: then the curve meets every line
-across at most once, and which of its zeros on the border of the box are joined is told by signs at rational points.
+across at most once, and which of its zeros on the border of the box are joined is decided by signs at rational points.
 Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross or a point is alone no such
 box exists: there the critical point is certified, and shown to be of one of the two kinds, in a cell of its own.
 """
@@ -29,7 +29,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
 
-#: Halvings of a box, and boxes, before what is left is told to be undecided.
+#: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
 DEPTH, BOXES = 30, 4000
 #: Where the square is first cut: no line that a symmetric surface would have its zeros on.
 FIRST_CUT = mpq(29, 61)
@@ -185,6 +185,11 @@ class ZeroCurve:
         return not self.undecided
 
     @property
+    def may_have_zeros(self) -> bool:
+        """Whether there are zeros, or may be."""
+        return not self.complete or bool(self.parts)
+
+    @property
     def is_of_points(self) -> bool:
         """Whether all zeros are known and none of them is on a piece of a curve."""
         return self.complete and not self._arcs and not self._crossings
@@ -216,18 +221,19 @@ class ZeroCurve:
 
     def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
         """Points near an arc, for pictures: so many steps, each found to `DRAWN_BITS` bits."""
-        low = arc.low.refine(8)[0] if isinstance(arc.low, Root) else arc.low
-        high = arc.high.refine(8)[1] if isinstance(arc.high, Root) else arc.high
+        low = arc.low.refine(8)[1] if isinstance(arc.low, Root) else arc.low
+        high = arc.high.refine(8)[0] if isinstance(arc.high, Root) else arc.high
         found = []
         for k in range(count + 1):
             y = mpq(low + (high - low) * mpq(k, count))
             a, b = arc.box[arc.direction]
-            start = self._value(arc.direction, a, y)
+            start, end = (self._value(arc.direction, x, y) for x in (a, b))
             for _ in range(DRAWN_BITS):
                 middle = (a + b) / 2
-                same = start * self._value(arc.direction, middle, y) > 0
-                a, b = (middle, b) if same else (a, middle)
-            found.append((mpq(a), y) if arc.direction == 0 else (y, mpq(a)))
+                value = self._value(arc.direction, middle, y)
+                a, b = (middle, b) if value * (start or -end) > 0 else (a, middle)
+            x = mpq((a + b) / 2)
+            found.append((x, y) if arc.direction == 0 else (y, x))
         return found
 
 

@@ -1,4 +1,4 @@
-"""Degrees for all curves and all d: by the counting of Table 1, at infinity, and by the degree theorem."""
+"""Degrees for all curves and all d: by Table 1, at infinity, and by the degree theorem."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
-    """What holds of the degree of a claim for every d from its least one on."""
+    """The finding on the degree of a claim for every d from its least one on."""
     formula = claim.find(claim.formula)
     if claim.measure == Measure.NOMINAL:
         return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
@@ -102,20 +102,18 @@ def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -
 
 def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
     """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
-    computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found, _counted(claim))
+    parameter = _counted(claim)
+    computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found, parameter)
     order = max(part.core[0].ring.order for part in found.parts)
-    lower: dict[int, int] = {}
-    if claim.least_d <= order or len(found.parts) > 1:
-        jets = [jet for jet in found.joined if not jet.is_zero]
-        parameter = _counted(claim)
-        lower = lower_degrees(jets, parameter)
-        for d in range(claim.least_d, order):
-            *tops, bottom = truncated(found.joined, d, parameter)
-            cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
-            vanishes = all(jet.is_zero for jet in tops)
-            n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
-            if n < computed.at(dict.fromkeys(computed.names, d)):
-                lower[d] = n
+    jets = [jet for jet in found.joined if not jet.is_zero]
+    lower = lower_degrees(jets, parameter)
+    for d in range(claim.least_d, order):
+        *tops, bottom = truncated(found.joined, d, parameter)
+        cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
+        vanishes = all(jet.is_zero for jet in tops)
+        n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
+        if n < computed.at(dict.fromkeys(computed.names, d)):
+            lower[d] = n
     return _held(claim, computed, lower, str(found.main.cancelled))
 
 
@@ -147,8 +145,8 @@ def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: s
         return Finding(PROVED, computed=told, factor=factor)
     d = failing[0] if failing else _first_failure(claim, computed, claimed)
     n = lower.get(d, _at(computed, d))
-    where = " and ".join(f"{name} = {d}" for name in sorted(names)) or "for every d"
-    return Finding(REFUTED, computed=told, factor=factor, witness=f"at {where}: {n}, not {_at(claimed, d)}")
+    where = "at " + " and ".join(f"{name} = {d}" for name in sorted(names)) if names else "for every d"
+    return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {_at(claimed, d)}")
 
 
 def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int:
