@@ -1,4 +1,4 @@
-"""What a surface has, patch by patch and as a whole: the sign of K, parabolic curves, umbilics, what is degenerate."""
+"""What a surface has, patch by patch and as a whole: the sign of K, parabolic curves, umbilics, degeneracies."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from exactspline.splines.surface import Along, NurbsSurface
 
 
 class PatchKind(StrEnum):
-    """What is proved of the Gaussian curvature on a whole patch, but for edges that are told."""
+    """What is proved of the Gaussian curvature on a whole patch, except on edges that are listed."""
 
     PLANAR = "planar"
     DEVELOPABLE = "developable"
@@ -266,7 +266,7 @@ def _equal(one: Parameter, other: Parameter, closed: bool, side: Interval) -> bo
 
 
 def _sided(umbilic: Umbilic, breaks: list[list[mpq]], closed: Sequence[Along]) -> Umbilic:
-    """The umbilic, told to be one-sided where not all the patches that meet there have it."""
+    """The umbilic, marked as one-sided where not all the patches that meet there have it."""
     if umbilic.place.inner is not None:
         return umbilic
     expected = 1

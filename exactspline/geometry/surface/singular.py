@@ -1,4 +1,4 @@
-"""Points at which a surface has no tangent plane: isolated and certified inside patches, told along their borders."""
+"""Points at which a surface has no tangent plane: isolated and certified inside patches, listed along their borders."""
 
 from __future__ import annotations
 
