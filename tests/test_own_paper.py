@@ -293,7 +293,10 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"expected": "TRUE"}, "is unknown"),
         ({"statement": "\\u001b[2J"}, "cannot be printed"),
         ({"kind": "identity", "right": "turning_by_normal", "factor": "speed_squared^99999999"}, "too large"),
-        ({"kind": "invariance", "left": None, "formula": "turning", "under": "scaling", "weight": 10**9}, "not a weight"),
+        (
+            {"kind": "invariance", "left": None, "formula": "turning", "under": "scaling", "weight": 10**9},
+            "not a weight",
+        ),
         ({"kind": "degree", "left": None, "formula": "turning", "claimed": "6d", "least_d": 10**9}, "not a number"),
     ],
 )
@@ -331,7 +334,8 @@ def test_tables_that_are_none(text, told, tmp_path):
 
 
 def test_folders_and_names_that_are_none(tmp_path):
-    for name, told in ((tmp_path / "none", "no such folder"), (tmp_path, "not a folder of a paper"), ("lifte", "nearest")):
+    unknown = ((tmp_path / "none", "no such folder"), (tmp_path, "not a folder of a paper"), ("lifte", "nearest"))
+    for name, told in unknown:
         with pytest.raises(ExactSplineError, match=told):
             named_papers([str(name)])
     for name in ("none.py:f", f"{tmp_path}:f", "f2x"):
