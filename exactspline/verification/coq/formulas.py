@@ -66,14 +66,13 @@ class Formulas:
         for formula in paper.formulas.values():
             if written_for(formula.kind):
                 self._collect(formula, paper, needed)
-        writer = Writer(lambda formula: self.named(formula, paper))
         parts = [HEADER.format(title=paper.title, about="its formulas")]
         parts.append("Require Import ZArith List.\nFrom ExactSpline Require Import Base.")
         parts += [f"From ExactSpline.formulas Require {used.name}." for used in paper.uses]
         parts.append("Import ListNotations.\nLocal Open Scope formula_scope.\n")
         parts.append("Section Formulas.\nContext {A : Type} {o : operations A}.\n")
         parts += _constants(needed)
-        parts += [self._definition(formula, writer) for formula in needed]
+        parts += [self.definition(formula, paper) for formula in needed]
         parts.append("End Formulas.\n")
         return "\n".join(parts)
 
@@ -86,9 +85,12 @@ class Formulas:
                 self._collect(called, paper, needed)
         needed[formula] = None
 
-    def _definition(self, formula: Formula, writer: Writer) -> str:
-        trees = [body(formula, dimension) for dimension in formula.kind.dimensions]
-        writer = Writer(writer.named, table=isinstance(formula.kind, TableKind))
+    def definition(self, formula: Formula, paper: Paper, instead: Node | None = None) -> str:
+        """A formula as a definition in the file of its paper; with another tree instead of its own if one is given."""
+        trees = (
+            [instead] if instead is not None else [body(formula, dimension) for dimension in formula.kind.dimensions]
+        )
+        writer = Writer(lambda each: self.named(each, paper), table=isinstance(formula.kind, TableKind))
         texts = {writer(tree) for tree in trees}
         if len(texts) > 1:
             raise FormulaError(

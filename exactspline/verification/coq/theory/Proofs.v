@@ -455,3 +455,44 @@ Proof.
 Qed.
 
 End Explicit.
+
+(** ** The osculating sphere *)
+
+Section Sphere.
+Variable K : differential_field.
+Add Field K4 : (field_axioms K).
+Local Open Scope formula_scope.
+
+(** With a = γ′, k = κN, b = (κ²)′ and τ, of which k·a = 0 is all that is used: what remains of the radius. *)
+Lemma radius_of_the_sphere (g1 g2 g3 a1 a2 a3 k1 k2 k3 b t : K) :
+  let g := [g1; g2; g3] in
+  let a := [a1; a2; a3] in
+  let k := [k1; k2; k3] in
+  let S := dot a a in
+  let B := dot k k in
+  let v := vsub (vsub (vadd g (vdiv k B)) (vmul (b / (number 2 * S * B ^ 2 * t)) (cross a k))) g in
+  number 2 <> zero K -> dot k a = zero K -> S <> zero K -> B <> zero K -> t <> zero K ->
+  b ^ 2 / S - number 4 * t ^ 2 * B ^ 2 * (B - number 1) = number 4 * B ^ 3 * t ^ 2 * (dot v v - number 1).
+Proof.
+  intros g a k S B v H2 O HS HB Ht.
+  pose (q := b / (number 2 * S * B ^ 2 * t)).
+  assert (E : dot v v = number 1 / B + S * B * q ^ 2).
+  { assert (L : dot v v = B / (B * B) + (S * B - dot k a * dot k a) * q ^ 2).
+    { unfold v. fold q. clearbody q. clear v. unfold vsub, vadd, vmul, vdiv, cross, component, g, k, a.
+      cbn [map zip nth].
+      assert (Z : times K B (number 1 / B) = one K) by (simpl; field; exact HB).
+      set (i := number 1 / B) in *.
+      assert (D : forall x : K, x / B = x * i) by (intro x; unfold i; simpl; field; exact HB).
+      rewrite !D. unfold dot. cbn [sum_from].
+      transitivity (plus K (times K (times K B i) i) (times K (minus K (times K S B)
+        (times K (plus K (plus K (times K k1 a1) (times K k2 a2)) (times K k3 a3))
+                 (plus K (plus K (times K k1 a1) (times K k2 a2)) (times K k3 a3)))) (times K q q))).
+      - unfold B, S. simpl. ring.
+      - rewrite Z. unfold i, k, a, dot. cbn [sum_from]. simpl. field. exact HB. }
+    rewrite L, O. simpl. field. exact HB. }
+  rewrite E. unfold q. clearbody S B. clear E v.
+  change (number 4) with (times K (plus K (one K) (one K)) (plus K (one K) (one K))).
+  change (number 2) with (plus K (one K) (one K)) in *. change (number 1) with (one K).
+  cbn -[plus times minus quotient one] in *. field. repeat split; assumption.
+Qed.
+End Sphere.
