@@ -72,6 +72,8 @@ if TYPE_CHECKING:
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.many_curves import features_of_many as features_of_many
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
+    from exactspline.geometry.surface.inspection import inspect_surface as inspect_surface
+    from exactspline.geometry.surface.planar_maps import jacobian_sign as jacobian_sign
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
     from exactspline.interchange.bridges.geomdl import to_geomdl as to_geomdl
@@ -116,12 +118,18 @@ if TYPE_CHECKING:
     from exactspline.splines.curve_files import save as save
     from exactspline.splines.examples import example as example
     from exactspline.splines.examples import example_names as example_names
+    from exactspline.splines.examples import example_surface as example_surface
+    from exactspline.splines.examples import example_surface_names as example_surface_names
     from exactspline.splines.examples import load as load
+    from exactspline.splines.examples import load_surface as load_surface
     from exactspline.splines.knots import KnotVector as KnotVector
     from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
     from exactspline.splines.surd import Surd as Surd
+    from exactspline.splines.surface import NurbsSurface as NurbsSurface
+    from exactspline.splines.surface_files import save_surface as save_surface
+    from exactspline.splines.surface_files import surface_from_text as surface_from_text
     from exactspline.splines.tensor import TensorSpline as TensorSpline
     from exactspline.splines.tensor import surface_pair as surface_pair
     from exactspline.splines.triangles import de_boor_triangle as de_boor_triangle
@@ -159,6 +167,7 @@ _HOMES = {
     "ExactSplineError": "errors:ExactSplineError",
     "KnotVector": "splines.knots:KnotVector",
     "Nurbs": "splines.nurbs:Nurbs",
+    "NurbsSurface": "splines.surface:NurbsSurface",
     "Rational": "language.rational:Rational",
     "Root": "roots.root:Root",
     "Surd": "splines.surd:Surd",
@@ -183,8 +192,13 @@ _HOMES = {
     "curve_from_text": "splines.curve_files:curve_from_text",
     "example": "splines.examples:example",
     "example_names": "splines.examples:example_names",
+    "example_surface": "splines.examples:example_surface",
+    "example_surface_names": "splines.examples:example_surface_names",
     "load": "splines.examples:load",
+    "load_surface": "splines.examples:load_surface",
     "save": "splines.curve_files:save",
+    "save_surface": "splines.surface_files:save_surface",
+    "surface_from_text": "splines.surface_files:surface_from_text",
     # what a curve has
     "construction": "geometry.constructions:construction",
     "analyse": "geometry.analysis:analyse",
@@ -209,6 +223,9 @@ _HOMES = {
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
     "torsion": "geometry.derived:torsion",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
+    # what a surface has
+    "inspect_surface": "geometry.surface.inspection:inspect_surface",
+    "jacobian_sign": "geometry.surface.planar_maps:jacobian_sign",
     # the classroom: exercises, and the algorithms step by step
     "exercise": "classroom.topics:exercise",
     "de_boor_triangle": "splines.triangles:de_boor_triangle",

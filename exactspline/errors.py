@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 from functools import lru_cache
-from typing import Any
 
 
 class ExactSplineError(ValueError):
@@ -20,7 +19,7 @@ class ExactSplineError(ValueError):
     knots[3]: knots decrease; sort them
     """
 
-    def __init__(self, problem: str, *, where: str = "", remedy: str = "", **data: Any) -> None:
+    def __init__(self, problem: str, *, where: str = "", remedy: str = "", **data: object) -> None:
         self.problem, self.where, self.remedy, self.data = problem, where, remedy, data
         super().__init__((f"{where}: " if where else "") + problem + (f"; {remedy}" if remedy else ""))
 
@@ -50,6 +49,15 @@ def shown(value: object, limit: int = 40) -> str:
             else f"a {type(value).__name__} too long to print"
         )
     return text if len(text) <= limit else f"{text[:limit]}…"
+
+
+def counted(n: int, what: str) -> str:
+    """A number with what it counts.
+
+    >>> counted(1, "error"), counted(2, "error"), counted(3, "stretch")
+    ('1 error', '2 errors', '3 stretches')
+    """
+    return f"{n} {what}" + ("" if n == 1 else "es" if what.endswith(("ch", "s", "x")) else "s")
 
 
 def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:

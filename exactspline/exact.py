@@ -282,6 +282,16 @@ def text(value: mpq) -> str:
     return str(value)
 
 
+def short_text(value: mpq) -> str:
+    """Its exact text, or where that is long the beginning of it and how long it is: for messages.
+
+    >>> short_text(mpq(3, 4)), short_text(mpq(10) ** 50)
+    ('3/4', '1000000000… (51 characters)')
+    """
+    whole = text(value)
+    return whole if len(whole) <= 40 else f"{whole[:10]}… ({len(whole)} characters)"
+
+
 def _refuse_float(value: float) -> NumberError:
     if not isfinite(value):
         return NumberError(f"{value} is not a number", remedy="write a finite number")

@@ -15,7 +15,6 @@ import sys
 import tomllib
 from collections import Counter
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -30,12 +29,6 @@ HARMLESS = ("killed", "equivalent")
 #: How many of the mutants of engines that nobody explained must be noticed, in per cent.
 TARGET = 95
 Known = dict[str, dict[str, Any]]
-
-
-@cache
-def key(mutant: Mutant) -> str:
-    """What tells it from every other."""
-    return mutant.key
 
 
 def read(path: Path) -> Known:
@@ -66,9 +59,15 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--minutes", type=float, default=40, help="stop after so many minutes; the next run goes on")
     parser.add_argument("--budget", type=float, default=30, help="so many seconds of tests for one mutant of an engine")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--file", default="", help="only mutants of files whose names contain this")
+    parser.add_argument(
+        "--file", default="", help="only mutants of files whose names contain one of these: roots/,symbolic/"
+    )
     parser.add_argument("--function", default="", help="only mutants of functions whose names contain this")
-    parser.add_argument("--again", default="", help="judge anew what has this verdict: survived, timeout, broken")
+    parser.add_argument(
+        "--again",
+        default="",
+        help="only judge anew what has this verdict (survived, timeout, broken) and is not explained",
+    )
     parser.add_argument("--results", type=Path, default=RESULTS)
     parser.add_argument("--witnesses", action="store_true", help="a sample of what was noticed, again")
     parser.add_argument("--table", action="store_true", help="only tell what is judged so far, module by module")
@@ -80,14 +79,15 @@ def main() -> int:
     """Judge what is left to judge."""
     options = arguments()
     known, end = {} if options.witnesses else read(options.results), monotonic() + 60 * options.minutes
-    known = {name: result for name, result in known.items() if result["verdict"] not in options.again.split(",")}
+    options.once_more = {name for name, result in known.items() if result["verdict"] in options.again.split(",")}
+    known = {name: result for name, result in known.items() if name not in options.once_more}
     options.results.parent.mkdir(parents=True, exist_ok=True)
 
     def told(mutant: Mutant, result: dict[str, Any]) -> bool:
-        known[key(mutant)] = {"key": key(mutant), "mutant": mutant.name, **result}
+        known[mutant.key] = {"key": mutant.key, "mutant": mutant.name, **result}
         if not options.witnesses:
             with options.results.open("a", encoding="utf-8") as stream:
-                stream.write(json.dumps(known[key(mutant)], ensure_ascii=False) + "\n")
+                stream.write(json.dumps(known[mutant.key], ensure_ascii=False) + "\n")
         return bool(monotonic() < end)
 
     if options.record:
@@ -109,7 +109,7 @@ def judge_formulas(
     from mutation import formulas
 
     chosen = _drawn(formulas.all_mutants(), options, 10**6)
-    if todo := [m for m in chosen if key(m) not in known]:
+    if todo := [m for m in chosen if m.key not in known]:
         for mutant, result in formulas.judged(todo, 300, options.jobs):
             if not told(mutant, result):
                 break
@@ -129,14 +129,14 @@ def judge_engines(
         engines.judged(engines.Judge(chosen, witnesses, options.budget, options.jobs), told, witnesses.files(chosen))
         return chosen
     chosen = _drawn(everything, options, 500)
-    todo = [m for m in chosen if key(m) not in known]
+    todo = [m for m in chosen if m.key not in known]
     if not todo:
         return chosen
     if not MAP.is_file():
         print("which tests execute what: the suite runs once under coverage", flush=True)
         subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "mutation.coverage_map"], cwd=ROOT, check=False)
     tests = engines.Tests()
-    tests.learn((m, known[key(m)]) for m in everything if key(m) in known)
+    tests.learn((m, known[m.key]) for m in everything if m.key in known)
 
     def learned(mutant: Mutant, result: dict[str, Any]) -> bool:
         tests.learn([(mutant, result)])
@@ -150,7 +150,7 @@ def record(known: Known) -> int:
     """Write what noticed what, for samples."""
     from mutation import engines
 
-    found = engines.recorded((m, known[key(m)]) for m in engines.all_mutants() if key(m) in known)
+    found = engines.recorded((m, known[m.key]) for m in engines.all_mutants() if m.key in known)
     engines.WITNESSES.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     print(f"{len(found)} mutants with the test that notices each in {engines.WITNESSES.relative_to(ROOT)}")
     return 0
@@ -160,14 +160,14 @@ def table(known: Known) -> int:
     """What is judged of all functions as they stand now, module by module, whatever was drawn."""
     from mutation import engines, formulas
 
-    judged = [m for m in (*formulas.all_mutants(), *engines.all_mutants()) if key(m) in known]
+    judged = [m for m in (*formulas.all_mutants(), *engines.all_mutants()) if m.key in known]
     by_room: dict[str, list[Mutant]] = {}
     for mutant in judged:
         by_room.setdefault("/".join(Path(mutant.file).parts[1:3]), []).append(mutant)
     why = explained()
     for room, mutants in sorted(by_room.items()):
-        counts = Counter(known[key(m)]["verdict"] for m in mutants)
-        told = sum(known[key(m)]["verdict"] == "survived" and m.stable in why for m in mutants)
+        counts = Counter(known[m.key]["verdict"] for m in mutants)
+        told = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mutants)
         print(
             f"{room}: {len(mutants)} judged, {counts['killed']} killed, {counts['survived']} survived, {told} explained"
         )
@@ -175,8 +175,12 @@ def table(known: Known) -> int:
 
 
 def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> list[Mutant]:
+    parts = options.file.split(",")
+    if options.again:
+        why = explained()
+        mutants = [m for m in mutants if m.key in options.once_more and m.stable not in why]
     return drawn(
-        [m for m in mutants if options.file in m.file and options.function in m.function],
+        [m for m in mutants if any(part in m.file for part in parts) and options.function in m.function],
         options.sample or most,
         options.seed,
     )
@@ -185,21 +189,21 @@ def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> lis
 def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
     """Print the score and the survivors that nobody explained."""
     why = explained()
-    judged = [m for m in chosen if key(m) in known]
+    judged = [m for m in chosen if m.key in known]
     scores = []
     for sort in ("papers", "engines"):
         mine = [m for m in judged if ("/papers/" in m.file) == (sort == "papers")]
         if not mine:
             continue
-        counts = Counter(known[key(m)]["verdict"] for m in mine)
-        told = sum(known[key(m)]["verdict"] == "survived" and m.stable in why for m in mine)
+        counts = Counter(known[m.key]["verdict"] for m in mine)
+        told = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mine)
         real = len(mine) - counts["equivalent"] - told
         words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
         scores.append(100 * counts["killed"] / real if real else 100.0)
         print(f"{sort}: {len(mine)} mutants: {words} ({told} of the survivors explained); score {scores[-1]:.1f} %")
-    left = [m for m in judged if known[key(m)]["verdict"] not in HARMLESS and m.stable not in why]
+    left = [m for m in judged if known[m.key]["verdict"] not in HARMLESS and m.stable not in why]
     for m in left:
-        print(f"{known[key(m)]['verdict']}: {m.name} ({known[key(m)].get('by', '')})")
+        print(f"{known[m.key]['verdict']}: {m.name} ({known[m.key].get('by', '')})")
     if len(judged) < len(chosen):
         print(f"{len(chosen) - len(judged)} mutants are left: run it again")
     return int(min(scores, default=100) < TARGET if by_score else bool(left))

@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent
 #: Where the map is kept between runs.
 MAP = ROOT / "mutation" / ".state" / "coverage.json"
 #: The packages whose mutants are judged by tests.
-ENGINE = ("readings", "symbolic", "roots", "verification")
+ENGINE = ("readings", "symbolic", "roots", "verification", "splines", "programs", "geometry")
 #: Caches that hold what was read from files, the same for every mutant.
 READ = ("papers", "_formulas", "all_formulas", "service", "example", "example_names")
 #: The tests of a function by line, counted from its first.
@@ -87,7 +87,7 @@ class Mapper:
     def pytest_sessionfinish(self) -> None:
         """The map is written."""
         self.measured.stop()
-        known = json.loads(MAP.read_text(encoding="utf-8")) if MAP.is_file() else {"functions": {}, "seconds": {}}
+        known = read_map() if MAP.is_file() else {"functions": {}, "seconds": {}}
         others = set(known["seconds"]) - set(self.seconds)
         functions = {}
         for room in ENGINE:
@@ -100,9 +100,7 @@ class Mapper:
                         "fingerprint": fingerprint(node),
                         "lines": self._lines(node, contexts, before, others),
                     }
-        MAP.parent.mkdir(exist_ok=True)
-        text = json.dumps({"functions": functions, "seconds": {**known["seconds"], **self.seconds}}, ensure_ascii=False)
-        MAP.write_text(text, encoding="utf-8")
+        write_map({"functions": functions, "seconds": {**known["seconds"], **self.seconds}})
 
     def _lines(self, node: ast.FunctionDef, contexts: dict[int, list[str]], before: Lines, others: set[str]) -> Lines:
         lines = {}
@@ -112,6 +110,29 @@ class Mapper:
             if tests:
                 lines[offset] = sorted(tests)
         return lines
+
+
+def write_map(found: dict[str, Any]) -> None:
+    """Write a map: tests by number, and each set of tests once, as many lines have the same."""
+    number = {test: i for i, test in enumerate(found["seconds"])}
+    sets: dict[tuple[int, ...], int] = {}
+    functions = {}
+    for name, entry in found["functions"].items():
+        lines = {k: tuple(number[test] for test in tests) for k, tests in entry["lines"].items()}
+        functions[name] = {**entry, "lines": {k: sets.setdefault(tests, len(sets)) for k, tests in lines.items()}}
+    MAP.parent.mkdir(exist_ok=True)
+    text = json.dumps({"seconds": found["seconds"], "sets": [*sets], "functions": functions}, ensure_ascii=False)
+    MAP.write_text(text, encoding="utf-8")
+
+
+def read_map() -> dict[str, Any]:
+    """The map with the names of tests in their places."""
+    found = json.loads(MAP.read_text(encoding="utf-8"))
+    tests = [*found["seconds"]]
+    sets = [[tests[i] for i in numbers] for numbers in found["sets"]]
+    for entry in found["functions"].values():
+        entry["lines"] = {k: sets[i] for k, i in entry["lines"].items()}
+    return {"seconds": found["seconds"], "functions": found["functions"]}
 
 
 def pytest_configure(config: Any) -> None:

@@ -58,14 +58,14 @@ def _silent(done: int, status: int) -> Result:
     """The result of a process that left none: it took too long, or it crashed."""
     if not done:
         return {"verdict": "timeout"}
-    endless = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM
+    endless = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF
     return {"verdict": "killed", "by": "a test does not end" if endless else f"crash, status {status}"}
 
 
 def end_after(seconds: float) -> None:
-    """Let this process die when it is not told otherwise in so many seconds."""
-    signal.signal(signal.SIGALRM, signal.SIG_DFL)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    """Let this process die when it is not told otherwise in so many seconds of processor time."""
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
 
 
 def _child(task: Any, work: Callable[[Any], Result], file: Any) -> None:

@@ -6,23 +6,26 @@ it, means equivalent. Anything else has survived.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from typing import Any
 
+from exactspline.errors import InapplicableError
+from exactspline.language.adjoined_root import Adjoined
+from exactspline.language.arguments import PARAMETERS
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import DIMENSIONS
 from exactspline.language.parts import split
-from exactspline.papers import all_formulas, papers
+from exactspline.papers import papers
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.examples import example
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import factor_parts
-from exactspline.verification.claims import all_claims
-from exactspline.verification.kinds.identity import Identity
+from exactspline.verification.claim_factor import WEIGHTS, factor_parts
+from exactspline.verification.claims import claims_in
 from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.paper_curves import own_curves
 from exactspline.verification.verdict import Row
 from mutation.forked import Result, forked
 from mutation.mutants import Mutant, live, mutants
@@ -74,26 +77,43 @@ def _called(function: Any) -> Iterator[Place]:
                 yield module, value.__name__
 
 
-def calling(place: Place) -> list[str]:
-    """The names of the formulas that reach a function."""
-    return [name for name, formula in all_formulas().items() if place in reached(home(formula))]
+@cache
+def every_formula() -> tuple[Formula, ...]:
+    """The formulas of all papers that come with the library."""
+    return tuple(formula for source in papers() for formula in source.formulas.values())
 
 
-def speaking(names: list[str]) -> list[Claim]:
-    """The claims that name one of these formulas, also in a factor."""
-    wanted = set(names) | {name.rpartition(":")[2] for name in names}
-    return [c for c in all_claims() if wanted & {*c.named, *_in_factor(c)}]
+def calling(place: Place) -> list[Formula]:
+    """The formulas that reach a function."""
+    return [formula for formula in every_formula() if place in reached(home(formula))]
 
 
-def _in_factor(claim: Claim) -> list[str]:
-    return [name for name, _ in factor_parts(claim.factor)] if isinstance(claim, Identity) else []
+def spoken_of(claim: Claim) -> list[Formula]:
+    """The formulas that a claim names, in a factor and in what it assumes, too."""
+    factor = getattr(claim, "factor", "")
+    beside = [name for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS] if factor else []
+    known = claim.source_paper, *claim.source_paper.uses
+    stated = [re.split(" [≠≢] ", each.name)[0] for each in claim.assumes]
+    assumed = [name for name in stated if any(name in source.formulas for source in known)]
+    return [claim.find(name) for name in (*claim.named, *beside, *assumed)]
+
+
+@cache
+def _reached_by(claim: Claim) -> frozenset[Place]:
+    return frozenset[Place]().union(*[reached(home(formula)) for formula in spoken_of(claim)])
+
+
+def speaking(places: Iterable[Place]) -> list[Claim]:
+    """The claims of all papers that speak of a formula that reaches one of these functions."""
+    wanted = frozenset(places)
+    return [claim for claim in claims_in(papers()) if wanted & _reached_by(claim)]
 
 
 def quick(claim: Claim) -> Iterator[Row]:
     """The claim on a few curves; a degree for all curves before, which is only counted."""
     if claim.kind == "degree":
         yield proved(claim)
-    for task in tasks([claim], [example(name) for name in CURVES]):
+    for task in tasks([claim], list(own_curves(claim.source_paper).values()) or [example(name) for name in CURVES]):
         yield task()
 
 
@@ -105,7 +125,7 @@ def slow(claim: Claim) -> Iterator[Row]:
 
 def _extent(claim: Claim) -> int:
     """How many functions its formulas reach: of a claim with few the numbers stay small."""
-    return len(frozenset[Place]().union(*[reached(home(claim.find(name))) for name in claim.named]))
+    return len(_reached_by(claim))
 
 
 def _baseline(claim: Claim) -> Result:
@@ -127,7 +147,7 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
     with the original failed).
     """
     places = {(mutant.module, mutant.function) for mutant in chosen}
-    claims = speaking(sorted({name for place in places for name in calling(place)}))
+    claims = speaking(places)
     times: dict[int, float] = {}
     for i, result in forked(range(len(claims)), lambda i: _baseline(claims[i]), seconds, jobs):
         if result["verdict"] == "ok" and all(result["as_recorded"]):
@@ -135,50 +155,49 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
 
     def work(mutant: Mutant) -> Result:
         place = mutant.module, mutant.function
-        names = calling(place)
-        chosen_claims = sorted((c for c in speaking(names) if id(c) in times), key=lambda c: (_extent(c), times[id(c)]))
+        mine = (claim for claim in speaking([place]) if id(claim) in times)
+        chosen_claims = sorted(mine, key=lambda c: (_extent(c), times[id(c)]))
         original = live(*place).__code__
         mutant.apply()
         for made in (quick, slow):
             if told := next(filter(None, (_refuted(claim, made) for claim in chosen_claims)), ""):
                 return {"verdict": "killed", "by": told}
         changed, live(*place).__code__ = live(*place).__code__, original
-        before = list(_meanings(names, place))
+        before = list(_meanings(place))
         live(*place).__code__ = changed
-        return {"verdict": "equivalent" if _same(before, list(_meanings(names, place))) else "survived"}
+        return {"verdict": "equivalent" if before == list(_meanings(place)) else "survived"}
 
     yield from forked(chosen, work, seconds, jobs)
 
 
-def _meanings(names: list[str], place: Place) -> Iterator[tuple[str, Any]]:
+def _meanings(place: Place) -> Iterator[tuple[str, Any]]:
     """The naive degrees of formulas, and what they are in the jets: of those nearest to a function only, where it has
     no meaning of its own.
     """
-    own = [name for name in names if home(all_formulas()[name]) == place]
-    for name in names:
-        formula = all_formulas()[name]
-        for dimension in DIMENSIONS[formula.curve]:
+    formulas = calling(place)
+    own = [formula for formula in formulas if home(formula) == place]
+    for formula in formulas:
+        for dimension in formula.kind.dimensions:
             for polynomial in () if formula.kind.adjoins_roots else (False, True):
-                for parameter in ("s", "s̄") if formula.curve == "pair" else ("s",):
-                    reading = DegreeReading(parameter=parameter)
-                    c = reading.argument(formula.kind, dimension, polynomial=polynomial)
-                    yield name, _text(formula(c).degree)
-            if name in own or not own:
+                yield formula.name, _degrees(formula, dimension, polynomial)
+            if formula in own or not own:
                 c = RationalJetReading(order_of(formula, dimension)).argument(formula.kind, dimension)
-                yield name, _jets(formula(c))
+                yield formula.name, [_jet(part) for part in split(formula(c))[0]]
 
 
-def _text(degree: Any) -> str:
-    return str(degree)
+def _degrees(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
+    """Counted as Table 1 does, in each parameter; none where what depends on an argument has no degree."""
+    found = []
+    for parameter in PARAMETERS if formula.kind.parts else PARAMETERS[:1]:
+        try:
+            c = DegreeReading(parameter=parameter).argument(formula.kind, dimension, polynomial=polynomial)
+        except InapplicableError:
+            return []
+        found.append(str(formula(c).degree))
+    return found
 
 
-def _jets(value: Any) -> list[tuple[str, str]]:
-    parts, denominator = split(value)
-    return [
-        (str(x.top), str(x.bottom)) if hasattr(x, "top") else (repr(x), "")
-        for x in ([*parts] if denominator is None else [*parts, denominator])
-    ]
-
-
-def _same(before: list[tuple[str, Any]], after: list[tuple[str, Any]]) -> bool:
-    return before == after
+def _jet(x: Any) -> Any:
+    if isinstance(x, Adjoined):
+        return [_jet(part) for part in (x.plain, x.rooted, x.square)]
+    return str(x.top), str(x.bottom)

@@ -10,11 +10,11 @@ import ast
 import copy
 import gc
 import inspect
-import random
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
+from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
 from types import CodeType, FunctionType
@@ -73,10 +73,10 @@ class Mutant:
         """What the results call it."""
         return f"{self.file}:{self.function}:{self.line}:{self.column}: {self.says} [{self.kind}]"
 
-    @property
+    @cached_property
     def key(self) -> str:
         """It alone, as long as its function says what it says, wherever that stands."""
-        return f"{self.file}:{self.function}#{self.number}@{fingerprint(node_of(self.file, self.function))}"
+        return f"{self.file}:{self.function}#{self.number}@{_fingerprint(self.file, self.function)}"
 
     @property
     def stable(self) -> str:
@@ -100,9 +100,9 @@ class Mutant:
         old, new = function.__code__, _found(code, self.function.split("."))
         function.__code__ = new
         inner = dict(zip(_inner(old), _inner(new), strict=False))
-        for made in [f for f in gc.get_objects() if type(f) is FunctionType and f.__code__ in inner]:
-            # what the function has made before, as a module was imported
-            made.__code__ = inner[made.__code__]
+        for made in made_inside():
+            if made.__code__ in inner:
+                made.__code__ = inner[made.__code__]
 
 
 class _Replaced(ast.NodeTransformer):
@@ -124,6 +124,11 @@ def parsed(file: str) -> ast.Module:
 def node_of(file: str, function: str) -> ast.FunctionDef:
     """A function in the syntax tree of its file."""
     return dict(functions(parsed(file)))[function]
+
+
+@cache
+def _fingerprint(file: str, function: str) -> str:
+    return fingerprint(node_of(file, function))
 
 
 def functions(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.FunctionDef]]:
@@ -161,6 +166,13 @@ def live(module: str, function: str) -> FunctionType:
     if not isinstance(found, FunctionType):
         raise ValueError(f"{module}:{function} is no function")
     return found
+
+
+@cache
+def made_inside() -> list[FunctionType]:
+    """The functions that others have made before, as modules were imported."""
+    found = [f for f in gc.get_objects() if type(f) is FunctionType and "<locals>" in f.__qualname__]
+    return [f for f in found if str(f.__module__).startswith("exactspline")]
 
 
 def mutants(file: str) -> list[Mutant]:
@@ -317,17 +329,14 @@ _OF: dict[type, Callable[[Any], Iterator[tuple[str, ast.expr]]]] = {
 def drawn(all_mutants: list[Mutant], count: int, seed: int) -> list[Mutant]:
     """So many mutants, as evenly as can be from every module, the same for the same seed.
 
-    What is drawn first stays when more are drawn, so that a run can be continued.
+    What is drawn first stays when more are drawn, and when other functions are edited, so that a run can be continued.
     """
     by_file: dict[str, list[Mutant]] = {}
-    for mutant in all_mutants:
+    for mutant in sorted(all_mutants, key=lambda m: sha256(f"{seed} {m.key}".encode()).digest(), reverse=True):
         by_file.setdefault(mutant.file, []).append(mutant)
-    order = random.Random(seed)
-    for group in by_file.values():
-        order.shuffle(group)
     chosen: list[Mutant] = []
     while len(chosen) < count and any(by_file.values()):
-        for group in by_file.values():
-            if group and len(chosen) < count:
-                chosen.append(group.pop())
+        for file in sorted(by_file):
+            if by_file[file] and len(chosen) < count:
+                chosen.append(by_file[file].pop())
     return chosen

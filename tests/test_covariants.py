@@ -151,7 +151,7 @@ def test_the_formula_behind_the_proof():
 
     def value(polynomial, x, w, at):
         xs, ws = taylor(x, at), taylor(w, at)
-        known = {("x", i): xs[i] for i in range(d + 1)} | {("w", i): ws[i] for i in range(d + 1)}
+        known = {("x", (i,)): xs[i] for i in range(d + 1)} | {("w", (i,)): ws[i] for i in range(d + 1)}
         total = mpq(0)
         for exponents, c in polynomial.terms():
             term = mpq(int(c.p), int(c.q))

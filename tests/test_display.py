@@ -27,13 +27,13 @@ from exactspline.display.tables import (
 from exactspline.geometry.constructions import construction
 from exactspline.geometry.derived import derive
 from exactspline.language.kinds import CURVE
-from exactspline.papers import all_formulas, find
+from exactspline.papers import all_formulas, find, papers
 from exactspline.readings.degree import Degree, DegreeReading, parse
 from exactspline.readings.jet import JetReading
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.lowest_terms import control_point_count
-from exactspline.verification.claims import all_claims, select
+from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.errata import errata
 from exactspline.verification.statement import latex_of, sides, statements
 from exactspline.verification.verdict import REFUTED
@@ -73,7 +73,7 @@ def is_latex(text):
     for sign in text.replace(r"\{", "").replace(r"\}", ""):
         depth += (sign == "{") - (sign == "}")
         assert depth >= 0, text
-    return depth == 0 and text.isascii() and text.count(r"\left") == text.count(r"\right")
+    return depth == 0 and text.isascii() and text.isprintable() and text.count(r"\left") == text.count(r"\right")
 
 
 # ---- HTML and pictures
@@ -179,6 +179,12 @@ def test_every_statement_is_latex_and_its_naive_side_has_the_higher_degree(secti
         roles = [side.role for side in sides(claim)]
         assert roles[0] != "reduced"
         assert roles.count("naive") == roles.count("reduced") <= 1
+
+
+@pytest.mark.parametrize("source", papers(), ids=lambda source: source.name)
+def test_every_claim_of_every_paper_is_latex(source):
+    for claim in claims_of(source):
+        assert is_latex(claim.latex.replace("−", "-").replace("…", "").replace("δ", "").replace("ö", "o")), claim.key
 
 
 # ---- short texts and tables

@@ -183,6 +183,24 @@ def test_places_are_named_missed_and_invented():
         assert outcome(at_end, "roots", answer) == RIGHT
 
 
+def test_a_part_with_equal_weights_is_a_part_of_a_rational_curve():
+    curve = xs.Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 2), (3, 1), (4, 0), (5, 3)], [1, 1, 1, 2, 1])
+    case = Case("example", "example", curve, mpq(1))
+    answer = answer_of(case, "split")
+    assert [len(row) for part in answer["curves"] for row in part["rows"]] == [3] * 6
+    recheck(curve_data(curve), "1", "split", answer)
+
+
+@pytest.mark.parametrize(("scale", "knots"), [(1, [0] * 4 + [1] * 4), (10**6, [3] * 4 + [3 + 10**4] * 4)])
+def test_straight_is_what_a_tolerance_may_overlook_in_any_unit(scale, knots):
+    missed = {}
+    for bits in (12, 16, 24, 26, 40):
+        points = [(0, 0), (scale, scale * (1 - mpq(1, 2**bits))), (2 * scale, 2 * scale), (3 * scale, 3 * scale)]
+        case = Case("example", "example", xs.Nurbs(3, knots, points), mpq(knots[0]))
+        missed[bits] = judged(case, "inflections", answer_of(case, "inflections"), {"answer": [[]]}).outcome
+    assert missed == {12: MISSED, 16: MISSED, 24: RIGHT, 26: RIGHT, 40: RIGHT}
+
+
 def test_two_zeros_that_a_tolerance_cannot_tell_apart_are_one_place():
     def apart(k):
         e = mpq(1, 1 << (2 * k))

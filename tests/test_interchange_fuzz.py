@@ -158,7 +158,9 @@ def test_changed_files_and_kept_ones(name):
     """Some twenty seconds of `tests.fuzz_readers`, from its kept files too."""
     if name in ("font", "glif"):
         pytest.importorskip("fontTools")
-    failures, read_well, longest = fuzz(name, 3000, seed=0, keep=False)
+    # every archive is read by a process of its own
+    failures, read_well, longest = fuzz(name, 300 if name == "3dm" else 3000, seed=0, keep=False)
     assert failures == 0
-    assert read_well > 50
+    # an archive has check sums
+    assert read_well > (3 if name == "3dm" else 50)
     assert longest < SOON

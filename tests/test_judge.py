@@ -7,14 +7,22 @@ import pytest
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, det
 from exactspline.papers import find, paper
 from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claim import combined
 from exactspline.verification.claims import all_claims, select
-from exactspline.verification.kinds import DegreeClaim, Identity, SameSurface, SquareClass, Vanishing, ZeroSet
+from exactspline.verification.kinds import (
+    Coefficients,
+    DegreeClaim,
+    Identity,
+    SameSurface,
+    SquareClass,
+    Vanishing,
+    ZeroSet,
+)
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, ContradictionError
 
@@ -185,6 +193,17 @@ def test_zero_sets_of_vectors_compare_all_components(also):
     assert replace(claim, formulas=("f2", shifted)).check(example("rational_cubic_s")).verdict == REFUTED
 
 
+def test_zero_sets_of_numerators_as_they_come_keep_what_cancels(also):
+    """f2 x / x is f2, but its numerator as it comes vanishes where x does."""
+    padded = also("padded", lambda c: find("f2")(c) * c.p[0] / c.p[0], "plane")
+    claim = ZeroSet(**TOLD | {"curve": "plane", "formulas": ["f2", padded]})
+    for order in (claim.formulas, claim.formulas[::-1]):
+        assert verdict(replace(claim, formulas=order)) == REFUTED
+    harmless = also("harmless", lambda c: find("f2")(c) * c.w / c.w, "plane")
+    assert verdict(replace(claim, formulas=("f2", harmless))) == UNDECIDED
+    assert verdict(replace(claim, formulas=("f2", harmless), assumes=[assumption("w")])) == PROVED
+
+
 def test_where_one_of_two_equal_surfaces_has_no_ruling_is_named():
     (claim,) = [c for c in select(["C6.2c"]) if c.kind == "same surface" and c.right == "point_bisector"]
     _, finding = claim.prove()
@@ -203,6 +222,23 @@ def test_a_claim_for_all_d_fails_if_it_fails_for_one():
     assert verdict(reduced) == REFUTED
     assert "lower for d = 1" in reduced.prove()[1].computed
     assert verdict(replace(reduced, least_d=2)) == PROVED
+
+
+def test_where_a_value_vanishes_it_has_no_degree(also):
+    """w [p γ‴] is 0 on curves of degree 2, where 2d − 4 is 0."""
+    jerk = also("jerk", lambda c: c.w * det(c.p, c.gamma.d(3)), "plane")
+    told = TOLD | {"curve": "plane", "formula": jerk, "measure": "lowest terms", "of": "polynomial"}
+    claim = DegreeClaim(**told, claimed="2d − 4", least_d=2)
+    assert claim.prove()[1].witness == "at d = 2: -1, not 0"
+    assert verdict(replace(claim, relation="≥")) == REFUTED
+    assert verdict(replace(claim, relation="≤")) == PROVED
+    assert verdict(replace(claim, least_d=3)) == PROVED
+
+
+def test_what_is_zero_has_no_coefficient_but_zero(also):
+    third = also("third", lambda c: c.p.d(3) * c.w, "plane")
+    claim = Coefficients(**TOLD | {"curve": "plane", "formula": third, "curves": "generic", "of": "rational"})
+    assert claim.prove()[1].witness == "it is zero for every curve of degree 2"
 
 
 def test_leading_terms_of_a_sum_of_different_degrees_keep_the_dominant_one(also):

@@ -1,6 +1,7 @@
 """The monomial reading against the generic Bézier segments of single degrees."""
 
 from dataclasses import replace
+from functools import reduce
 from math import comb
 
 import pytest
@@ -61,3 +62,20 @@ def test_terms_of_different_degree_are_not_added():
     c = BernsteinTermReading().argument(CURVE, 2)
     with pytest.raises(FormulaError, match="different degree"):
         c.p[0] + c.w
+
+
+@pytest.mark.parametrize("order", range(6))
+def test_derivatives_of_a_term_are_those_of_its_powers(order):
+    """``(∂v − ∂u)ᵏ u^U v^V`` by the binomial theorem, with falling factorials of U = d − a and V = a."""
+    p = BernsteinTermReading().argument(CURVE, 2).p[0]
+    d, a, _ = p.exponents[0].context().gens()
+
+    def falling(x, k):
+        return reduce(lambda product, i: product * (x - i), range(k), d * 0 + 1)
+
+    expected = {
+        (i, order - i): (-1) ** i * comb(order, i) * falling(d - a, i) * falling(a, order - i) for i in range(order + 1)
+    }
+    assert p.d(order).terms == expected
+    assert p.d(order).exponents == (d - a, a)
+    assert (p.d(order) - p.d(order)).is_zero

@@ -2,8 +2,6 @@
 pole.
 """
 
-import sys
-
 import pytest
 from gmpy2 import mpq
 
@@ -15,7 +13,7 @@ from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import homogeneous
 from exactspline.display.plot.functions import plot_function, plot_roots
-from exactspline.display.plot.html import Scene, turning_page
+from exactspline.display.plot.html import Scene, scenes_data, turning_page
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.errors import FormulaError, ShapeError
@@ -161,18 +159,41 @@ def test_approaches_are_compared_by_what_they_cost():
     ]
 
 
-def test_pages_need_no_network_and_say_what_is_missing(monkeypatch):
+def test_pages_need_no_network_and_show_scenes_in_one_box():
     mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
-    page = turning_page(
-        [Scene("a", mesh, [("curve", [[(mpq(0),) * 3, (mpq(1),) * 3]])], [("Q", (mpq(0),) * 3)])], "title"
-    )
+    curve = [[(mpq(0),) * 3, (mpq(9),) * 3]]
+    scenes = [Scene("a", mesh, [("</script>", curve)], [("Q", (mpq(0),) * 3)]), Scene("b", mesh)]
+    page = turning_page(scenes, "title")
     assert "<script src=" not in page
-    assert page == turning_page(
-        [Scene("a", mesh, [("curve", [[(mpq(0),) * 3, (mpq(1),) * 3]])], [("Q", (mpq(0),) * 3)])], "title"
-    )
-    monkeypatch.setitem(sys.modules, "plotly.graph_objects", None)
-    with pytest.raises(PlotError, match=r"exactspline\[html\]"):
-        turning_page([Scene("a", mesh)], "title")
+    assert page.count("</script>") == 1
+    assert page == turning_page(scenes, "title")
+    first, second = scenes_data(scenes)
+    assert first["box"] == second["box"]
+    assert first["box"][1][0] > 9
+    (shown,) = second["surfaces"]
+    assert [[shown["points"][k] for k in face] for face in shown["faces"]] == [
+        [[pytest.approx(float(x), rel=1e-4) for x in p] for p in face] for face in mesh.faces
+    ]
+
+
+def test_a_surface_between_two_heights_is_the_same_part_by_either_approach():
+    argument = example("helix_like").with_point(("1/3", "1/4", 1))
+    for name, rulings in (("point_bisector_polynomial", ("-1/4", "1/4")), ("point_bisector_direct_z", ("-1/2", "5/2"))):
+        mesh = ruled_mesh(find(name)(argument), rulings, heights=("-1/2", "5/2"))
+        rows = [row for rows in mesh.patches for row in rows]
+        assert {(row[0][2], row[-1][2]) for row in rows} == {(mpq(-1, 2), mpq(5, 2))}
+        if name == "point_bisector_polynomial":
+            before = rows
+    assert rows == before
+
+
+def test_a_level_ruling_has_no_part_between_two_heights():
+    line, level = BSpline(1, [0, 0, 1, 1], [0, 1]), BSpline(1, [0, 0, 1, 1], [1, 1])
+    rising = BSpline(1, [0, 0, 1, 1], [0, 1])
+    surface = RuledSurface(Vector(line, 0 * line, 0 * line), Vector(0 * line, level, rising))
+    rows = ruled_mesh(surface, (0, 1), heights=(1, 2)).patches[0]
+    assert rows[0] == [None] * len(rows[0])
+    assert all(p is None or 1 <= p[2] <= 2 for row in rows for p in row)
 
 
 def test_errors_say_what_would_be_right():

@@ -195,8 +195,76 @@ def test_de_boors_triangle_follows_the_point_and_the_curve_stays(browser, addres
         assert shown(tab, "triangle") == in_this_python("triangle", {"curve": finer, "share": "21/60"})
 
 
+def test_products_on_de_boors_page_are_those_of_the_library(browser, address):
+    with opened(browser, address, "play/de-boor.html") as tab:
+        shown(tab, "product")
+        curves = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")
+        curve = next(c for c in curves if c["name"] == "cubic_s")
+        tab.evaluate("delete document.body.dataset.product")
+        tab.select_option("#right", "x")
+        told = shown(tab, "product")
+        assert told == in_this_python("product", {"curve": curve, "share": "20/60", "factors": ["x", "x"]})
+        assert told["same"] is True
+        assert tab.locator("#product tbody tr").count() == len(told["left"])
+
+
+def pictures(tab: Any) -> list[bytes]:
+    """What the scenes of a page show, after the next frame is drawn and without a ring around what has the focus."""
+    tab.evaluate("document.activeElement.blur()")
+    tab.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    return [canvas.screenshot() for canvas in tab.locator("canvas").all()]
+
+
+def test_surfaces_turn_together_by_mouse_and_keys_and_come_back(browser, address):
+    with opened(browser, address, "play/surface.html") as tab:
+        tab.wait_for_function("document.body.dataset.surface", timeout=PATIENCE)
+        names = tab.locator("#surfaces option").evaluate_all("all => all.map((o) => o.value)")
+        assert len(names) >= 5
+        canvas = tab.locator("canvas").first
+        start = pictures(tab)
+        assert len(start) == 2
+        canvas.press("ArrowLeft")
+        turned = pictures(tab)
+        assert all(a != b for a, b in zip(start, turned, strict=True))
+        canvas.press("ArrowRight")
+        assert pictures(tab) == start
+        box = canvas.bounding_box()
+        tab.mouse.move(box["x"] + 100, box["y"] + 100)
+        tab.mouse.down()
+        tab.mouse.move(box["x"] + 160, box["y"] + 120)
+        tab.mouse.up()
+        assert all(a != b for a, b in zip(start, pictures(tab), strict=True))
+        tab.get_by_role("button", name="Turn back").click()
+        tab.mouse.move(0, 0)
+        assert pictures(tab) == start
+        tab.locator(".switches label", has_text="surface").click()
+        assert all(a != b for a, b in zip(start, pictures(tab), strict=True))
+        for name in names:
+            tab.select_option("#surfaces", name)
+            tab.wait_for_function(f"document.body.dataset.surface === '{name}'", timeout=PATIENCE)
+
+
+def test_the_curve_stands_in_a_page_of_somebody_else(browser, address):
+    """One script tag, on a page of another host."""
+    given = {"degree": 2, "knots": list("000111"), "points": [["0", "0"], ["1", "2"], ["2", "0"]], "weights": ["1"] * 3}
+    code = base64.urlsafe_b64encode(json.dumps(given).encode()).decode().rstrip("=")
+    tab = browser.new_page()
+    tag = f'<script src="{address}/play/embed.js" data-curve="{code}" data-height="700"></script>'
+    page = f"<p>before</p>{tag}<p>after</p>"
+    tab.route("http://another.example/", lambda route: route.fulfill(body=page, content_type="text/html"))
+    tab.goto("http://another.example/")
+    frame = tab.frame_locator("iframe")
+    frame.locator("#status", has_text="certified").wait_for(timeout=PATIENCE)
+    told = json.loads(frame.locator("body").get_attribute("data-features"))
+    assert told == in_this_python("features", given)["features"]
+    assert tab.locator("iframe").bounding_box()["height"] == 700
+    assert frame.locator("header").is_hidden()
+    assert tab.locator("p").all_inner_texts() == ["before", "after"]
+    tab.close()
+
+
 @pytest.mark.parametrize("width", [1280, 390])
-@pytest.mark.parametrize("page", ["curve", "reduce", "claims", "bisector", "degrees", "de-boor"])
+@pytest.mark.parametrize("page", ["curve", "reduce", "claims", "bisector", "degrees", "de-boor", "surface"])
 def test_no_page_is_wider_than_its_window(browser, address, page, width):
     with opened(browser, address, f"play/{page}.html", width) as tab:
         tab.wait_for_selector("main")

@@ -58,7 +58,7 @@ def test_there_are_enough_claims_and_no_statement_twice():
             c.curve,
             c.of,
             c.named,
-            *[getattr(c, x, "") for x in ("factor", "claimed", "measure", "under")],
+            *[getattr(c, x, "") for x in ("factor", "claimed", "measure", "under", "order", "parameter")],
         )
         for c in claims
     ]

@@ -12,6 +12,9 @@ import exactspline
 from tests.precision import precision
 
 ROOT = Path(exactspline.__file__).parent
+SPLINE = "exactspline.splines.bspline.BSpline"
+VECTOR = "exactspline.language.vector.Vector"
+QUOTIENT = "exactspline.language.rational.Rational"
 CHECKOUT = ROOT.parent
 
 
@@ -38,13 +41,18 @@ def mentions(tree: ast.AST | None, names: set[str]) -> bool:
     return tree is not None and any(isinstance(n, ast.Name) and n.id in names for n in ast.walk(tree))
 
 
+def public(name: str) -> bool:
+    """Whether a name is public: operators and other methods that Python calls are."""
+    return not name.startswith("_") or (name.startswith("__") and name.endswith("__"))
+
+
 def loose(body: list[ast.stmt], names: set[str], owner: str = "") -> list[str]:
     """The public functions and methods that have one of the names in their signature."""
     found = []
     for node in body:
-        if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+        if isinstance(node, ast.ClassDef) and public(node.name):
             found += loose(node.body, names, f"{node.name}.")
-        elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+        elif isinstance(node, ast.FunctionDef) and public(node.name):
             a = node.args
             given = [*a.posonlyargs, *a.args, *a.kwonlyargs, *filter(None, (a.vararg, a.kwarg))]
             if any(mentions(each, names) for each in (*[arg.annotation for arg in given], node.returns)):
@@ -60,8 +68,13 @@ def loose_signatures() -> set[str]:
     return found
 
 
-def test_no_public_signature_has_any():
-    assert loose_signatures() == set()
+#: Formulas keep their plain form: nothing in them is annotated, so no checker knows what one returns. It depends on its
+#: body (a scalar, a vector, a ruled surface) and on the reading of its argument.
+UNTYPED = {"language/formula.py: Formula.__call__"}
+
+
+def test_no_public_signature_has_any_but_the_call_of_a_formula():
+    assert loose_signatures() == UNTYPED
 
 
 def test_any_is_seen_wherever_it_stands_in_a_signature():
@@ -75,9 +88,10 @@ def _e(x: Any): ...
 class F:
     def g(self, *x: Any): ...
     def __add__(self, other: Any): ...
+    def _h(self) -> Any: ...
 """
     tree = ast.parse(text)
-    assert loose(tree.body, loose_names(tree)) == ["a", "b", "c", "F.g"]
+    assert loose(tree.body, loose_names(tree)) == ["a", "b", "c", "F.g", "F.__add__"]
 
 
 @pytest.mark.parametrize("folder", ["exactspline", "stubs", "tests", "mutation", "benchmarks"])
@@ -98,7 +112,12 @@ def test_a_type_checker_sees_through_the_front_door(tmp_path):
     asked = {
         "exactspline.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])": "exactspline.splines.nurbs.Nurbs",
         "exactspline.example('circle').split('1/2')[0]": "exactspline.splines.nurbs.Nurbs",
-        "exactspline.example('circle').w": "exactspline.splines.bspline.BSpline",
+        "exactspline.example('circle').w": SPLINE,
+        "exactspline.example('circle').w * 2 - exactspline.example('circle').p[0]": SPLINE,
+        "exactspline.example('circle').w * exactspline.example('circle').p": f"{VECTOR}[{SPLINE}]",
+        "exactspline.example('circle').p * exactspline.example('circle').w": f"{VECTOR}[{SPLINE}]",
+        "exactspline.example('circle').p[0] / exactspline.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
+        "exactspline.example('circle').p / exactspline.example('circle').w": f"{QUOTIENT}[{SPLINE}]",
         "exactspline.zeros(exactspline.example('circle').w)": "exactspline.roots.zero_set.ZeroSet",
         "exactspline.zeros(exactspline.example('circle').w).roots[0]": "exactspline.roots.root.Root",
     }

@@ -4,24 +4,16 @@ import re
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import given
-from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, zeros
+from exactspline import BSpline, Nurbs
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
-from exactspline.splines.bernstein import from_bezier
 from exactspline.splines.examples import example
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.verification.check_arguments import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.claims import all_claims, matches, select
-from exactspline.verification.conditioning import compare
-from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions, conditioning
-from exactspline.verification.conditioning.condition_number import condition_number, local
-from exactspline.verification.conditioning.double_precision import Double, double_precision_root
-from exactspline.verification.conditioning.search import Tally
 from exactspline.verification.curve_check import extra_zero, where_it_differs
 from exactspline.verification.degree_tables import _bisected, construction_table, formula_table
 from exactspline.verification.errata import errata, name_of, numbered, remarks
@@ -172,6 +164,15 @@ def test_a_joined_degree_leaves_out_what_is_constant():
     assert str(joined_degree(flat)) == "d − 1"
 
 
+def test_a_joined_degree_counts_components_that_are_constant_and_none_that_vanish():
+    """(3, x‴) has degree 0 for d < 3; x‴ alone vanishes there."""
+    joined = lambda function: str(joined_degree(reduce(function, dimension=2, polynomial=True)))  # noqa: E731
+    assert joined(lambda c: Vector(c.p[0] * 0 + 3, c.p[0].d(3))) == "max(d − 3, 0)"
+    assert joined(lambda c: Vector(c.p[0] * 0, c.p[0].d(3))) == "d − 3"
+    assert joined(lambda c: Vector(c.p[0] * 0 + 3, c.p[0] * 0)) == "0"
+    assert joined(lambda c: Vector(c.p[0] * 0, c.p[0] * 0)) == "−1"
+
+
 def test_what_is_measured_are_the_formulas_of_the_dimension():
     assert {f.curve for f in measurable(2)} == {"plane", "curve"}
     assert {f.curve for f in measurable(3)} == {"space", "curve"}
@@ -295,103 +296,6 @@ def test_an_identity_is_told_with_the_names_of_its_sides():
 
 
 # ---- conditioning
-
-
-def conditions(condition, other, growth=None, one_sign=True, doubles=(None, None)):
-    forms = [
-        FormAtRoot("naive", 6, 1, other, growth, one_sign, doubles[1]),
-        FormAtRoot("minimal", 3, 1, condition, None, False, doubles[0]),
-    ]
-    return RootConditions(zeros(T - mpq(1, 2))[0], tuple(forms))
-
-
-def test_condition_numbers_compare_as_intervals():
-    one, two = (mpq(1), mpq(2)), (mpq(3), mpq(4))
-    assert (conditions(two, one).compare("naive"), conditions(one, two).compare("naive")) == (1, -1)
-    assert conditions(one, (mpq(2), mpq(3))).compare("naive") == 0
-    assert conditions((mpq(2), mpq(3)), one).compare("naive") == 0
-    assert conditions(one, two).ratio("naive") == mpq(3, 7)
-
-
-def test_verdicts_count_zeros_and_say_where_the_theorem_speaks():
-    unit = (mpq(1), mpq(1))
-    rows = (conditions((mpq(5), mpq(5)), unit), conditions(unit, (mpq(5), mpq(5))), conditions(unit, unit))
-    told = Conditioning("c", "zero_curvature", rows, {}, ()).verdicts
-    assert told == {"naive": "the reduced form is worse conditioned at 1 of 3 zeros, better at 1"}
-    rows = (conditions((mpq(5), mpq(5)), unit, growth=unit), conditions(unit, unit, growth=unit, one_sign=False))
-    told = Conditioning("c", "zero_curvature", rows[:1], {}, ()).verdicts["naive"]
-    assert told == (
-        "the reduced form is worse conditioned at 1 of 1 zero, better at 0; by the theorem it cannot be better at 1"
-    )
-    assert "theorem" not in Conditioning("c", "zero_curvature", rows[1:], {}, ()).verdicts["naive"]
-
-
-def test_a_tally_counts_what_it_is_given():
-    unit, five = (mpq(1), mpq(1)), (mpq(5), mpq(5))
-    tally = Tally("f", "zero_curvature", "naive")
-    first, second, third = (example(n) for n in ("circle", "ellipse", "parabola"))
-    units = lambda n: Double(n * mpq(1, 2**53))  # noqa: E731
-    tally.add(conditions(five, unit, doubles=(units(4), units(1))), first)
-    tally.add(conditions(unit, five, growth=unit, doubles=(units(1), units(mpq(5, 2)))), second)
-    tally.add(conditions(unit, unit, doubles=(Double(None), units(9))), third)
-    tally.add(conditions(unit, unit, doubles=(units(2), Double(None))), third)
-    tally.add(conditions(unit, unit, doubles=(units(2), units(1))), third)
-    tally.add(conditions(unit, unit, doubles=(units(1), units(2))), third)
-    assert (tally.worse, tally.better, tally.equal) == (1, 1, 4)
-    assert (tally.proved, tally.contradicted) == (1, 1)
-    assert tally.largest == (5, first)
-    assert tally.smallest == (mpq(1, 5), second)
-    assert (tally.double_worse, tally.double_better) == (2, 2)
-
-
-def test_a_bracket_reaches_halfway_to_the_next_zeros_and_ends():
-    f = BSpline.bezier([-1, 5]) * BSpline.bezier([-1, 1]) * BSpline.bezier([-3, 1])  # zeros at 1/6, 1/2, 3/4
-    middle = next(r for r in zeros(f) if r == mpq(1, 2))
-    low, high = compare._bracket(f.forms[0], f.degree, middle, zeros(f))
-    assert abs(low - mpq(1, 3)) < mpq(1, 10**20)
-    assert abs(high - mpq(5, 8)) < mpq(1, 10**20)
-    first = next(r for r in zeros(f) if r == mpq(1, 6))
-    assert compare._bracket(f.forms[0], f.degree, first, zeros(f))[0] == 0
-    on_two = BSpline(1, [0, 0, 3, 5, 5], [-1, -1, 1])
-    (only,) = zeros(on_two)
-    assert compare._segment_of(on_two, only) == 1
-    assert compare._bracket(on_two.forms[1], 1, only, zeros(on_two)) == (0, 1)
-    ended = BSpline.bezier([0, -1, 2])  # a zero at the start and one inside
-    inner = next(r for r in zeros(ended) if not r.at_knot)
-    x = local(inner)[0]
-    assert compare._bracket(ended.forms[0], 2, inner, zeros(ended)) == (x / 2, 1)
-
-
-@given(st.lists(st.integers(-9, 9), min_size=2, max_size=5), st.integers(1, 11))
-def test_a_condition_number_of_order_zero_is_the_sum_of_the_sizes_over_the_size(points, k):
-    x = mpq(k, 12)
-    f = BSpline.bezier(points)
-    if not f(x):
-        return
-    low, high = condition_number(f.forms[0], f.degree, zeros(T - x)[0], 0)
-    expected = BSpline.bezier(list(map(abs, points)))(x) / abs(f(x))
-    assert low <= expected <= high
-    assert high - low <= mpq(1, 10**10) * low
-
-
-def test_double_precision_finds_what_doubles_can_hold():
-    exact = double_precision_root(from_bezier([mpq(-1), mpq(1)]), 1, mpq(1, 2), (mpq(0), mpq(1)))
-    assert (exact.error, exact.units, exact.reason) == (0, 0, "")
-    none = double_precision_root(from_bezier([mpq(1), mpq(1)]), 1, mpq(1, 2), (mpq(0), mpq(1)))
-    assert (none.error, none.units, none.reason) == (None, None, "no change of sign in doubles")
-    wide = double_precision_root(from_bezier([mpq(-1), mpq(1, 10**650)]), 1, mpq(1, 2), (mpq(0), mpq(1)))
-    assert wide.reason == "the coefficients span more than the range of doubles"
-    third = double_precision_root(from_bezier([mpq(-1), mpq(2)]), 1, mpq(1, 3), (mpq(0), mpq(1)))
-    assert 0 < third.error == abs(mpq(*(1 / 3).as_integer_ratio()) - mpq(1, 3))
-    assert third.units == third.error * 2**53
-
-
-def test_what_conditioning_leaves_out_is_named():
-    flat = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
-    told = conditioning(flat, "zero_curvature", doubles=False)
-    assert told.left_out == ("[0, 1], where the form vanishes identically",)
-    assert told.roots == ()
-    assert told.verdicts == {}
 
 
 def test_a_formula_is_known_by_a_name_that_finds_it():

@@ -29,6 +29,8 @@ def main() -> int:
     source.mkdir(parents=True)
     play = source / "_extra" / "play"
     shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
+    for kind in ("js", "css"):
+        shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
     vendor(PROJECT / ".site-cache", play / "vendor", PROJECT)
     (source / "_static" / "mathjax").mkdir(parents=True)
     shutil.move(play / "vendor" / "mathjax" / "tex-svg.js", source / "_static" / "mathjax")

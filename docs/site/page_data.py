@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import exactspline as xs
+from exactspline.display.figures import FIGURES
+from exactspline.display.plot.canvas import Run, sampled
+from exactspline.display.plot.html import Scene, scenes_data
+from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
 from exactspline.papers import papers
 from exactspline.readings.degree import parse
 from exactspline.verification.claims import claims_in
@@ -21,7 +26,12 @@ DEGREES = range(2, 13)
 def write(folder: Path) -> None:
     """The files of the pages, as JSON."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name, made in (("curves", curves()), ("degrees", degrees()), ("claims", claims())):
+    shown = surfaces()
+    (folder / "surfaces").mkdir(exist_ok=True)
+    listed = [{key: one[key] for key in ("name", "title", "caption")} for one in shown]
+    told = {"curves": curves(), "degrees": degrees(), "claims": claims(), "surfaces": listed}
+    told |= {f"surfaces/{one['name']}": one["scenes"] for one in shown}
+    for name, made in told.items():
         (folder / f"{name}.json").write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
 
 
@@ -57,6 +67,40 @@ def degrees() -> dict[str, list[dict[str, Any]]]:
             {"object": r.object, "naive": both(r.naive), "paper": both(r.paper), "lowest": both(r.true)} for r in table
         ]
     return made
+
+
+def surfaces() -> list[dict[str, Any]]:
+    """Surfaces as the pages turn them: a name, a title, a caption, and the scenes that stand side by side."""
+    figures = {4: "Point and helix-like curve: two bisectors", 6: "Point and ellipse: bisectors, and that in the plane"}
+    made = []
+    for number, title in figures.items():
+        drawn = FIGURES[number]()
+        made.append(_turned(f"figure-{number}", title, drawn.caption, drawn.scenes))
+    cubic, rational = xs.example("twisted_cubic"), xs.example("rational_space_cubic")
+    tangents = ruled_mesh(xs.find("tangent_developable_reduced")(rational), (0, "1/4"))
+    binormals = ruled_mesh(xs.find("binormal_scroll_reduced")(rational), ("-1/150", "1/150"))
+    scenes = [Scene(title, m, [_runs(rational)]) for title, m in (("tangents", tangents), ("binormals", binormals))]
+    caption = "The ruled surfaces of the tangents and of the binormals of a rational cubic, with their control nets."
+    made.append(_turned("ruled", "Tangents and binormals of a space curve", caption, scenes))
+    focal = ruled_mesh(xs.find("focal_surface_reduced")(cubic), (-1, 1), ((-3, -4, -2), (4, 4, 5)))
+    caption = "Through every centre of curvature of the twisted cubic a line along the binormal: its focal surface."
+    made.append(_turned("focal", "The focal surface of the twisted cubic", caption, [Scene("", focal, [_runs(cubic)])]))
+    lines = [
+        xs.Nurbs(1, [-2, -2, 2, 2], [(-2, 0, -1), (2, 0, -1)], name="one line"),
+        xs.Nurbs(1, [-2, -2, 2, 2], [(0, -2, 1), (0, 2, 1)], name="the other"),
+    ]
+    saddle = tensor_mesh(xs.find("bisector_symmetric")(xs.surface_pair(*lines)))
+    caption = "All points as far from one line as from the other: a hyperbolic paraboloid."
+    made.append(_turned("lines", "The bisector of two lines", caption, [Scene("", saddle, list(map(_runs, lines)))]))
+    return made
+
+
+def _turned(name: str, title: str, caption: str, scenes: Sequence[Scene]) -> dict[str, Any]:
+    return {"name": name, "title": title, "caption": caption, "scenes": scenes_data(scenes)}
+
+
+def _runs(curve: xs.Nurbs) -> tuple[str, list[Run]]:
+    return curve.name, [[p for _, p in part] for part in sampled(curve, curve.breakpoints)]
 
 
 def claims() -> list[dict[str, Any]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 import subprocess
 import sys
@@ -38,8 +37,10 @@ def vendor(cache: Path, target: Path, project: Path) -> None:
     for file in wheels.glob("*.whl"):
         shutil.copy(file, target)
     _pip("wheel", "--no-deps", "--wheel-dir", str(target), str(project))
-    names = sorted(file.name for file in target.glob("*.whl"))
-    (target / "manifest.json").write_text(json.dumps({"wheels": names}), encoding="utf-8")
+    script = Path(__file__).parent / "library.mjs"
+    subprocess.run(["node", str(script), str(target / "pyodide"), str(target), str(target / "library.zip")], check=True)
+    for file in target.glob("*.whl"):
+        file.unlink()
 
 
 def _from_npm(file: str, package: str, inside: str, cache: Path, target: Path) -> None:

@@ -9,6 +9,7 @@ from itertools import count, zip_longest
 
 from exactspline.classroom.parts import Math, Part, Point, Polynomial
 from exactspline.classroom.reading import AnswerError, cleaned, numbers, points, polynomials
+from exactspline.errors import counted
 from exactspline.exact import mpq, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -73,6 +74,14 @@ def shown(point: Sequence[mpq]) -> str:
     return text(point[0]) if len(point) == 1 else f"({', '.join(map(text, point))})"
 
 
+def named(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
+    """Values with their names, as they are printed with commas between them."""
+    joined: list[Part] = []
+    for name, value in zip(names, values, strict=True):
+        joined += [*([", "] if joined else []), Math(name, (value,))]
+    return tuple(joined)
+
+
 @dataclass(frozen=True)
 class Numbers(Answer):
     """Numbers in an order, each with its name."""
@@ -88,10 +97,7 @@ class Numbers(Answer):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The answer as it is printed."""
-        joined: list[Part] = []
-        for name, value in zip(self.names, self.values, strict=True):
-            joined += [*([", "] if joined else []), Math(name, (value,))]
-        return tuple(joined)
+        return named(self.names, self.values)
 
     @property
     def written(self) -> str:
@@ -102,7 +108,7 @@ class Numbers(Answer):
         """Every number that is another one, or their count."""
         found = numbers(answer)
         if len(found) != len(self.values):
-            yield f"{_counted(len(self.values), 'number')} wanted, not {len(found)}"
+            yield f"{counted(len(self.values), 'number')} wanted, not {len(found)}"
             return
         for name, right, given in zip(self.names, self.values, found, strict=True):
             if given != right:
@@ -176,10 +182,10 @@ class Points(Answer):
         rows, dimension = self.rows, len(self.rows[0])
         found = points(answer, dimension)
         if any(len(point) != dimension for point in found):
-            yield f"points of {_counted(dimension, 'coordinate')} are wanted"
+            yield f"points of {counted(dimension, 'coordinate')} are wanted"
             return
         if len(found) != len(rows):
-            yield f"{_counted(len(rows), 'point')} wanted, not {len(found)}"
+            yield f"{counted(len(rows), 'point')} wanted, not {len(found)}"
             return
         wrong = [i for i, (right, given) in enumerate(zip(rows, found, strict=True)) if right != given]
         for i in wrong:
@@ -213,10 +219,7 @@ class Polynomials(Answer):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The answer as it is printed."""
-        joined: list[Part] = []
-        for name, value in zip(self.names, self.values, strict=True):
-            joined += [*([", "] if joined else []), Math(name, (value,))]
-        return tuple(joined)
+        return named(self.names, self.values)
 
     @property
     def written(self) -> str:
@@ -229,7 +232,7 @@ class Polynomials(Answer):
         """Every coefficient that is another one; then a parameter and both values there."""
         found = polynomials(answer)
         if len(found) != len(self.values):
-            yield f"{_counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
+            yield f"{counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
             return
         for name, right, given in zip(self.names, self.values, found, strict=True):
             pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
@@ -276,10 +279,6 @@ class Circle(Answer):
                 yield "it is no circle"
             return
         yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
-
-
-def _counted(n: int, what: str) -> str:
-    return f"{n} {what}{'s' if n != 1 else ''}"
 
 
 def _values_of(p: Polynomial) -> Callable[[mpq], Point]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from collections.abc import Callable
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+from typer.core import TyperCommand
 
 from exactspline.cli import (
     bench,
@@ -35,7 +37,23 @@ from exactspline.cli import (
 from exactspline.cli.output import guard_output
 from exactspline.errors import ExactSplineError
 
+if TYPE_CHECKING:
+    from typer._click.core import Context, Parameter
+
+#: So many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
+YOUNG = 100_000
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
+#: What status 1 of a command says; the others have none.
+STATUS_1 = {
+    prove.prove: "a verdict differs from the record, or an --identity does not hold",
+    show.show: "a verdict differs from the record",
+    degrees.degrees: "a degree differs from the printed one",
+    check_answer.check_answer: "the answer is not right",
+    sweep.sweep: "a verdict differs from the record, or the program failed on a curve",
+    bench.bench: "a target is missed",
+}
+#: What else a status says.
+STATUS_2 = {sweep.sweep: "bad input, or a curve that cannot be read; 130 interrupted"}
 app = typer.Typer(
     help="B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'.",
     epilog="\b\nBegin with:\n  exactspline prove\n  exactspline errata\n  exactspline inspect ellipse\n\n"
@@ -119,14 +137,28 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
 }
 
 
-def _epilog(examples: list[str]) -> str:
+class Command(TyperCommand):
+    """A command whose help names its arguments in capitals, without the types of Python."""
+
+    def get_params(self, ctx: Context) -> list[Parameter]:
+        """The parameters, arguments under names in capitals."""
+        found = super().get_params(ctx)
+        for parameter in found:
+            if parameter.param_type_name == "argument":
+                parameter.metavar = parameter.metavar or str(parameter.name).upper()
+                vars(parameter)["display_type_rich"] = lambda ctx: None
+        return found
+
+
+def _epilog(command: Callable[..., None], examples: list[str]) -> str:
     """Examples a line each: click keeps the lines of a paragraph that begins with a backspace."""
     lines = "\n".join(f"  exactspline {example}" for example in examples)
-    return f"\b\nExamples:\n{lines}\n\n{EXIT_STATUS}"
+    one = f" 1 {STATUS_1[command]};" if command in STATUS_1 else ""
+    return f"\b\nExamples:\n{lines}\n\nExit status: 0 success;{one} 2 {STATUS_2.get(command, 'bad input')}."
 
 
 for command, (short, *examples) in COMMANDS.items():
-    app.command(short_help=short, epilog=_epilog(examples))(command)
+    app.command(short_help=short, epilog=_epilog(command, examples), cls=Command)(command)
 
 
 def _version(wanted: bool) -> None:
@@ -148,6 +180,7 @@ def options(
 
 def main() -> None:
     """Entry point: bad input ends in one line on standard error and exit status 2."""
+    gc.set_threshold(YOUNG)
     guard_output()
     try:
         try:

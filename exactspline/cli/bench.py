@@ -27,7 +27,7 @@ def bench(
     section: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="[SECTION]...",
+            metavar="SECTION",
             help="features, forms, roots, splines, growth, linear, commands, sweep, memory; all without any.",
             autocompletion=_sections,
         ),

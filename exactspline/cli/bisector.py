@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve
+from exactspline.cli.common import CURVE_HELP, check_output, described, load_curve, tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
 
 if TYPE_CHECKING:
@@ -89,7 +89,10 @@ def bisector(
     if plot:
         from exactspline.display.plot import save
 
-        save(answer.draw(), plot)
+        drawn = answer.draw()
+        save(drawn, plot)
+        if drawn.name == "3d":
+            tell_how_surfaces_are_drawn()
     if out.for_people and (output or plot):
         return
     key = f"{c.name} and {other or point}"
@@ -153,7 +156,7 @@ def _surface_row(patch: BisectorPatch) -> Row:
 
     remark = f"{counted(patch.value)} control points"
     if max(patch.value.degree) == 0:
-        point = patch.value(patch.sides[0][0], patch.sides[1][0])
+        point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
         remark = f"one point: ({', '.join(map(str, point))})"
     return Row("surface", sides_text(patch.sides), degree_of(patch.value), remark)
 

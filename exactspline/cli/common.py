@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 import typer
 
 from exactspline.cli.output import is_quiet
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, ExactSplineError, counted
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -108,7 +108,6 @@ def curves_in(name: str) -> list[Nurbs]:
     """An example curve by its name, or the curves of a file in whatever format (``font.ttf:ampersand``; ``-`` for
     standard input); what is not read is named on standard error.
     """
-    from exactspline.interchange.files import read
     from exactspline.splines.examples import curve_from_text, load
 
     given = _standard_input() if name == "-" else None
@@ -121,6 +120,8 @@ def curves_in(name: str) -> list[Nurbs]:
     if text is not None and _is_one_curve(text, name):
         # what `derive` wrote is read here, and more is told of what is wrong
         return [load(name)] if given is None else [_at_standard_input(lambda: curve_from_text(_text(given), "stdin"))]
+    from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
+
     reading = read(name) if given is None else _at_standard_input(lambda: read(given))
     tell_skipped(reading)
     if not reading.curves:
@@ -162,15 +163,27 @@ def _head(name: str) -> bytes | None:
 
 
 def _is_one_curve(head: bytes, name: str) -> bool:
-    """Whether a file is meant as one curve in exactspline's own JSON."""
-    meant = head.lstrip(_BLANK)[:1] == b"{" or name.lower().endswith(".json")
-    return meant and not _SEVERAL.search(head)
+    """Whether a file is meant as one curve in exactspline's own JSON: not where its suffix is another format's."""
+    from exactspline.interchange.formats import FORMATS
+
+    suffix, begin = Path(name).suffix.lower(), head.lstrip(_BLANK)[:1]
+    if suffix != ".json" and any(suffix in known.suffixes for known in FORMATS):
+        return False
+    return (begin == b"{" or (suffix == ".json" and begin != b"[")) and not _SEVERAL.search(head)
 
 
 def tell_skipped(reading: Reading) -> None:
     """What a reader skipped and what it noted, on standard error."""
     for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
         sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
+
+
+def tell_how_surfaces_are_drawn() -> None:
+    """On standard error, where nothing is at hand that draws them with depth."""
+    from exactspline.display.plot.depth import REMARK, knows_depth
+
+    if not knows_depth() and not is_quiet():
+        sys.stderr.write(f"{REMARK}\n")
 
 
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
@@ -201,8 +214,8 @@ def described(c: Nurbs) -> str:
     """A curve in one line; equal weights are told to be polynomial."""
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
-    segments = f"{c.segments} segment{'s' if c.segments != 1 else ''}"
-    return f"{kind}{equal}, degree {c.degree}, {segments}, {len(c.control_points)} control points in R{c.dimension}"
+    segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")
+    return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}"
 
 
 def check_output(output: str, *inputs: str) -> None:

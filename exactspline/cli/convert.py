@@ -40,7 +40,7 @@ def convert(
     ] = "",
 ) -> None:
     """Convert curves between formats without rounding; what is not read is named on standard error."""
-    from exactspline.errors import CurveFileError
+    from exactspline.errors import CurveFileError, counted
     from exactspline.interchange.files import encoded, read, write
 
     check_output(target, source.rpartition(":")[0] or source, source)
@@ -66,9 +66,7 @@ def convert(
         "convert",
         lambda: [row | {"skipped": skipped if i == 0 else []} for i, row in enumerate(rows)],
         lambda: [_sheet(rows)],
-        lambda: _told(
-            out, [*notes], f"{len(curves)} curve{'s' if len(curves) > 1 else ''} from {reading.format} to {target}"
-        ),
+        lambda: _told(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
     )
 
 

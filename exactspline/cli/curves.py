@@ -1,8 +1,10 @@
-"""``exactspline curves``: the example curves."""
+"""``exactspline curves``: the example curves and surfaces."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+import typer
 
 from exactspline.cli.output import Output, printing
 
@@ -11,8 +13,14 @@ if TYPE_CHECKING:
 
 
 @printing
-def curves(out: Output) -> None:
-    """List the named example curves."""
+def curves(
+    out: Output,
+    surfaces: Annotated[bool, typer.Option("--surfaces", help="List the example surfaces instead.")] = False,
+) -> None:
+    """List the named example curves, or surfaces."""
+    if surfaces:
+        _surfaces(out)
+        return
     from exactspline.display.sheet import Sheet
     from exactspline.splines.examples import example, example_names
 
@@ -40,3 +48,32 @@ def curves(out: Output) -> None:
         return [made]
 
     out.give("curves", lambda: rows, sheets)
+
+
+def _surfaces(out: Output) -> None:
+    """The example surfaces."""
+    from exactspline.display.sheet import Sheet
+    from exactspline.splines.examples import example_surface, example_surface_names
+
+    found = [example_surface(name) for name in example_surface_names()]
+    rows = [
+        {
+            "key": s.name,
+            "name": s.name,
+            "degree": list(s.degree),
+            "dimension": s.dimension,
+            "polynomial": s.polynomial,
+            "patches": list(s.patches),
+            "note": s.note,
+        }
+        for s in found
+    ]
+
+    def sheets() -> list[Sheet]:
+        made = Sheet("name", "kind", "degree", "patches", "dimension", "note", numbers=["dimension"], prose=["note"])
+        for s in found:
+            kind = "polynomial" if s.polynomial else "rational"
+            made.add_row(s.name, kind, *(f"{m} × {n}" for m, n in (s.degree, s.patches)), s.dimension, s.note)
+        return [made]
+
+    out.give("surfaces", lambda: rows, sheets)

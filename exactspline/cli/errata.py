@@ -8,7 +8,7 @@ import typer
 
 from exactspline.cli.common import Digits, Exact, Papers, Trust
 from exactspline.cli.output import Output, printing
-from exactspline.errors import ClaimError, nearest
+from exactspline.errors import ClaimError, counted, nearest
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -63,7 +63,9 @@ def errata(
             if entry not in found:
                 _print(shown, "Remark: ", entry, digits, exact)
         statements = sum(len(entry.statements) for entry in listed)
-        console.lines(shown, f"{len(listed)} errors of the paper, {statements} statements refuted")
+        console.lines(
+            shown, f"{counted(len(listed), 'error')} of the paper, {counted(statements, 'statement')} refuted"
+        )
         if not out.quiet:
             console.legend(shown, ["PROVED", "VERIFIED"])
 

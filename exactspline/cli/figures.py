@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exactspline.cli.common import tracked
+from exactspline.cli.common import tell_how_surfaces_are_drawn, tracked
 from exactspline.cli.output import Output, printing
 
 if TYPE_CHECKING:
@@ -34,6 +34,8 @@ def figures(
 
     place = made_folder(folder)
     made = tracked([partial(make, number, place) for number in figure or FIGURES], "drawing")
+    if any(file.endswith(".html") for m in made for file in m.files):
+        tell_how_surfaces_are_drawn()
 
     def sheets() -> list[Sheet]:
         sheet = Sheet("figure", "caption", "files", prose=["caption", "files"])

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
 def grade(
     out: Output,
     library: Annotated[
-        list[str] | None,
-        typer.Argument(metavar="LIBRARY...", help="Libraries by name; all that are installed if none."),
+        list[str] | None, typer.Argument(metavar="LIBRARY", help="Libraries by name; all that are installed if none.")
     ] = None,
     cases: Annotated[
         int, typer.Option("--cases", metavar="N", min=0, help="The first N cases of each family; 0 for all.")

@@ -1,4 +1,4 @@
-"""``inspect``: the features of a curve."""
+"""``inspect``: the features of a curve, or of a surface."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ ALL = "all"
 @printing
 def inspect(
     out: Output,
-    curve: Annotated[list[str], typer.Argument(metavar="CURVE...", help=CURVE_HELP)],
+    curve: Annotated[
+        list[str], typer.Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON), or an example of one.")
+    ],
     digits: Annotated[
         int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
     ] = 20,
@@ -35,7 +37,9 @@ def inspect(
     plot: Annotated[
         str,
         typer.Option(
-            "--plot", metavar="FILE", help="Draw the curve and the function that was solved into an SVG or PNG file."
+            "--plot",
+            metavar="FILE",
+            help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file.",
         ),
     ] = "",
     coordinates: Annotated[
@@ -60,11 +64,21 @@ def inspect(
     ] = "",
 ) -> None:
     """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
-    to any number of digits.
+    to any number of digits; of surfaces the sign of the Gaussian curvature, parabolic curves, umbilics and poles, of
+    maps of the plane the sign of the Jacobian.
     """
+    from exactspline.cli.surfaces import inspect_surfaces, is_surface
     from exactspline.geometry.inspection import Approach
     from exactspline.splines.curve_files import write_json
 
+    if surfaces := [name for name in curve if is_surface(name)]:
+        if len(surfaces) < len(curve):
+            raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
+        given_options = {"--coordinates": coordinates, "--certificate": certificate, "--emit-coq": emit_coq}
+        if refused := next((option for option, value in given_options.items() if value), ""):
+            raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
+        inspect_surfaces(out, surfaces, digits, plot)
+        return
     if approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(curve) > 1:

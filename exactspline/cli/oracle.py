@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 @printing
 def oracle(
     out: Output,
-    curve: Annotated[list[str] | None, typer.Argument(metavar="CURVE...", help=CURVE_HELP)] = None,
+    curve: Annotated[list[str] | None, typer.Argument(metavar="CURVE", help=CURVE_HELP)] = None,
     ask: Annotated[
         list[str] | None,
         typer.Option(
@@ -64,7 +64,7 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
     """An answer, one number a row."""
     from exactspline.display.sheet import Sheet
 
-    made = Sheet("what", "name", "exactly", "double", title=row["key"], name=row["key"], prose=["exactly"])
+    made = Sheet("what", "name", "value", "double", title=row["key"], name=row["key"], prose=["value"])
     for item in row["items"]:
         for name, number in item["values"].items():
             exact = number["exact"] if number["exact"] is not None else _between(number, digits)
@@ -79,11 +79,11 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
 
 
 def _between(number: dict[str, Any], digits: int) -> str:
-    """A certified interval as a decimal: what is known of an irrational number."""
+    """An irrational number: the decimals that its certified interval makes certain, and dots."""
     from exactspline.exact import rational
     from exactspline.roots.enclosure import Enclosure
 
-    return f"{Enclosure(rational(number['low']), rational(number['high']), digits)}…"
+    return Enclosure(rational(number["low"]), rational(number["high"]), digits).certain
 
 
 def _shown(fact: object) -> str:

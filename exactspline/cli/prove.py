@@ -366,7 +366,9 @@ class _Ledger:
                 shown.print()
             title = f"{c.name}: {described(c)}"
             own = [row for row in self.rows if row.curve == c.name]
-            if listed:
+            if not own:
+                console.lines(shown, title)
+            elif listed:
                 shown.print(ledger(own, title, self.digits, exact=self.exact))
             else:
                 made = by_section(own)

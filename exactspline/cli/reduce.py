@@ -40,6 +40,7 @@ def reduce(
     degree.
     """
     from exactspline.display.reductions import reduction_rows, reduction_sheet
+    from exactspline.language.formula import Formula
     from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas
     from exactspline.symbolic.reduction import reduce as reduction
@@ -50,7 +51,11 @@ def reduce(
         if one
         else [f for f in all_formulas().values() if f.kind is not TABLE and not f.kind.adjoins_roots]
     )
-    calls = [partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial)) for f in chosen]
+    calls = [
+        partial(_guarded, name, partial(reduction, f, dimension=dimension, polynomial=polynomial, parameter=parameter))
+        for f in chosen
+        for parameter in (f.kind.counted if isinstance(f, Formula) and len(f.kind.counted) > 1 else (None,))
+    ]
     found = tracked(calls, "reducing")
     out.give(
         "reduce",

@@ -48,7 +48,7 @@ def _backends(given: str) -> list[str]:
 Corpus = Annotated[
     list[str] | None,
     typer.Argument(
-        metavar="[CORPUS]...",
+        metavar="CORPUS",
         help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
         "names of example curves.",
         autocompletion=_completed,
@@ -69,7 +69,7 @@ Find = Annotated[
         "--find",
         metavar="WHAT",
         help="inflections, extrema, corners, critical_points, singular_points, joints, straight_pieces, "
-        "constant_pieces, torsion_zeros, or all. May be repeated. [default: the first three]",
+        "constant_pieces, torsion_zeros, or all. May be repeated. [default: inflections, extrema, corners]",
         autocompletion=_inspections,
     ),
 ]

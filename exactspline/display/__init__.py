@@ -5,7 +5,22 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from exactspline.display.latex import latex
-from exactspline.display.notebook import html, load_ipython_extension, short
+
+if TYPE_CHECKING:
+    from exactspline.display.notebook import html, load_ipython_extension, short
 
 __all__ = ["html", "latex", "load_ipython_extension", "short"]
+
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name):
+        """What notebooks ask for, imported when it is first used: commands do without it."""
+        if name not in __all__:
+            raise AttributeError(f"module 'exactspline.display' has no attribute {name!r}")
+        found = globals()[name] = getattr(import_module("exactspline.display.notebook"), name)
+        return found

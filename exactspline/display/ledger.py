@@ -10,6 +10,7 @@ from functools import cache
 
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.papers import Paper, paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
@@ -195,12 +196,13 @@ def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
 
 def closing(rows: Sequence[Row]) -> str:
     """The last line: how many verdicts there are of each kind and whether any differs from the record."""
+    if not rows:
+        return "no verdicts"
     counts = Counter(map(word, rows))
     differ = sum(not row.as_recorded for row in rows)
     parts = ", ".join(f"{counts[w]} {w}" for w in WORDS if counts[w])
-    plural = "" if len(rows) == 1 else "s"
     end = f"{differ} DIFFER from the record" if differ else "all as recorded"
-    return f"{len(rows)} verdict{plural}: {parts}; {end}"
+    return f"{counted(len(rows), 'verdict')}: {parts}; {end}"
 
 
 def said(row: Row) -> str:
@@ -214,12 +216,8 @@ def headline(rows: Sequence[Row]) -> str:
     general = Counter(row.verdict for row in printed if not row.curve)
     lines = sum(row.verdict == REFUTED for row in printed)
     holds = sum(general[verdict] for verdict in HOLDS)
-    told = f"{_count(general[REFUTED], 'statement')} of the paper refuted on {_count(lines, 'row')}; {holds} hold"
+    told = f"{counted(general[REFUTED], 'statement')} of the paper refuted on {counted(lines, 'row')}; {holds} hold"
     return told + (f"; {general[UNDECIDED]} undecided" if general[UNDECIDED] else "; none is undecided")
-
-
-def _count(n: int, what: str) -> str:
-    return f"{n} {what}{'' if n == 1 else 's'}"
 
 
 def keyed(rows: Iterable[Row]) -> list[tuple[str, str, Row]]:

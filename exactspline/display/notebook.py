@@ -14,6 +14,7 @@ from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.numbers import decimals
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts
+from exactspline.errors import counted
 from exactspline.exact import mpq, text
 from exactspline.geometry.derived import Derived
 from exactspline.language.rational import Rational
@@ -64,10 +65,6 @@ def _domain(ends: Any) -> str:
     return f"[{numbers(ends)}]"
 
 
-def _counted(n: int, what: str) -> str:
-    return f"{n} {what}{'s' if n != 1 else ''}"
-
-
 @html.register
 def _(f: BSpline) -> str:
     points = f"{len(f.control_points)}: {numbers(f.control_points)}"
@@ -87,7 +84,7 @@ def _(c: Nurbs) -> str:
     points = escape("; ".join("(" + ", ".join(decimals(text(x)) for x in p) + ")" for p in c.control_points[:SHOWN]))
     more = " …" if len(c.control_points) > SHOWN else ""
     lines = [
-        ("domain", f"{_domain(c.domain)}, {_counted(c.segments, 'segment')}"),
+        ("domain", f"{_domain(c.domain)}, {counted(c.segments, 'segment')}"),
         ("control points", f"{len(c.control_points)}: {points}{more}"),
     ]
     lines += [] if c.polynomial else [("weights", numbers(c.weights))]
@@ -104,7 +101,7 @@ def _described(value: Any) -> str:
         return ""
     what = "quotient of B-splines" if isinstance(value, Rational) else "vector of B-splines"
     a, b = scalars[0].domain
-    where = f"on [{text(a)}, {text(b)}], {_counted(len(scalars[0].mesh), 'segment')}"
+    where = f"on [{text(a)}, {text(b)}], {counted(len(scalars[0].mesh), 'segment')}"
     return f"{what}, degree {value.degree}, {control_point_count(value)} control points, {where}"
 
 
@@ -228,7 +225,7 @@ def short(x: object) -> str:
         a, b = x.domain
         described = (
             f"degree {x.degree}, {len(x.control_points)} control points on [{text(a)}, {text(b)}], "
-            f"{_counted(len(x.mesh), 'segment')}"
+            f"{counted(len(x.mesh), 'segment')}"
         )
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)
     if isinstance(x, (Vector, Rational, RuledSurface)):

@@ -5,18 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from exactspline.display.sheet import Sheet
-from exactspline.symbolic.reduction import Reduction
+from exactspline.language.kinds import PAIR, PLANE_PAIR
+from exactspline.language.surface_kind import BOTH
+from exactspline.symbolic.reduction import Part, Reduction
 
 
 def reduction_rows(found: Iterable[Reduction]) -> list[dict[str, object]]:
     """A row a part (a ruled surface has two), for programs."""
     return [
-        {"key": f"{r.name} in R{r.dimension}, {part.role}", "formula": r.name, "dimension": r.dimension}
+        {"key": f"{_label(r, part, always=True)}", "formula": r.name, "dimension": r.dimension}
         | {"polynomial": r.polynomial}
         | part.data()
         for r in found
         for part in r.parts
     ]
+
+
+def _label(r: Reduction, part: Part, *, always: bool = False) -> str:
+    """A row by its formula, its part and the parameter of its degrees, as far as there are several."""
+    words = [f"{r.name} in R{r.dimension}" if always else r.name]
+    words += [part.role] if always or len(r.parts) > 1 else []
+    words += (
+        [f"in {part.parameter}"] if len(r.kind.parameters(r.dimension)) > 1 and r.kind not in (PAIR, PLANE_PAIR) else []
+    )
+    return ", ".join(words)
 
 
 def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
@@ -32,7 +44,7 @@ def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
     for r in found:
         for part in r.parts:
             row = part.data()
-            label = r.name if len(r.parts) == 1 else f"{r.name}, {part.role}"
+            label = _label(r, part)
             grading = f"{row['k']}, {row['m']}, {row['j']}" if row["k"] is not None else "–"
             reduced = part.text + (f", poles at {row['poles']} = 0" if row["poles"] else "")
             made.add_row(
@@ -48,10 +60,18 @@ def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
     return made
 
 
+def _argument(r: Reduction) -> str:
+    """What a formula was reduced on."""
+    if r.kind.counted == BOTH:
+        return f"{r.kind.name} of degrees d_u and d_v"
+    curve = {2: "plane curve", 3: "space curve"}.get(r.dimension, f"curve in R{r.dimension}")
+    return f"{curve} of degree d" if r.kind.counted else f"{r.kind.name} that are functions of degree d_u and d_v"
+
+
 def explanations(r: Reduction) -> Iterator[str]:
     """Of what the factors are, and where the degree is lower: a sentence each."""
-    kind = {2: "plane curve", 3: "space curve"}.get(r.dimension, f"curve in R{r.dimension}")
-    yield f"For the {'polynomial' if r.polynomial else 'rational'} {kind} of degree d; verified by multiplication."
+    world = "polynomial" if r.polynomial else "rational"
+    yield f"For the {world} {_argument(r)}; verified by multiplication."
     for name, meaning in {p.name: p.meaning for part in r.parts for p in part.powers}.items():
         yield f"{name}: {meaning}"
     for part in r.parts:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from exactspline.errors import ClaimError, nearest
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import all_claims, matches
+from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import name_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity
 from exactspline.verification.statement import Statement
@@ -69,6 +70,7 @@ def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
         ("factor", f.factor if not isinstance(c, DegreeClaim | Identity) else ""),
         ("witness", f.witness),
         ("assumes", c.assumed),
+        ("divides by", ", ".join(divisors(c))),
         ("used", ", ".join(f.assumptions)),
         ("printed", f"“{c.words}”{f', {c.place}' if c.place else ''}" if c.words else c.place),
         ("note", c.note),

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from html import escape
-from typing import Any
 
 from exactspline.display import console
 from exactspline.display.sheet import Sheet
+from exactspline.errors import counted
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.language.services import Displayed
 from exactspline.papers import find
@@ -42,7 +42,7 @@ class Grid(Displayed):
     ellipse  2
     """
 
-    def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[Any]], title: str = "") -> None:
+    def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
         self.columns, self.rows, self.title = list(columns), [[str(cell) for cell in row] for row in rows], title
 
     def __len__(self) -> int:
@@ -156,11 +156,7 @@ def degree_table(curve: Nurbs) -> Grid:
         "true degree in d",
         "ms",
     ]
-    return Grid(
-        columns,
-        cells,
-        f"{curve.name}: degree {curve.degree}, {curve.segments} segment{'s' if curve.segments != 1 else ''}",
-    )
+    return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {counted(curve.segments, 'segment')}")
 
 
 def measured(curve: Nurbs, *names: str) -> Grid:

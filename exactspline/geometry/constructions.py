@@ -20,11 +20,19 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.papers import default_papers, find
-from exactspline.programs.wronskian import wronskian_of
+from exactspline.programs.invariants import slope, space_slope, turning, twisting
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive, without_factor
 from exactspline.splines.values import SplineValue, SplineVector
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+
+#: Of constructions that are zero sets the lifted form at its true degree, up to a positive constant.
+LOWEST = {
+    "zero_curvature": turning,
+    "critical_curvature": slope,
+    "zero_torsion": twisting,
+    "space_critical_curvature": space_slope,
+}
 
 
 class Variant(StrEnum):
@@ -104,7 +112,7 @@ class Construction:
             return cast("BSpline | SplineVector", numerator(value) if self.zero_set else joined(value))
         if not self.zero_set:
             return cast("BSpline | SplineVector", joined(in_lowest_terms(value_of(self.formula(variant)))))
-        formula, power = _lowest(self.wronskian_of if not curve.polynomial else "", self.lifted, *self._first)
+        formula, power = _lowest(self.lifted, *self._first)
         form = value_of(formula)
         assert isinstance(form, BSpline)
         if power % 2 and curve.w.polynomials[0][0] < 0:
@@ -142,9 +150,9 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
 
 
 @cache
-def _lowest(lift: str, lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
+def _lowest(lifted: str, construction: str, first: str, dimension: int) -> tuple[Formula, int]:
     """The formula from which the minimal form is made, and the power of w that it may still have."""
-    return wronskian_of(find(lift)) if lift else find(lifted), _power_of_w(lifted, construction, first, dimension)
+    return LOWEST.get(construction) or find(lifted), _power_of_w(lifted, construction, first, dimension)
 
 
 @cache

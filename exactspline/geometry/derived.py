@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.geometry.kinds import Interval
@@ -73,14 +73,14 @@ class Derived(Displayed):
         gaps = [f"not on {_shown(interval)}: {reason}" for interval, reason in self.missing]
         return "; ".join([f"on {there}", *gaps])
 
-    def __call__(self, t: Any) -> Any:
+    def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
         """Value at a parameter, by the first piece that holds it; `ShapeError` where there is none."""
         t = rational(t)
         for piece in self.pieces:
             if piece.interval[0] <= t <= piece.interval[1]:
                 return piece.value(t) if not isinstance(piece.value, Vector) else tuple(c(t) for c in piece.value)
         raise ShapeError(
-            f"{self.name} does not exist at the parameter {text(t)}",
+            f"{self.name} does not exist at the parameter {short_text(t)}",
             remedy="; ".join(reason for _, reason in self.missing),
         )
 

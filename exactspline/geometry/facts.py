@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from time import perf_counter
-from typing import Any, Generic, TypeVar, overload
+from typing import Any, Generic, TypeVar, cast, overload
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
@@ -36,7 +36,7 @@ from exactspline.language.choices import Side
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
-from exactspline.papers import find
+from exactspline.programs.invariants import INVARIANTS, bending, invariants, tangent
 from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
@@ -47,27 +47,28 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
 
 T = TypeVar("T")
+F = TypeVar("F", bound="Facts")
 
 
-class Fact(Generic[T]):
+class Fact(Generic[F, T]):
     """A property that is computed once for its object, under the object's lock, and kept."""
 
-    def __init__(self, compute: Callable[[Any], T]) -> None:
+    def __init__(self, compute: Callable[[F], T]) -> None:
         self.compute, self.__doc__ = compute, compute.__doc__
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
     @overload
-    def __get__(self, facts: None, owner: type) -> Fact[T]: ...
+    def __get__(self, facts: None, owner: type) -> Fact[F, T]: ...
 
     @overload
     def __get__(self, facts: Facts, owner: type) -> T: ...
 
-    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[T]:
+    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[F, T]:
         if facts is None:
             return self
-        return facts.once(self.name, lambda: self.compute(facts))
+        return facts.once(self.name, lambda: self.compute(cast(F, facts)))
 
 
 @dataclass(frozen=True)
@@ -87,21 +88,31 @@ class ZeroForm:
             value = self.form(root.low, side)
             return int(value > 0) - int(value < 0)
         segment = bisect_right(breaks, root.low) - 1
-        while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
-            segment += 1
-        if breaks[segment] == root:
-            return self.sign_at(knot_root(breaks[segment]), side)
+        if root.segment != breaks[segment : segment + 2]:
+            while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
+                segment += 1
+            if breaks[segment] == root:
+                return self.sign_at(knot_root(breaks[segment]), side)
         isolation = self.zeros.isolations[segment]
         if isolation is None:
             return 0
-        found = self.zeros.roots
-        position = bisect_left(found, root)
-        if position < len(found) and found[position] == root:
-            return 0
-        before = found[position - 1] if position else None
-        if before is not None and before > breaks[segment]:
-            return before.signs[1] or 0
-        return isolation.signs[0]
+        before = None
+        for zero in self._inside(segment, len(isolation.inner)):
+            if root < zero:
+                break
+            before = zero
+        if before is None:
+            return isolation.signs[0]
+        return 0 if before == root else before.signs[1] or 0
+
+    def _inside(self, segment: int, count: int) -> Sequence[Root]:
+        """The roots strictly inside a segment, so many."""
+        if not count:
+            return ()
+        found, start = self.zeros.roots, self.form.mesh.breaks[segment]
+        first = bisect_left(found, start, key=lambda zero: zero.low)
+        first += found[first].at_knot
+        return found[first : first + count]
 
     def vanishes_on(self, breaks: Sequence[mpq]) -> list[bool]:
         """Whether the form vanishes identically between breakpoints that are at least as fine as its own."""
@@ -176,7 +187,12 @@ class Facts:
         if self._given is None:
             value: SplineValue = formula(self.operands)
             return value
-        return self._given.value(formula)
+        return self._invariants[formula] if formula in INVARIANTS else self._given.value(formula)
+
+    @Fact
+    def _invariants(self) -> dict[Formula, SplineValue]:
+        assert self._given is not None
+        return invariants(self._given)
 
     def solved(self, form: Callable[[], BSpline]) -> ZeroForm:
         """A form and its zeros, and how long they took."""
@@ -191,7 +207,7 @@ class Facts:
     @Fact
     def velocity(self) -> Vector[BSpline]:
         """D1, a positive multiple of γ′."""
-        return Vector(*self._vector("D1"))
+        return self._vector(tangent)
 
     @Fact
     def speed(self) -> ZeroForm:
@@ -202,10 +218,10 @@ class Facts:
     def binormal(self) -> Vector[BSpline]:
         """A positive multiple of γ′ × γ″, of a space curve."""
         space(self.operands)
-        return Vector(*self._vector("binormal_form"))
+        return self._vector(bending)
 
-    def _vector(self, formula: str) -> Vector[BSpline]:
-        found = self.value_of(find(formula))
+    def _vector(self, formula: Formula) -> Vector[BSpline]:
+        found = self.value_of(formula)
         assert isinstance(found, Vector)
         return found
 
@@ -295,9 +311,10 @@ class Facts:
         resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
         knots = [Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1") for joint in resting]
         if not self.closed:
-            ends = zip((self.breaks[0], self.breaks[-1]), (Side.RIGHT, Side.LEFT), strict=True)
-            stands = [t for t, side in ends if all(x(t, side) == 0 for x in self.velocity)]
-            knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in stands]
+            ends = [(x._polynomials, x.degree) for x in self.velocity]
+            stands = all(c[0][0] == 0 for c, _ in ends), all(c[-1][n] == 0 for c, n in ends)
+            where = [t for t, still in zip((self.breaks[0], self.breaks[-1]), stands, strict=True) if still]
+            knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in where]
         return tuple(sorted(inner + knots, key=lambda f: f.root))
 
     @property

@@ -40,10 +40,9 @@ class RulingRelation:
     shift: Rational[BSpline]
     scale: Rational[BSpline]
 
-    def __call__(self, s: Any, ruling: Any, side: Side | str = Side.RIGHT) -> mpq:
+    def __call__(self, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> mpq:
         """ζ for λ on the ruling of the parameter s; `ZeroDivisionError` where the relation has a pole."""
-        value: mpq = self.shift(s, side) + self.scale(s, side) * rational(ruling)
-        return value
+        return self.shift.number(s, side=side) + self.scale.number(s, side=side) * rational(ruling)
 
 
 def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> SplineSurface:

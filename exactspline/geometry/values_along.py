@@ -129,8 +129,7 @@ def _segment_of_root(curve: Nurbs, root: Root) -> int:
 
 
 def _quotient(value: Rational[BSpline], t: mpq, side: Side | str) -> mpq:
-    quotient: mpq = value(t, side)
-    return quotient
+    return value.number(t, side=side)
 
 
 def _refuse_singular(curve: Nurbs, i: int, place: mpq | Root, side: Side | str) -> None:

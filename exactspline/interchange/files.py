@@ -113,9 +113,11 @@ def _by_suffix(path: str) -> Format:
 
 
 def _told(data: bytes, name: str) -> Format:
-    head = data[:HEAD]
+    head, suffix = data[:HEAD], Path(name).suffix.lower()
     for known in FORMATS:
-        if known.looks_like(head):
+        # what begins with a brace need not be JSON: bytes under the suffix of another format are what that one is told
+        braced = known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in FORMATS)
+        if known.looks_like(head) and not braced:
             return known
     try:
         return _by_suffix(name)

@@ -6,7 +6,7 @@ import json
 from typing import NoReturn
 
 from exactspline.errors import CurveFileError, NumberError
-from exactspline.splines.curve_files import once_each
+from exactspline.splines.json_files import once_each
 
 #: What a JSON text holds, numbers as text.
 Json = dict[str, "Json"] | list["Json"] | str | bool | None

@@ -46,8 +46,8 @@ def _described(rhino: Any, geometry: Any, where: str, name: str) -> list[dict[st
     ]
 
 
-def main() -> None:
-    """Read an archive from standard input."""
+def entries(data: bytes) -> list[dict[str, Any]]:
+    """What stands in an archive, in the memory that this process is then bound to."""
     import rhino3dm
 
     try:
@@ -57,11 +57,16 @@ def main() -> None:
     except (ImportError, ValueError, OSError):
         # no such limits on this system: the time is bounded all the same
         pass
-    model = rhino3dm.File3dm.FromByteArray(sys.stdin.buffer.read())
+    model = rhino3dm.File3dm.FromByteArray(data)
     rows = []
     for number, entry in enumerate(model.Objects, 1):
         rows += _described(rhino3dm, entry.Geometry, f"object {number}", str(entry.Attributes.Name or ""))
-    json.dump(rows, sys.stdout)
+    return rows
+
+
+def main() -> None:
+    """Read an archive from standard input."""
+    json.dump(entries(sys.stdin.buffer.read()), sys.stdout)
 
 
 if __name__ == "__main__":

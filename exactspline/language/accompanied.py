@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from exactspline.language.arguments import Curve, T, U
+from exactspline.language.operand import Operand
 from exactspline.language.vector import Vector
 
 V = TypeVar("V")
 
 #: What formulas may name besides the operands, made of the operands by name.
-Made = Callable[[Mapping[str, Any]], dict[str, object]]
+Made = Callable[[Mapping[str, Operand]], dict[str, object]]
 
 
 def nothing_made(operands: Mapping[str, object]) -> dict[str, object]:

@@ -9,11 +9,12 @@ is a proof for all curves. Extensions stand on each other: over σ the root ρ =
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, T
 from exactspline.language.operand import Constant, FieldOperand, Operand
-from exactspline.language.vector import cross, norm2
+from exactspline.language.vector import Vector, cross, norm2
 
 
 class Adjoined(FieldOperand):
@@ -152,11 +153,12 @@ def framed(curve: Curve[T]) -> FramedCurve:
     >>> norm2(tangent) == c.sigma.constant(1)
     True
     """
-    first = curve.gamma.d(1)
+    gamma = cast("Vector[T]", curve.gamma)  # a reading that can divide divides the components
+    first = gamma.d(1)
     sigma = root_of(norm2(first))
     if curve.dimension == 2:
         return FramedCurve(curve, {"sigma": sigma}, sigma.lifted)
-    bend = norm2(cross(first, curve.gamma.d(2)))
+    bend = norm2(cross(first, gamma.d(2)))
     rho = root_of(sigma.lifted(bend))
     return FramedCurve(
         curve, {"sigma": rho.lifted(sigma), "rho": rho}, lambda operand: rho.lifted(sigma.lifted(operand))

@@ -8,7 +8,7 @@ expression tree, a Taylor series. Nothing in this room knows which.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from exactspline.language.argument import Evaluated
 from exactspline.language.choices import Parameter
@@ -29,7 +29,7 @@ class Operands(Evaluated):
     def __init__(self, **named: Operand | Vector[Operand]) -> None:
         self.__dict__.update(named)
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         raise AttributeError(name)
 
     def operands(self) -> dict[str, Operand | Vector[Operand]]:
@@ -57,12 +57,18 @@ class Curve(Evaluated, Generic[T]):
 
     p: Vector[T]
     w: T
-    gamma: Any
+    gamma: Vector[T] | Operand
     polynomial: bool
     point: Vector[T] | None
 
     def __init__(
-        self, p: Vector[T], w: T, *, polynomial: bool = False, gamma: Any = None, point: Vector[T] | None = None
+        self,
+        p: Vector[T],
+        w: T,
+        *,
+        polynomial: bool = False,
+        gamma: Vector[T] | Operand | None = None,
+        point: Vector[T] | None = None,
     ) -> None:
         self.p, self.w, self.polynomial, self.point = p, w, polynomial, point
         self.gamma = gamma if gamma is not None else (p if polynomial else p / w)

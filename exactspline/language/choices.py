@@ -23,10 +23,12 @@ class Side(StrEnum):
 
 
 class Parameter(StrEnum):
-    """One of the parameters of a pair of curves: that of the first one or of the second one."""
+    """A parameter: that of a curve, or of the first of two; that of the second one; the two of a surface."""
 
     FIRST = "s"
     SECOND = "s̄"
+    U = "u"
+    V = "v"
 
 
 class Counting(StrEnum):

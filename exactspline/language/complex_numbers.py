@@ -5,8 +5,11 @@ The real part is ``a[0]``, the imaginary one ``a[1]``; ``perp(a)`` is ``i a`` an
 
 from __future__ import annotations
 
-from exactspline.language.parts import C
-from exactspline.language.vector import S, Vector, join, norm2
+from typing import Any, overload
+
+from exactspline.language.operand import C
+from exactspline.language.rational import Rational
+from exactspline.language.vector import F, S, Vector, join, norm2
 
 
 def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
@@ -29,7 +32,11 @@ def conjugate(a: Vector[S]) -> Vector[S]:
     return join(a[0], -a[1])
 
 
-def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C]:
+@overload
+def complex_quotient(a: Vector[F], b: Vector[F]) -> Vector[F]: ...
+@overload
+def complex_quotient(a: Vector[C], b: Vector[C]) -> Rational[C]: ...
+def complex_quotient(a: Vector[S], b: Vector[S]) -> object:
     """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
 
     >>> from exactspline.language.kinds import PLANE
@@ -38,5 +45,5 @@ def complex_quotient(a: Vector[C], b: Vector[C]) -> Vector[C]:
     >>> complex_quotient(complex_product(c.p, c.p.d(1)), c.p) == c.p.d(1)
     True
     """
-    quotient: Vector[C] = complex_product(a, conjugate(b)) / norm2(b)
-    return quotient
+    numerator: Any = complex_product(a, conjugate(b))
+    return numerator / norm2(b)

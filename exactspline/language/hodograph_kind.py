@@ -35,7 +35,7 @@ class HodographKind(Kind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """The coordinates, u and v, and their common factor."""
-        s = PARAMETERS[0]
+        s = PARAMETERS[:1]
         degree = "2d + 1" if polynomial else "2d + e + 1"
         curve = (Symbol("x", "x", s, degree), Symbol("y", "y", s, degree), Symbol("u", "u", s), Symbol("v", "v", s))
         return curve if polynomial else (*curve, Symbol("h", "h", s, "e"))

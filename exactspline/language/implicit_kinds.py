@@ -52,7 +52,7 @@ class ImplicitKind(Kind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Coordinates, what is free, partial derivatives."""
-        s = PARAMETERS[0]
+        s = PARAMETERS[:1]
         free = [Symbol(name, FREE[name], s, "") for name in self.free]
         partials = [Symbol(name, f"{f.upper()}_{name[1:]}", s, "") for f in self.functions for name in self.partials[f]]
         return (*[Symbol(x, x, s, "") for x in self.axes], *free, *partials)

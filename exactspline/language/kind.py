@@ -5,9 +5,12 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from types import MappingProxyType
 
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import T
+from exactspline.language.choices import Parameter
 from exactspline.language.operand import Operand
 
 
@@ -15,15 +18,24 @@ from exactspline.language.operand import Operand
 class Symbol:
     """An operand that an argument is made of.
 
-    `name` is its own among those of the argument, `text` as people write it; `parameter` is what it is a function of,
-    empty for a constant. `degree` is its degree, written in the degrees of which a claim may speak; empty for a
+    `name` is its own among those of the argument, `text` as people write it; `parameters` are what it is a function
+    of, none for a constant. `degree` is its degree, written in the degrees of which a claim may speak; empty for a
     function that has none.
+
+    >>> Symbol("x", "x", (Parameter.FIRST,)).degree_in(Parameter.FIRST)
+    'd'
+    >>> Symbol("x", "x", (Parameter.U, Parameter.V)).degree_in(Parameter.V)
+    'd_v'
     """
 
     name: str
     text: str
-    parameter: str
+    parameters: tuple[Parameter, ...]
     degree: str = "d"
+
+    def degree_in(self, parameter: Parameter) -> str:
+        """The degree in one of its parameters: a function of several has one of its own in each."""
+        return self.degree if len(self.parameters) == 1 or not self.degree else f"{self.degree}_{parameter}"
 
 
 #: The derivative of an operand from all the operands by name: the chain rule, where operands depend on each other.
@@ -42,6 +54,10 @@ class Kind(ABC):
     name: str
     dimensions: tuple[int, ...]
     made_of_a_curve = True
+    #: The parameters in which tables count degrees: that of the first of two curves alone.
+    counted: tuple[Parameter, ...] = (Parameter.FIRST,)
+    #: Where a parameter of some operands is itself a function of the curve's parameter: the operand that it is.
+    composed: Mapping[Parameter, str] = MappingProxyType({})
 
     @abstractmethod
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
@@ -66,6 +82,15 @@ class Kind(ABC):
         """The arguments that it is made of, by the names formulas have for them."""
         return {}
 
+    def parameters(self, dimension: int) -> tuple[Parameter, ...]:
+        """The parameters of its operands.
+
+        >>> from exactspline.language.kinds import PAIR, SURFACE
+        >>> *PAIR.parameters(3), *SURFACE.parameters(3)
+        (<Parameter.FIRST: 's'>, <Parameter.SECOND: 's̄'>, <Parameter.U: 'u'>, <Parameter.V: 'v'>)
+        """
+        return tuple(dict.fromkeys(p for symbol in self.symbols(dimension) for p in symbol.parameters))
+
     def takes(self, other: Kind, dimension: int) -> bool:
         """Whether formulas of another kind can be evaluated on such an argument: it has their operands.
 
@@ -76,7 +101,12 @@ class Kind(ABC):
         True
         """
         alike = dimension in other.dimensions and isinstance(self, type(other))
-        return alike and set(other.symbols(dimension)) <= set(self.symbols(dimension))
+        return alike and _has_operands(self, other, dimension)
 
     def __repr__(self) -> str:
         return f"<kind {self.name}>"
+
+
+@lru_cache(1024)
+def _has_operands(kind: Kind, other: Kind, dimension: int) -> bool:
+    return set(other.symbols(dimension)) <= set(kind.symbols(dimension))

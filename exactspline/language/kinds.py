@@ -16,11 +16,14 @@ from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POIN
 from exactspline.language.hodograph_kind import HODOGRAPH
 from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
 from exactspline.language.kind import Kind, Rule, Symbol
+from exactspline.language.surface_kind import CURVE_ON_SURFACE, FORMS, PLANAR_MAP, SURFACE
 from exactspline.language.vector import Vector
 
 __all__ = [
     "CURVE",
+    "CURVE_ON_SURFACE",
     "DIMENSIONS",
+    "FORMS",
     "FRAMED",
     "FRAMED_PLANE",
     "FRAMED_SPACE",
@@ -30,11 +33,13 @@ __all__ = [
     "INTERSECTION",
     "KINDS",
     "PAIR",
+    "PLANAR_MAP",
     "PLANE",
     "PLANE_PAIR",
     "PLANE_POINT",
     "POINT_IN_SPACE",
     "SPACE",
+    "SURFACE",
     "TABLE",
     "CurveKind",
     "FramedKind",
@@ -85,8 +90,8 @@ class CurveKind(Kind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Coordinates, denominator, the coordinates of the point, and the constants."""
-        point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), "") for i, x in enumerate(COORDINATES[:dimension])]
-        constants = [Symbol(name, constant_text(name), "") for name in self.constants]
+        point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), ()) for i, x in enumerate(COORDINATES[:dimension])]
+        constants = [Symbol(name, constant_text(name), ()) for name in self.constants]
         return (
             *_functions(COORDINATES, "w", dimension, 0, polynomial),
             *(point if self.with_point else ()),
@@ -155,7 +160,7 @@ class TableKind(Kind):
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """The operands of index 1, then those of index 2, vectors by their components."""
         names = [(f"{x}{i}", f"d{i}") for i in "12" for x in ("p", "w", *(f"v{j}_" for j in range(dimension)))]
-        return tuple(Symbol(name, name, PARAMETERS[0], degree) for name, degree in names)
+        return tuple(Symbol(name, name, PARAMETERS[:1], degree) for name, degree in names)
 
     def names(self, dimension: int) -> dict[str, bool]:
         """Scalars and vectors of both indices."""
@@ -196,7 +201,7 @@ def _functions(names: str, w: str, dimension: int, which: int, polynomial: bool)
     """The functions of one curve: numerators, and the denominator of a rational one."""
     bar = "\u0304" if which else ""
     own = [*names[:dimension], *([] if polynomial else [w])]
-    return tuple(Symbol(name, name.lower() + bar, PARAMETERS[which]) for name in own)
+    return tuple(Symbol(name, name.lower() + bar, (PARAMETERS[which],)) for name in own)
 
 
 def _curve(named: dict[str, Any], names: str, w: str, one: Any, point: Vector[Any] | None = None) -> Curve[Any]:
@@ -215,6 +220,7 @@ KINDS: dict[str, Kind] = {
         *(CURVE, PLANE, SPACE, TABLE, PAIR, PLANE_PAIR, POINT_IN_SPACE, PLANE_POINT),
         *(FRAMED, FRAMED_PLANE, FRAMED_SPACE),
         *(HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION),
+        *(SURFACE, PLANAR_MAP, FORMS, CURVE_ON_SURFACE),
     )
 }
 

@@ -13,6 +13,7 @@ from exactspline.language.services import Displayed, service
 
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance
+    from exactspline.language.rational import Rational
     from exactspline.language.vector import Vector
 
 #: The constants that may stand in a formula.
@@ -85,6 +86,7 @@ class HasDegree(Protocol[D_co]):
 
 
 R = TypeVar("R", bound=Ring)
+C = TypeVar("C", bound=Counted)
 D = TypeVar("D")
 
 
@@ -121,10 +123,10 @@ class Operand(Displayed, ABC):
         return len(numerators)
 
     @abstractmethod
-    def __add__(self, other: object, /) -> Self: ...
+    def __add__(self, other: Self | Constant, /) -> Self: ...
 
     @abstractmethod
-    def __mul__(self, other: object, /) -> Self: ...
+    def __mul__(self, other: Self | Constant, /) -> Self: ...
 
     @abstractmethod
     def scaled(self, constant: Constant, /) -> Self:
@@ -141,29 +143,30 @@ class Operand(Displayed, ABC):
     def __neg__(self) -> Self:
         return self.scaled(-1)
 
-    def __sub__(self, other: object) -> Self:
-        difference: Self = self + (-cast(Any, other))
-        return difference
+    def __sub__(self, other: Self | Constant) -> Self:
+        return self + (-other)
 
-    def __rsub__(self, other: object) -> Self:
+    def __rsub__(self, other: Constant) -> Self:
         return (-self).__add__(other)
 
-    def __radd__(self, other: object) -> Self:
+    def __radd__(self, other: Constant) -> Self:
         return self.__add__(other)
 
-    def __rmul__(self, other: object) -> Self:
+    def __rmul__(self, other: Constant) -> Self:
         return self.__mul__(other)
 
     @overload
     def __truediv__(self, other: Constant) -> Self: ...
     @overload
-    def __truediv__(self, other: Operand) -> Any: ...
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self: C, other: C) -> Rational[C]: ...
+    @overload
+    def __truediv__(self, other: Operand) -> Operand: ...
+    def __truediv__(self, other: object) -> object:
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
         return other.dividing(self) if isinstance(other, Operand) else NotImplemented
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: Constant) -> Operand:
         return self.constant(other) / self if isinstance(other, CONSTANTS) else NotImplemented
 
     def __pow__(self, exponent: int) -> Self:
@@ -211,11 +214,15 @@ class FieldOperand(Operand):
     def reciprocal(self) -> Self:
         """``1 / a``."""
 
-    def __truediv__(self, other: object) -> Any:
+    @overload
+    def __truediv__(self, other: Self | Constant) -> Self: ...
+    @overload
+    def __truediv__(self, other: Operand) -> Operand: ...
+    def __truediv__(self, other: object) -> object:
         right = self.beside(other)
         return NotImplemented if right is None else self * right.reciprocal()
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: Constant) -> Self:
         left = self.beside(other)
         return NotImplemented if left is None else left * self.reciprocal()
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any, Generic, Protocol, TypeVar, cast
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
+from exactspline.exact import Number, mpq
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
@@ -112,7 +112,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         first, given = denominator[0], cast(Any, denominator)
         fill(self, numerator=numerator, product=first if isinstance(first, Product) else Product(*given))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Rational, (self.numerator, self.product)
 
     @property
@@ -168,16 +168,31 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     def __repr__(self) -> str:
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 
-    def __call__(self, *place: Any, **side: Side | str) -> Any:
+    def __call__(self, *place: Number, **side: Side | str) -> mpq | tuple[mpq, ...]:
         """Value at a parameter (and from a side), or at two: an exact number, a tuple of them for a vector;
         `ZeroDivisionError` at a pole.
         """
-        numerator: Any = self.numerator
+        return self.point(*place, **side) if self.is_vector else self.number(*place, **side)
+
+    def point(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
+        """The value of a vector quotient.
+
+        Raises `FormulaError` for a scalar one, `ZeroDivisionError` at a pole.
+        """
+        functions: Any = self.vector
         denominator: Any = self.denominator
         w = denominator(*place, **side)
-        if isinstance(numerator, Vector):
-            return tuple(a(*place, **side) / w for a in numerator)
-        return numerator(*place, **side) / w
+        return tuple(a(*place, **side) / w for a in functions)
+
+    def number(self, *place: Number, **side: Side | str) -> mpq:
+        """The value of a scalar quotient.
+
+        Raises `FormulaError` for a vector, `ZeroDivisionError` at a pole.
+        """
+        numerator: Any = self.scalar
+        denominator: Any = self.denominator
+        value: mpq = numerator(*place, **side) / denominator(*place, **side)
+        return value
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function: cross-multiplied, so that common factors do not matter.
@@ -239,11 +254,13 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
 
     def dividing(self, numerator: Operand | Vector[Operand]) -> Rational[T]:
         """`numerator`, an operand or a vector that is not a quotient, divided by this."""
-        return Rational(numerator * self.denominator, self.scalar)
+        top: Any = numerator
+        return Rational(top * self.denominator, self.scalar)
 
     def times_vector(self, vector: Vector[Operand]) -> Rational[T]:
         """A vector times this: one quotient."""
-        return Rational(vector * self.scalar, self.product)
+        own: Any = vector
+        return Rational(own * self.scalar, self.product)
 
     def __rtruediv__(self, other: object) -> Rational[T]:
         if isinstance(other, CONSTANTS):

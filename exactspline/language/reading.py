@@ -42,7 +42,7 @@ def freely_differentiable(
 
     Raises `InapplicableError` for a kind whose operands depend on each other.
     """
-    if kind.rules(dimension):
+    if kind.rules(dimension) or kind.composed:
         raise InapplicableError(
             f"the reading {reading.name!r} says nothing of the kind {kind.name!r}",
             remedy="its operands depend on each other: ask for an identity, or on one curve",

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import combinations
-from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.exact import mpq
+from exactspline.exact import Number, mpq
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
+    C,
     Constant,
     D,
+    FieldOperand,
     HasDegree,
     Operand,
     OwnJoining,
@@ -25,10 +27,14 @@ from exactspline.language.operand import (
 )
 from exactspline.language.services import Displayed
 
+if TYPE_CHECKING:
+    from exactspline.language.rational import Rational
+
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 U = TypeVar("U")
 S = TypeVar("S", bound=Scalar)
+F = TypeVar("F", bound=FieldOperand)
 P = ParamSpec("P")
 
 
@@ -50,7 +56,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         #: First derivatives by parameter are kept once they were asked for.
         fill(self, components=components, _derivatives={})
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Vector, self.components
 
     def __len__(self) -> int:
@@ -67,7 +73,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         """A component, or the vector of those that a slice takes."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
-    def __call__(self, *place: Any, **side: Side | str) -> tuple[Any, ...]:
+    def __call__(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
         """The values of components that are functions, at a parameter (or at two)."""
         functions: tuple[Any, ...] = self.components
         return tuple(a(*place, **side) for a in functions)
@@ -107,7 +113,13 @@ class Vector(Immutable, Displayed, Generic[T_co]):
     def __neg__(self: Vector[S]) -> Vector[S]:
         return Vector(*[-a for a in self.components])
 
-    def __mul__(self, scalar: Any) -> Any:
+    @overload
+    def __mul__(self: Vector[C], scalar: Rational[C]) -> Rational[C]: ...  # type: ignore[overload-overlap]  # quotients win
+    @overload
+    def __mul__(self: Vector[S], scalar: S) -> Vector[S]: ...
+    @overload
+    def __mul__(self, scalar: Constant) -> Vector[T_co]: ...
+    def __mul__(self, scalar: object) -> object:
         if isinstance(scalar, Operand):
             return scalar.times_vector(cast("Vector[Operand]", self))
         if isinstance(scalar, Vector):
@@ -116,7 +128,13 @@ class Vector(Immutable, Displayed, Generic[T_co]):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, scalar: Any) -> Any:
+    @overload
+    def __truediv__(self, scalar: Constant) -> Vector[T_co]: ...
+    @overload
+    def __truediv__(self: Vector[F], scalar: F) -> Vector[F]: ...
+    @overload
+    def __truediv__(self: Vector[C], scalar: C | Rational[C]) -> Rational[C]: ...
+    def __truediv__(self, scalar: object) -> object:
         if isinstance(scalar, CONSTANTS):
             return self.scaled(1 / mpq(scalar))
         return scalar.dividing(cast("Vector[Operand]", self)) if isinstance(scalar, Operand) else NotImplemented

@@ -28,6 +28,7 @@ __all__ = [
     "formulas_by_module",
     "load_paper",
     "named_papers",
+    "owner",
     "paper",
     "papers",
     "resolve",
@@ -71,10 +72,28 @@ def paper(name: str) -> Paper:
 
     Raises `FormulaError` with the nearest names.
     """
-    known = {each.name: each for each in papers()} | _loaded
+    if name in _loaded:
+        return _loaded[name]
+    known = _by_name()
     if name not in known:
-        raise FormulaError(f"no paper is called {name!r}", remedy=f"{nearest(name, known)}; or name a folder")
+        remedy = f"{nearest(name, known | _loaded)}; or name a folder"
+        raise FormulaError(f"no paper is called {name!r}", remedy=remedy)
     return known[name]
+
+
+@cache
+def _by_name() -> dict[str, Paper]:
+    return {each.name: each for each in papers()}
+
+
+def owner(formula: Formula) -> Paper | None:
+    """The paper whose own formula it is, of those that come with the library and those that were loaded.
+
+    >>> owner(find("f2")).name
+    'chen_riesenfeld_cohen_2007'
+    """
+    known = [*papers(), *_loaded.values()]
+    return next((each for each in known if each.formulas.get(formula.name) is formula), None)
 
 
 def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:

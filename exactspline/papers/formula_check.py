@@ -16,7 +16,7 @@ from typing import Any
 
 from exactspline.errors import FormulaError, nearest
 from exactspline.exact import rational
-from exactspline.language.arguments import PARAMETERS
+from exactspline.language.choices import Parameter
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
 from exactspline.language.kinds import CURVE, KINDS, CurveKind, kind_of
@@ -364,7 +364,7 @@ class _Body:
         if len(node.args) > 1 or not all(_is_small(arg) for arg in node.args):
             raise self.read.refuse(node, "the order of a derivative", f"write .d(2), at most .d({ORDER})")
         for k in node.keywords:
-            if k.arg != "by" or not (isinstance(k.value, ast.Constant) and k.value.value in PARAMETERS):
+            if k.arg != "by" or not (isinstance(k.value, ast.Constant) and k.value.value in list(Parameter)):
                 raise self.read.refuse(node, "the parameter of a derivative", 'write by="s" or by="s̄"')
         return size + 1, degree + 1
 

@@ -110,6 +110,8 @@ def _text(instruction: Instruction, constants: dict[str, Any]) -> str:
         return f"{_multiple(a, numbers[0], constants)} - {a}.derivative().left_shift(1)"
     if name == "dv":
         return f"{a}.derivative()"
+    if name == "over_u":
+        return a
     if name == "scale":
         return _multiple(a, numbers[0], constants)
     return f"{a} * m{numbers[0]}"

@@ -24,6 +24,7 @@ class Instruction(NamedTuple):
     raise    a (e)        a·(u + v)ᵉ
     derive   a (n)        (∂v − ∂u)a of degree n
     du, dv   a (n)        ∂u a, ∂v a of degree n
+    over_u   a (n)        a/u of degree n, a multiple of u
     scale    a (m)        m·a
     lift     a (k)        a times the k-th multiplier of the segment
     ======== ============ ===================================================
@@ -108,7 +109,7 @@ class Instructions:
         return a if e == 0 else self._put(Instruction("raise", (a,), (e,)), self.degree(a) + e)
 
     def derived(self, name: str, a: int) -> int:
-        """A derivative, by its name; of what has a positive degree."""
+        """A derivative or the quotient by u, by its name; of what has a positive degree."""
         n = self.degree(a)
         return self._put(Instruction(name, (a,), (n,)), n - 1)
 

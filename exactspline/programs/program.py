@@ -136,7 +136,7 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
 @lru_cache(None)
 def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
     """How many of the operands are functions; the constants come behind them."""
-    return sum(bool(symbol.parameter) for symbol in kind.symbols(dimension, polynomial=polynomial))
+    return sum(bool(symbol.parameters) for symbol in kind.symbols(dimension, polynomial=polynomial))
 
 
 def _is_one(w: BSpline) -> bool:
@@ -169,7 +169,7 @@ class Program:
     (6, 9)
     """
 
-    def __init__(self, value: Any, reading: ProgramReading, signature: Signature) -> None:
+    def __init__(self, value: object, reading: ProgramReading, signature: Signature) -> None:
         self.signature = signature
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves

@@ -220,6 +220,16 @@ class Term(Operand):
         node = ZERO if term.node == ZERO else term.recorder.instructions.derived(name, term.node)
         return term._with(node=node, degree=self.degree - 1)
 
+    def by_v(self) -> Term:
+        """``∂v``: no derivative of the function, but a part of it."""
+        return self._partial("dv")
+
+    def over_u(self) -> Term:
+        """Divided by u, where the form is a multiple of it: the same integers, of a degree one lower."""
+        term = self if self.node == ZERO else self._down_to(0, self.widths)
+        node = ZERO if term.node == ZERO else term.recorder.instructions.derived("over_u", term.node)
+        return term._with(node=node, degree=self.degree - 1)
+
     def per_width(self, weight: int, dropped: int) -> Term:
         """The term over so many powers of the segment's width, that many times less continuous."""
         orders = tuple(k + dropped if k >= 0 else k for k in self.orders)

@@ -33,13 +33,17 @@ def lowest_wronskian(vector: Vector[Term]) -> Term:
     return value.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
 
+def lowest(vector: Vector[Any]) -> Any:
+    """The lowest Wronskian of terms of a program or of splines."""
+    return lowest_wronskian(vector) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(vector)
+
+
 @cache
 def wronskian_of(lift: Formula) -> Formula:
     """The lowest Wronskian of what a formula returns, as a formula that programs and splines can read."""
 
-    def lowest(c: Any) -> Any:
-        vector = lift(c)
-        return lowest_wronskian(vector) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(vector)
+    def of(c: Any) -> Any:
+        return lowest(lift(c))
 
-    lowest.__name__ = f"lowest Wronskian of {lift.name}"
-    return Formula(lowest, lift.source, lift.kind, "")
+    of.__name__ = f"lowest Wronskian of {lift.name}"
+    return Formula(of, lift.source, lift.kind, "")

@@ -7,6 +7,8 @@ and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of 
 
 from __future__ import annotations
 
+from collections import defaultdict
+
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
@@ -43,19 +45,24 @@ class Monomials(Operand):
                 "a sum of terms of different degree in p or in w",
                 remedy="this reading is for formulas homogeneous in both",
             )
-        shifts = self.terms.keys() | other.terms.keys()
+        terms = self._no_terms() | self.terms
+        for shift, c in other.terms.items():
+            terms[shift] += c
+        return Monomials(self.exponents, terms)
+
+    def _no_terms(self) -> defaultdict[tuple[int, int], fmpq_mpoly]:
         zero = self.exponents[0] * 0
-        return Monomials(self.exponents, {s: self.terms.get(s, zero) + other.terms.get(s, zero) for s in shifts})
+        return defaultdict(lambda: zero)
 
     def __mul__(self, other: object) -> Monomials:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Monomials):
             return NotImplemented
-        terms: dict[tuple[int, int], fmpq_mpoly] = {}
+        terms = self._no_terms()
         for (i, j), x in self.terms.items():
             for (k, m), y in other.terms.items():
-                terms[i + k, j + m] = terms.get((i + k, j + m), x * 0) + x * y
+                terms[i + k, j + m] += x * y
         (u, v), (s, t) = self.exponents, other.exponents
         return Monomials((u + s, v + t), terms)
 
@@ -73,10 +80,10 @@ class Monomials(Operand):
         self.only_parameter(by)
         result, (u, v) = self, self.exponents
         for _ in range(order):
-            terms: dict[tuple[int, int], fmpq_mpoly] = {}
+            terms = self._no_terms()
             for (i, j), c in result.terms.items():
-                terms[i, j + 1] = terms.get((i, j + 1), c * 0) + c * (v - j)
-                terms[i + 1, j] = terms.get((i + 1, j), c * 0) - c * (u - i)
+                terms[i, j + 1] += c * (v - j)
+                terms[i + 1, j] -= c * (u - i)
             result = Monomials(self.exponents, terms)
         return result
 

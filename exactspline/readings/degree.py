@@ -259,7 +259,8 @@ class DifferentiatedPartByPart(Rational[Degree]):
 
 
 class DegreeReading(Reading):
-    """Degrees in one parameter, ``s`` that of the first curve or ``s̄`` that of the second one.
+    """Degrees in one parameter: ``s`` that of the first curve, ``s̄`` that of the second one, ``u`` or ``v`` of a
+    surface.
 
     With the `counting` ``part by part`` a rational curve is differentiated as (24) does it. `name` replaces ``d``.
 
@@ -287,13 +288,14 @@ class DegreeReading(Reading):
         parameter = self.parameter
 
         def operand(symbol: Symbol) -> Degree:
-            if symbol.parameter != parameter:
+            if parameter not in symbol.parameters:
                 return Degree.number(0, still=True, counted=parameter)
             if not symbol.degree:
                 raise InapplicableError(f"{kind.name!r} has no degrees", remedy="ask for an identity")
-            if symbol.degree.isidentifier():
-                return Degree.named(self.degree + symbol.degree.removeprefix("d"), parameter)
-            return Degree(parse(symbol.degree).terms, counted=parameter)
+            degree = symbol.degree_in(parameter)
+            if degree.isidentifier():
+                return Degree.named(self.degree + degree.removeprefix("d"), parameter)
+            return Degree(parse(degree).terms, counted=parameter)
 
         one = Degree.number(0, counted=parameter)
         argument = kind.argument(dimension, operand, one, polynomial=polynomial)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from exactspline.language.adjoined_root import Adjoined
@@ -96,6 +97,7 @@ def _highest(value: Any) -> int:
     return max(map(_highest, parts))
 
 
+@lru_cache(4096)
 def _orders(formula: Formula, dimension: int) -> Any:
     kind = formula.kind if isinstance(formula, Formula) else CURVE
     return joined(formula(OrderReading().argument(kind, dimension)))

@@ -6,8 +6,6 @@ what both sides share.
 
 from __future__ import annotations
 
-from typing import Any
-
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
@@ -64,7 +62,7 @@ class FactoredJet(Operand):
         """Multiplied out."""
         return multiplied(self.ring, self.powers) * self.unit
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> FactoredJet:
         right = self.beside(other)
         if right is None:
             return NotImplemented
@@ -75,16 +73,17 @@ class FactoredJet(Operand):
         _remember(self.ring, powers)
         return FactoredJet(self.ring, self.unit * right.unit, powers, provenance)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> FactoredJet:
         return self._sum(other, 1, SUM)
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: object) -> FactoredJet:
         return self._sum(other, -1, DIFFERENCE)
 
-    def _sum(self, other: object, sign: int, name: int) -> Any:
+    def _sum(self, other: object, sign: int, name: int) -> FactoredJet:
         right = self.beside(other)
         if right is None:
-            return NotImplemented
+            refused: FactoredJet = NotImplemented
+            return refused
         provenance = (name, self.provenance, right.provenance)
         if self.is_zero or right.is_zero:
             left = self if right.is_zero else right

@@ -7,7 +7,6 @@ vanishes on special curves only.
 from __future__ import annotations
 
 from math import comb
-from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -25,7 +24,7 @@ class Generic(Operand):
     __slots__ = ("coefficients", "context")
     provenance = 0
 
-    def __init__(self, context: Any, coefficients: list[fmpq_mpoly]) -> None:
+    def __init__(self, context: fmpq_mpoly_ctx, coefficients: list[fmpq_mpoly]) -> None:
         self.context, self.coefficients = context, coefficients
 
     @property
@@ -70,7 +69,7 @@ class Generic(Operand):
         if not isinstance(other, Generic):
             return NotImplemented
         zero = self.context.constant(0)
-        product = [zero] * max(self.degree + other.degree + 1, 0)
+        product = [zero] * (self.degree + other.degree + 1)
         for i, x in enumerate(self.coefficients):
             for j, y in enumerate(other.coefficients):
                 product[i + j] += x * y
@@ -112,7 +111,7 @@ class GenericReading(Reading):
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
-        if len({symbol.parameter for symbol in symbols}) > 1:
+        if len({parameter for symbol in symbols for parameter in symbol.parameters}) > 1:
             raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]
         context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)

@@ -7,6 +7,8 @@ primes) has nominal B-spline degree ``kd − m``.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import product
 from typing import Any, cast
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
@@ -14,6 +16,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
+from exactspline.language.choices import Parameter
 from exactspline.language.factorization import superscript
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
@@ -30,52 +33,112 @@ class JetRing:
     >>> ring = JetRing(CURVE, 2, 2)
     >>> (ring["x"].d() * ring["w"] - ring["x"] * ring["w"].d()).d()
     x″·w − x·w″
+
+    A function of several parameters has a variable for each partial derivative.
+
+    >>> from exactspline.language.kinds import SURFACE
+    >>> ring = JetRing(SURFACE, 3, 2)
+    >>> (ring["x"].d(1, by="u") * ring["w"]).d(1, by="v")
+    x_uv·w + x_u·w_v
     """
 
     def __init__(self, kind: Kind, dimension: int, order: int, *, polynomial: bool = False) -> None:
         self.kind, self.dimension, self.order, self.polynomial = kind, dimension, order, polynomial
         self.symbols = {s.name: s for s in kind.symbols(dimension, polynomial=polynomial)}
         self.rules = {n: rule for n, rule in kind.rules(dimension).items() if n in self.symbols}
-        functions = [name for name, symbol in self.symbols.items() if symbol.parameter and name not in self.rules]
-        self.constants = tuple(name for name, symbol in self.symbols.items() if not symbol.parameter)
-        self.variables = [(name, i) for name in functions for i in range(order + 1)]
-        self.variables += [(name, 0) for name in (*self.rules, *self.constants)]
-        self.context = fmpq_mpoly_ctx.get([f"{name}{i}" for name, i in self.variables], Ordering.degrevlex)
+        free = [symbol for name, symbol in self.symbols.items() if symbol.parameters and name not in self.rules]
+        self.constants = tuple(name for name, symbol in self.symbols.items() if not symbol.parameters)
+        self.variables = [(s.name, orders) for s in free for orders in orders_up_to(order, len(s.parameters))]
+        self.variables += [(name, (0,)) for name in (*self.rules, *self.constants)]
+        names = [name + "_".join(map(str, orders)) for name, orders in self.variables]
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
         #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
-        self._derivatives: dict[str, fmpq_mpoly] = {}
+        self._ruled: dict[str, fmpq_mpoly] = {}
 
     def __getitem__(self, name: str) -> Jet:
-        return Jet(self, self.gens[self.index[name, 0]])
+        parameters = 1 if name in self.rules else max(len(self.symbols[name].parameters), 1)
+        return Jet(self, self.gens[self.index[name, (0,) * parameters]])
 
     def number(self, value: Number) -> Jet:
         """An exact constant."""
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
-    def derivative(self, name: str, order: int) -> fmpq_mpoly:
-        """The derivative of a variable: the next one, or what a rule of the kind of argument says.
+    def derivative(self, i: int, by: str | None) -> fmpq_mpoly | None:
+        """The derivative of the i-th variable: the next one, or what the kind of argument says of it; None for what
+        does not depend on the parameter.
 
-        Raises `FormulaError` where there is none.
+        Raises `FormulaError` where the ring has none, and for a function of several parameters where none is named.
         """
+        name, orders = self.variables[i]
+        parameters = self.symbols[name].parameters
+        if by is None and len(parameters) > 1:
+            by = self._only_parameter(name, parameters)
+        if not parameters or by not in (None, *parameters, *([Parameter.FIRST] if self.kind.composed else [])):
+            return None
         if name in self.rules:
-            if name not in self._derivatives:
-                known = {each: self[each] for each in self.symbols}
-                self._derivatives[name] = cast(Jet, self.rules[name](known)).polynomial
-            return self._derivatives[name]
-        if order == self.order:
+            if name not in self._ruled:
+                self._ruled[name] = cast(Jet, self.rules[name]({each: self[each] for each in self.symbols})).polynomial
+            return self._ruled[name]
+        if by is None or by in parameters:
+            return self._next(name, orders, 0 if by is None else parameters.index(Parameter(by)))
+        terms = [(self._next(name, orders, k), self[self.kind.composed[p]].d()) for k, p in enumerate(parameters)]
+        return sum((partial * pace.polynomial for partial, pace in terms), self.context.constant(0))
+
+    def _only_parameter(self, name: str, parameters: tuple[Parameter, ...]) -> str:
+        if self.kind.composed:
+            return Parameter.FIRST
+        raise FormulaError(
+            f"the derivative of {name}, a function of {' and '.join(parameters)}",
+            remedy=f"say by which: d(1, by={str(parameters[0])!r})",
+        )
+
+    def lowered(self, i: int, parameter: Parameter) -> int:
+        """The place of the variable of which the i-th one is a derivative by that parameter."""
+        name, orders = self.variables[i]
+        which = self.symbols[name].parameters.index(parameter)
+        return self.index[name, tuple(n - 1 if k == which else n for k, n in enumerate(orders))]
+
+    def _next(self, name: str, orders: tuple[int, ...], which: int) -> fmpq_mpoly:
+        """The variable with one order raised."""
+        raised = tuple(n + 1 if k == which else n for k, n in enumerate(orders))
+        if (name, raised) not in self.index:
             raise FormulaError(
-                f"the derivative of order {order + 1} of {name}", remedy=f"make the jet ring of order {order + 1}"
+                f"the derivative of order {sum(raised)} of {name}", remedy=f"make the jet ring of order {sum(raised)}"
             )
-        return self.gens[self.index[name, order] + 1]
+        return self.gens[self.index[name, raised]]
 
     def primes(self, i: int) -> str:
         """The i-th variable as people write it."""
-        name, order = self.variables[i]
-        primes = PRIMES[order] if order < len(PRIMES) else f"⁽{superscript(order)}⁾"
-        return self.symbols[name].text + primes
+        name, orders = self.variables[i]
+        symbol = self.symbols[name]
+        return symbol.text + derivative_mark(symbol.parameters, orders)
+
+
+def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
+    """The orders of the derivatives in so many parameters, up to an order in all.
+
+    >>> orders_up_to(2, 1), orders_up_to(1, 2)
+    ([(0,), (1,), (2,)], [(0, 0), (1, 0), (0, 1)])
+    """
+    found = (orders for orders in product(range(order, -1, -1), repeat=parameters) if sum(orders) <= order)
+    return sorted(found, key=sum)
+
+
+def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
+    """How people write a derivative: primes, or the letters of the parameters.
+
+    >>> derivative_mark(("s",), (2,)), derivative_mark(("u", "v"), (2, 1)), derivative_mark((), (0,))
+    ('″', '_uuv', '')
+    """
+    if len(parameters) < 2:
+        order = sum(orders)
+        return PRIMES[order] if order < len(PRIMES) else f"⁽{superscript(order)}⁾"
+    letters = "".join(letter * n for letter, n in zip(parameters, orders, strict=True))
+    return f"_{letters}" if letters else ""
 
 
 #: More terms than this no polynomial may have, and no more pairs of terms are multiplied at once.
@@ -146,11 +209,8 @@ class Jet(Operand):
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):
-                if int(used) > 0:
-                    name, k = ring.variables[i]
-                    if name in ring.constants or by not in (None, ring.symbols[name].parameter):
-                        continue
-                    total += result.derivative(i) * ring.derivative(name, k)
+                if int(used) > 0 and (own := ring.derivative(i, by)) is not None:
+                    total += result.derivative(i) * own
             result, provenance = total, (DERIVATIVE, provenance)
         return Jet(ring, result, provenance)
 
@@ -164,7 +224,7 @@ class Jet(Operand):
         """Degree k in the functions and weight m (number of primes); `FormulaError` when it is not homogeneous in
         both.
         """
-        orders = [k for _, k in self.ring.variables]
+        orders = [sum(k) for _, k in self.ring.variables]
         functions = len(self.ring.variables) - len(self.ring.constants)
         monomials = ([int(x) for x in m] for m in self.polynomial.monoms())
         gradings = {(sum(e[:functions]), sum(x * k for x, k in zip(e, orders, strict=True))) for e in monomials}

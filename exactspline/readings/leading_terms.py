@@ -8,7 +8,7 @@ expansion; how many of them vanish tells how far the true degree lies below the 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
@@ -16,6 +16,7 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import PARAMETERS
+from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import CONSTANTS, Constant, Operand
@@ -26,6 +27,23 @@ from exactspline.readings.differential_order import order_of
 
 #: More vanishing terms than any formula of the library has.
 MAX_TERMS = 40
+
+
+class Across(NamedTuple):
+    """The derivative by the other parameter of a surface: of every coefficient that is known the one that is next."""
+
+    parameter: Parameter
+    follows: dict[int, fmpq_mpoly]
+
+    def __call__(self, coefficient: fmpq_mpoly, order: int = 1) -> fmpq_mpoly:
+        """The derivative of a polynomial in the coefficients."""
+        for _ in range(order):
+            total = coefficient.context().constant(0)
+            for i, used in enumerate(coefficient.degrees()):
+                if int(used):
+                    total += coefficient.derivative(i) * self.follows[i] if i else 0
+            coefficient = total
+        return coefficient
 
 
 class Expansion(Operand):
@@ -43,11 +61,20 @@ class Expansion(Operand):
     ([(1, 0), (2, 1)], {})
     """
 
-    __slots__ = ("context", "known", "parts")
+    __slots__ = ("across", "context", "known", "parts")
     provenance = 0
 
-    def __init__(self, context: Any, known: int, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> None:
-        self.context, self.known, self.parts = context, known, parts
+    def __init__(
+        self,
+        context: fmpq_mpoly_ctx,
+        known: int,
+        parts: dict[tuple[int, int], list[fmpq_mpoly]],
+        across: Across | None = None,
+    ) -> None:
+        self.context, self.known, self.parts, self.across = context, known, parts, across
+
+    def _made(self, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> Expansion:
+        return Expansion(self.context, self.known, parts, self.across)
 
     @property
     def degree(self) -> int:
@@ -58,11 +85,9 @@ class Expansion(Operand):
         """A constant: it expands to itself."""
         number = to_fmpq(rational(value))
         if not number:
-            return Expansion(self.context, self.known, {})
+            return self._made({})
         zero = self.context.constant(0)
-        return Expansion(
-            self.context, self.known, {(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]}
-        )
+        return self._made({(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]})
 
     def __add__(self, other: object) -> Expansion:
         if isinstance(other, CONSTANTS):
@@ -73,33 +98,41 @@ class Expansion(Operand):
         for grading, terms in other.parts.items():
             own = parts.get(grading)
             parts[grading] = terms if own is None else [a + b for a, b in zip(own, terms, strict=True)]
-        return Expansion(self.context, self.known, parts)
+        return self._made(parts)
 
     def __mul__(self, other: object) -> Expansion:
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if not isinstance(other, Expansion):
             return NotImplemented
-        result, zero = Expansion(self.context, self.known, {}), self.context.constant(0)
+        result, zero = self._made({}), self.context.constant(0)
         for (k, m), a in self.parts.items():
             for (n, o), b in other.parts.items():
                 terms = [sum((a[j] * b[i - j] for j in range(i + 1)), zero) for i in range(self.known)]
-                result = result + Expansion(self.context, self.known, {(k + n, m + o): terms})
+                result = result + self._made({(k + n, m + o): terms})
         return result
 
     def scaled(self, constant: Constant) -> Expansion:
         """The expansion times an exact constant."""
         q = to_fmpq(rational(constant))
         parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
-        return Expansion(self.context, self.known, parts)
+        return self._made(parts)
 
     def elevated_to(self, other: object) -> Expansion:
         """Itself: degree elevation does not change a function."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
-        """The derivative, term by term; that of a constant is exactly zero."""
-        self.only_parameter(by)
+        """The derivative, term by term; that of a constant is exactly zero. By the other parameter of a surface it is
+        that of the coefficients, which are functions of it.
+        """
+        if self.across is None:
+            self.only_parameter(by)
+        elif by == self.across.parameter:
+            parts = {g: [self.across(a, order) for a in terms] for g, terms in self.parts.items() if g[0]}
+            return self._made(parts)
+        elif by is None:
+            raise FormulaError("the derivative of a function of two parameters", remedy="say by which")
         result, d = self, self.context.gens()[0]
         for _ in range(order):
             parts = {
@@ -107,7 +140,7 @@ class Expansion(Operand):
                 for (k, m), terms in result.parts.items()
                 if k or m or any(terms[1:])
             }
-            result = Expansion(self.context, self.known, parts)
+            result = self._made(parts)
         return result
 
     @property
@@ -159,20 +192,23 @@ class StillExpansion(Expansion):
 
 
 class LeadingTermsReading(Reading):
-    """Leading coefficients at infinity of the first parameter, to so many terms, with derivatives up to an order of
-    what does not depend on it: the second curve and the point stay constant.
+    """Leading coefficients at infinity of a parameter, to so many terms, with derivatives up to an order of what does
+    not depend on it: the second curve and the point stay constant, and the coefficients of a surface are functions of
+    its other parameter.
     """
 
     name = "infinity"
     proves = "the true degree on the generic curve, for every d but those named"
 
-    def __init__(self, terms: int, order: int = 0) -> None:
-        self.terms, self.order = terms, order
+    def __init__(self, terms: int, order: int = 0, parameter: Parameter = Parameter.FIRST) -> None:
+        self.terms, self.order, self.parameter = terms, order, parameter
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Expansions of the functions of s; constants for everything else."""
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
-        lengths = {s.name: self.terms if s.parameter == PARAMETERS[0] else self.order + 1 for s in symbols}
+        if any(len(symbol.parameters) > 1 for symbol in symbols):
+            return self._surface(kind, dimension, symbols, polynomial)
+        lengths = {s.name: self.terms if s.parameters == PARAMETERS[:1] else self.order + 1 for s in symbols}
         names = [f"{name}{i}" for name, length in lengths.items() for i in range(length)]
         context = fmpq_mpoly_ctx.get(["d", *names], Ordering.degrevlex)
         known = dict(zip(names, context.gens()[1:], strict=True))
@@ -180,15 +216,33 @@ class LeadingTermsReading(Reading):
 
         def operand(symbol: Symbol) -> Expansion:
             own = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
-            if symbol.parameter == PARAMETERS[0]:
+            if symbol.parameters == PARAMETERS[:1]:
                 return Expansion(context, self.terms, {(1, 0): own})
             constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in own]
-            if not symbol.parameter:
+            if not symbol.parameters:
                 constants[1:] = [StillExpansion(context, self.terms, {}) for _ in own[1:]]
             constants[0].derivatives = constants
             return constants[0]
 
         one = Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]})
+        return kind.argument(dimension, operand, one, polynomial=polynomial)
+
+    def _surface(self, kind: Kind, dimension: int, symbols: tuple[Symbol, ...], polynomial: bool) -> Evaluated:
+        """Expansions whose coefficients are functions of the other parameter, with their derivatives."""
+        (other,) = (p for p in kind.parameters(dimension) if p != self.parameter)
+        places = [(s.name, i, n) for s in symbols for i in range(self.terms) for n in range(self.order + 1)]
+        context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}_{n}" for name, i, n in places]], Ordering.degrevlex)
+        gens = context.gens()
+        known = dict(zip(places, gens[1:], strict=True))
+        follows = {k: known[name, i, n + 1] for k, (name, i, n) in enumerate(places, start=1) if n < self.order}
+        across = Across(other, follows)
+
+        def operand(symbol: Symbol) -> Expansion:
+            own = [known[symbol.name, i, 0] for i in range(self.terms)]
+            return Expansion(context, self.terms, {(1, 0): own}, across)
+
+        nothing = [context.constant(0)] * (self.terms - 1)
+        one = Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]}, across)
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
 
@@ -212,7 +266,9 @@ def generic_drop(formula: Formula, dimension: int) -> tuple[int, int, int, tuple
     )
 
 
-def generic_true_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
+def generic_true_degree(
+    formula: Formula, dimension: int, *, polynomial: bool = False, parameter: Parameter = Parameter.FIRST
+) -> Degree:
     """The true degree of a polynomial formula on the generic curve for symbolic d, homogeneous or not.
 
     Leading terms of parts of different degree and weight have no monomial in common: nothing cancels between them.
@@ -227,10 +283,14 @@ def generic_true_degree(formula: Formula, dimension: int, *, polynomial: bool = 
     order = order_of(formula, dimension)
     found = _resolved(
         formula,
-        lambda terms: LeadingTermsReading(terms, order).argument(formula.kind, dimension, polynomial=polynomial),
+        lambda terms: LeadingTermsReading(terms, order, parameter).argument(
+            formula.kind, dimension, polynomial=polynomial
+        ),
         formula.name,
     )
-    degrees = [parse(f"{k}d-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]
+    symbols = formula.kind.symbols(dimension, polynomial=polynomial)
+    name = next(symbol.degree_in(parameter) for symbol in symbols if parameter in symbol.parameters)
+    degrees = [parse(f"{k}{name}-{m + drop}") for part in found for (k, m), (drop, _) in part.items()]
     result = degrees[0]
     for degree in degrees[1:]:
         result = result.max(degree)

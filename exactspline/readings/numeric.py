@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from exactspline.errors import DomainError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
@@ -38,7 +38,7 @@ class NumericSeries(Series):
 
     __slots__ = ("context",)
 
-    def __init__(self, context: Arithmetic, coefficients: Iterable[Any]) -> None:
+    def __init__(self, context: Arithmetic, coefficients: Iterable[Coefficient | Constant]) -> None:
         super().__init__(number(context, a) if isinstance(a, CONSTANTS) else a for a in coefficients)
         self.context = context
 
@@ -109,7 +109,8 @@ def numeric_curve(
     j = _span(knots, curve.degree, place, side)
     weights = list(curve.weights)
     rows = [[x * w for x, w in zip(column, weights, strict=True)] for column in zip(*curve.control_points, strict=True)]
-    at = NumericSeries(context, [place, 1, *[0] * (terms - 2)][:terms])
+    first: list[Coefficient | Constant] = [place, 1, *[0] * terms]
+    at = NumericSeries(context, first[:terms])
     made = [_de_boor(knots, curve.degree, points, j, at) for points in (*rows, weights)]
     return Curve(Vector(*made[:-1]), made[-1], polynomial=curve.polynomial)
 
@@ -118,7 +119,7 @@ def _span(knots: Sequence[mpq], n: int, t: mpq, side: Side | str) -> int:
     """The index j of a non-empty span [t_j, t_{j+1}] that holds t."""
     inside = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1] and knots[j] <= t <= knots[j + 1]]
     if not inside:
-        raise DomainError(f"{text(t)} is outside the domain", remedy="choose a parameter of the curve")
+        raise DomainError(f"{short_text(t)} is outside the domain", remedy="choose a parameter of the curve")
     return inside[0] if side == Side.LEFT else inside[-1]
 
 

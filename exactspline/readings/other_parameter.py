@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from exactspline.language.operand import Constant, FieldOperand
 
 
@@ -23,10 +21,10 @@ class InOtherParameter(FieldOperand):
     __slots__ = ("speed", "value")
     degree = provenance = 0
 
-    def __init__(self, value: Any, speed: Any) -> None:
+    def __init__(self, value: FieldOperand, speed: FieldOperand) -> None:
         self.value, self.speed = value, speed
 
-    def _made(self, value: Any) -> InOtherParameter:
+    def _made(self, value: FieldOperand) -> InOtherParameter:
         return InOtherParameter(value, self.speed)
 
     def constant(self, value: Constant) -> InOtherParameter:

@@ -46,11 +46,15 @@ class JetFraction(FieldOperand):
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, self.top + right.top, self.bottom)
+        if self.bottom == right.bottom:
+            return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
+        if self.bottom.is_one() or right.bottom.is_one():
+            top = self.top * right.bottom + right.top * self.bottom  # has nothing in common with the other bottom
+            return JetFraction(self.ring, top, self.bottom * right.bottom)
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
-        top = self.top * its + right.top * mine
-        left = _gcd(top, shared)
-        return JetFraction(self.ring, top / left, mine * its * (shared / left))
+        top, rest = _without_common(self.top * its + right.top * mine, shared)
+        return JetFraction(self.ring, top, mine * its * rest)
 
     def __mul__(self, other: object) -> JetFraction:
         right = self.beside(other)
@@ -58,9 +62,11 @@ class JetFraction(FieldOperand):
             return NotImplemented
         if self.bottom.is_one() and right.bottom.is_one():
             return JetFraction(self.ring, bounded_product(self.top, right.top), self.bottom)
-        a, b = _gcd(self.top, right.bottom), _gcd(right.top, self.bottom)
-        top = bounded_product(self.top / a, right.top / b)
-        return JetFraction(self.ring, top, bounded_product(self.bottom / b, right.bottom / a))
+        if self is right:
+            return JetFraction(self.ring, *(bounded_product(part, part) for part in (self.top, self.bottom)))
+        first, below = _without_common(self.top, right.bottom)
+        second, beneath = _without_common(right.top, self.bottom)
+        return JetFraction(self.ring, bounded_product(first, second), bounded_product(beneath, below))
 
     def reciprocal(self) -> JetFraction:
         """``1 / a``; `FormulaError` for zero."""
@@ -120,6 +126,14 @@ class JetFraction(FieldOperand):
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
+
+
+def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """Two polynomials divided by their greatest common divisor."""
+    if bottom.is_one():
+        return top, bottom
+    common = _gcd(top, bottom)
+    return (top, bottom) if common.is_one() else (top / common, bottom / common)
 
 
 def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:

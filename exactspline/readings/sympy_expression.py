@@ -2,7 +2,7 @@
 
 Its calculus (the derivatives) and its algebra (sparse polynomials with sympy's own ground types) are sympy's and share
 nothing with the jets of `exactspline.readings.jet`: what both decide alike was decided twice. The second curve of a
-pair has the parameter s̄, the coordinates of a point are symbols.
+pair has the parameter s̄, surfaces have u and v; the coordinates of a point are symbols.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, reduce
 from heapq import heapify, heappop, heappush
+from itertools import cycle
 from math import gcd
-from typing import Any, cast
+from typing import Any, Self, cast
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -20,14 +21,16 @@ from sympy.polys.rings import PolyElement, PolyRing
 from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import PARAMETERS
+from exactspline.language.choices import Parameter
 from exactspline.language.factorization import Factorization, multiplied
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 
-PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in PARAMETERS}
-FIRST, SECOND = PARAMETER.values()
+PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
+FIRST = PARAMETER[Parameter.FIRST]
+#: Where it is tried whether values divide each other, coordinate by coordinate, again from the first: any integers do.
+POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
 
 class SympyExpression(FieldOperand):
@@ -44,50 +47,53 @@ class SympyExpression(FieldOperand):
     def __init__(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol] = frozenset()) -> None:
         self.expression, self.parameters = expression, parameters
 
-    def constant(self, value: Constant) -> SympyExpression:
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> Self:
+        return type(self)(expression, parameters)
+
+    def constant(self, value: Constant) -> Self:
         """An exact constant."""
-        return SympyExpression(_number(value))
+        return self._made(_number(value), frozenset())
 
-    def __add__(self, other: object) -> SympyExpression:
+    def __add__(self, other: object) -> Self:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return SympyExpression(self.expression + right.expression, self.parameters | right.parameters)
+        return self._made(self.expression + right.expression, self.parameters | right.parameters)
 
-    def __mul__(self, other: object) -> SympyExpression:
+    def __mul__(self, other: object) -> Self:
         right = self.beside(other)
         if right is None:
             return NotImplemented
-        return SympyExpression(self.expression * right.expression, self.parameters | right.parameters)
+        return self._made(self.expression * right.expression, self.parameters | right.parameters)
 
-    def reciprocal(self) -> SympyExpression:
+    def reciprocal(self) -> Self:
         """``1 / a``; `FormulaError` for what vanishes identically."""
         if self.is_zero:
             raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
-        return SympyExpression(1 / self.expression, self.parameters)
+        return self._made(1 / self.expression, self.parameters)
 
-    def scaled(self, constant: Constant) -> SympyExpression:
+    def scaled(self, constant: Constant) -> Self:
         """The expression times an exact constant."""
-        return SympyExpression(self.expression * _number(constant), self.parameters)
+        return self._made(self.expression * _number(constant), self.parameters)
 
-    def elevated_to(self, other: object) -> SympyExpression:
+    def elevated_to(self, other: object) -> Self:
         """Itself: degree elevation does not change a function."""
         return self
 
-    def d(self, order: int = 1, *, by: str | None = None) -> SympyExpression:
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative by its parameter, or by the one that is named.
 
         Raises `FormulaError` for what depends on two parameters, where none is named.
         """
         if by is not None:
-            return SympyExpression(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
+            return self._made(sympy.diff(self.expression, PARAMETER[by], order), self.parameters)
         if len(self.parameters) > 1:
             raise FormulaError(
                 "the derivative of what depends on two parameters", remedy="differentiate operands of one curve"
             )
         if not self.parameters or not order:
             return self if not order else self.constant(0)
-        return SympyExpression(sympy.diff(self.expression, next(iter(self.parameters)), order), self.parameters)
+        return self._made(sympy.diff(self.expression, next(iter(self.parameters)), order), self.parameters)
 
     @property
     def is_zero(self) -> bool:
@@ -101,6 +107,34 @@ class SympyExpression(FieldOperand):
 
     def __repr__(self) -> str:
         return str(self.expression)
+
+
+class AlongCurve(SympyExpression):
+    """An expression on a curve on a surface, whose parameters are functions: `flow` are their derivatives."""
+
+    __slots__ = ("flow",)
+
+    def __init__(
+        self,
+        expression: sympy.Expr,
+        parameters: frozenset[sympy.Symbol],
+        flow: tuple[tuple[sympy.Symbol, sympy.Expr], ...],
+    ) -> None:
+        super().__init__(expression, parameters)
+        self.flow = flow
+
+    def _made(self, expression: sympy.Expr, parameters: frozenset[sympy.Symbol]) -> Self:
+        return type(self)(expression, parameters, self.flow)
+
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
+        """The partial derivative by a parameter of the surface; any other is along the curve, by the chain rule."""
+        if by not in (None, Parameter.FIRST):
+            return super().d(order, by=by)
+        expression = self.expression
+        for _ in range(order):
+            chained = [pace * sympy.diff(expression, parameter) for parameter, pace in self.flow]
+            expression = sympy.diff(expression, FIRST) + sympy.Add(*chained)
+        return self._made(expression, self.parameters)
 
 
 def _number(value: Any) -> sympy.Rational:
@@ -125,15 +159,21 @@ class SympyReading(Reading):
         for constants.
         """
         rules, known = kind.rules(dimension), dict[str, SympyExpression]()
+        texts = {symbol.name: symbol.text for symbol in kind.symbols(dimension, polynomial=polynomial)}
+        flow = tuple(
+            (PARAMETER[parameter], sympy.diff(sympy.Function(texts[name])(FIRST), FIRST))
+            for parameter, name in kind.composed.items()
+        )
 
         def operand(symbol: Symbol) -> SympyExpression:
-            if not symbol.parameter:
+            if not symbol.parameters:
                 return SympyExpression(sympy.Symbol(symbol.text))
-            parameter = PARAMETER[symbol.parameter]
+            parameters = [PARAMETER[name] for name in symbol.parameters]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:
                 function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
-            return SympyExpression(function(parameter), frozenset({parameter}))
+            made = function(*parameters), frozenset(parameters)
+            return AlongCurve(*made, flow) if flow else SympyExpression(*made)
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
         one = SympyExpression(sympy.Integer(1))
@@ -188,11 +228,10 @@ class _Fractions:
 
     def __init__(self, expression: sympy.Expr) -> None:
         atoms = expression.atoms(sympy.Derivative, AppliedUndef, sympy.Symbol)
-        used = sorted((a for a in atoms if a not in (FIRST, SECOND)), key=sympy.default_sort_key)
+        used = sorted((a for a in atoms if a not in PARAMETER.values()), key=sympy.default_sort_key)
         self.ring = PolyRing([f"v{i}" for i in range(len(used))] or ["v0"], sympy.ZZ, sympy.lex)
         self.generators = dict(zip(used, self.ring.gens, strict=False))
         self.known: dict[sympy.Expr, _Product] = {}
-        self.points = [[3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(self.ring.ngens)] for k in (1, 2, 3)]
 
     def value(self, e: sympy.Expr) -> _Product:
         """An expression as a product; what occurs twice is computed once."""
@@ -255,18 +294,18 @@ class _Fractions:
 
     def _may_divide(self, base: PolyElement, p: PolyElement) -> bool:
         """Whether the values at some integer points divide each other: cheap, and necessary (both are primitive)."""
-        for point in self.points:
+        for point in POINTS:
             below = _at(base, point)
             if below and _at(p, point) % below:
                 return False
         return True
 
 
-def _at(p: PolyElement, point: list[int]) -> int:
+def _at(p: PolyElement, point: tuple[int, ...]) -> int:
     total = 0
     for monomial, c in p.items():
         term = int(c)
-        for x, e in zip(point, monomial, strict=True):
+        for x, e in zip(cycle(point), monomial, strict=False):
             if e:
                 term *= x**e
         total += term

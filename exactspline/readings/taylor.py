@@ -6,6 +6,7 @@ Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mp
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import factorial
 from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
@@ -38,8 +39,9 @@ class Series(FieldOperand):
 
     __slots__ = ("coefficients",)
     degree = 0
+    coefficients: tuple[Any, ...]
 
-    def __init__(self, coefficients: Any) -> None:
+    def __init__(self, coefficients: Iterable[Coefficient]) -> None:
         self.coefficients = tuple(coefficients)
 
     def constant(self, value: Constant) -> Series:

@@ -64,9 +64,11 @@ class Node(Operand, OwnVectors):
 
     __slots__ = ("args", "is_vector", "op", "value")
     is_vector: bool
+    #: The name of a leaf, a number, the order of a derivative, …: what the operation says.
+    value: Any
 
     def __init__(
-        self, op: Operation | str, args: tuple[Node, ...] = (), value: Any = None, *, vector: bool = False
+        self, op: Operation | str, args: tuple[Node, ...] = (), value: object = None, *, vector: bool = False
     ) -> None:
         self.op, self.args, self.value, self.is_vector = Operation(op), args, value, vector
 
@@ -75,32 +77,32 @@ class Node(Operand, OwnVectors):
             return other
         return Node(Operation.NUMBER, value=other) if isinstance(other, CONSTANTS) else None
 
-    def _binary(self, op: Operation, other: object) -> Any:
+    def _binary(self, op: Operation, other: object) -> Node:
         right = self._node(other)
         return NotImplemented if right is None else Node(op, (self, right), vector=self.is_vector or right.is_vector)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> Node:
         return self._binary(Operation.PLUS, other)
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: object) -> Node:
         return self._binary(Operation.MINUS, other)
 
-    def __rsub__(self, other: object) -> Any:
+    def __rsub__(self, other: object) -> Node:
         return Node(Operation.NUMBER, value=other)._binary(Operation.MINUS, self)
 
-    def __radd__(self, other: object) -> Any:
+    def __radd__(self, other: object) -> Node:
         return Node(Operation.NUMBER, value=other)._binary(Operation.PLUS, self)
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> Node:
         return self._binary(Operation.TIMES, other)
 
-    def __rmul__(self, other: object) -> Any:
+    def __rmul__(self, other: object) -> Node:
         return Node(Operation.NUMBER, value=other)._binary(Operation.TIMES, self)
 
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self, other: object) -> Node:
         return self._binary(Operation.OVER, other)
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: object) -> Node:
         return Node(Operation.NUMBER, value=other)._binary(Operation.OVER, self)
 
     def __neg__(self) -> Node:

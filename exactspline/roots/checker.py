@@ -26,7 +26,7 @@ def check(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
     parts = []
     for segment in told["segments"]:
         c = [int(x) for x in segment["coefficients"]]
-        _require(len(c) == max(n, -1) + 1, "wrong number of coefficients")
+        _require(len(c) == n + 1, "wrong number of coefficients")
         parts.append(_segment(c, segment, sturm) if any(c) else None)
     roots, jumps, intervals = _whole(breaks, parts, told["periodic"])
     _require(len(told["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")

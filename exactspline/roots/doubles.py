@@ -170,5 +170,6 @@ def _approximated(rows: Rows, found: Isolated) -> Floats:
             again = (left == was_left) & (step > 0)
             at_high = np.where(left, np.where(again, at_high / 2, at_high), value)
             at_low = np.where(left, value, np.where(again, at_low / 2, at_low))
-            low, high, was_left = np.where(left, x, low), np.where(left, high, x), left
+            # both ends where the value is 0
+            low, high, was_left = np.where(value * before >= 0, x, low), np.where(left, high, x), left
     return x

@@ -7,7 +7,8 @@ precision to choose. A sign that the bounds leave open is decided by a common di
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from itertools import takewhile
+from typing import TYPE_CHECKING, NamedTuple
 
 from flint import fmpz_poly
 
@@ -57,7 +58,7 @@ class Enclosure(Immutable):
     def __hash__(self) -> int:
         return hash((Enclosure, self.low, self.high))
 
-    def __contains__(self, number: Any) -> bool:
+    def __contains__(self, number: Number) -> bool:
         return bool(self.low <= rational(number) <= self.high)
 
     @property
@@ -76,9 +77,28 @@ class Enclosure(Immutable):
         decimals = f".{part:0{self.digits}d}" if self.digits else ""
         return f"{'-' if scaled < 0 else ''}{whole}{decimals}"
 
+    @property
+    def certain(self) -> str:
+        """The decimals on which both ends agree, followed by dots; where they agree on none, the two ends.
+
+        >>> Enclosure(mpq(1, 3), mpq(3334, 10000), 6).certain, Enclosure(mpq(-1, 100), mpq(1, 100), 2).certain
+        ('0.333…', '-0.01 … 0.01')
+        """
+        ends = [_truncated(end, self.digits) for end in (self.low, self.high)]
+        agreed = len(list(takewhile(lambda pair: pair[0] == pair[1], zip(*ends, strict=False))))
+        if "." not in ends[0][:agreed]:
+            return " … ".join(ends)
+        return ends[0] if self.low == self.high == rational(ends[0]) else f"{ends[0][:agreed]}…"
+
     def __repr__(self) -> str:
         shown = str(self)
         return f"<Enclosure {shown.rstrip('0').rstrip('.') if '.' in shown else shown}…>"
+
+
+def _truncated(q: mpq, digits: int) -> str:
+    """A number to so many digits behind the point, cut off towards zero."""
+    whole, part = divmod(int(abs(q) * mpz(10) ** digits), 10**digits)
+    return f"{'-' if q < 0 else ''}{whole}.{part:0{digits}d}"
 
 
 def _nearest_integer(q: mpq) -> int:

@@ -18,7 +18,7 @@ from flint import fmpz, fmpz_poly, nmod_poly
 
 from exactspline.exact import PRIME, mpq, ratio
 from exactspline.language.factorization import Factorization, multiplied
-from exactspline.splines.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
+from exactspline.splines.bernstein import NOTHING, ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
@@ -110,7 +110,7 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
     [('0', '1/2'), ('1/2', '1')]
     """
-    signs_of_all = [1 if x > 0 else -1 if x < 0 else 0 for x in c.coeffs()]
+    signs_of_all = [(1 if x > NOTHING else -1) if x else 0 for x in c.coeffs()]
     at_left = 0 if signs_of_all[0] else next(i for i, x in enumerate(signs_of_all) if x)
     at_right = n + 1 - len(signs_of_all)
     signs = signs_of_all[at_left], signs_of_all[-1]
@@ -235,4 +235,4 @@ def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
 
 
 def _sign(x: fmpz) -> int:
-    return 1 if x > 0 else -1 if x < 0 else 0
+    return (1 if x > NOTHING else -1) if x else 0

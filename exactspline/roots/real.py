@@ -85,7 +85,7 @@ class Real:
 
         def bounds(low: mpq, high: mpq, digits: int) -> list[Bounds] | None:
             above, below = values_between(top, low, high), values_between(bottom, low, high)
-            if above is None or below is None or below.low <= 0 <= below.high:
+            if above is None or below is None or below.low <= 0:
                 return None
             size = root_of(quotient(above, below), digits + 5)
             return [size if sign > 0 else Bounds(-size.high, -size.low)]

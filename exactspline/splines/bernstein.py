@@ -20,7 +20,7 @@ from exactspline.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
 
 Form = tuple[fmpz_poly, fmpz]
 
-ONE = fmpz(1)
+NOTHING, ONE = fmpz(0), fmpz(1)
 ZERO_FORM: Form = (fmpz_poly([]), ONE)
 U_PLUS_V = fmpz_poly([1, 1])
 ONE_PLUS_2Z = fmpz_poly([1, 2])
@@ -197,8 +197,13 @@ def variations(c: fmpz_poly) -> int:
     """Sign changes in the coefficients: at least the number of roots inside the segment, and of its parity
     (Descartes).
     """
-    signs = [x > 0 for x in c.coeffs() if x != 0]
-    return sum(a != b for a, b in pairwise(signs))
+    changes, last = -1, None
+    for x in c.coeffs():
+        if x:
+            positive = x > NOTHING
+            if positive is not last:
+                changes, last = changes + 1, positive
+    return max(changes, 0)
 
 
 def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:

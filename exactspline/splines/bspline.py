@@ -7,7 +7,7 @@ the nominal degree and the nominal continuity at every interior breakpoint.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from operator import add as plus
 from operator import mul as times
 from operator import sub as minus
@@ -19,7 +19,7 @@ from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.splines import blossom, refinement
 from exactspline.splines.bernstein import ONE, Form, bezier, common_denominators, derivative, raiser, true_degree, value
@@ -223,16 +223,17 @@ class BSpline(Immutable, _Parts, Operand):
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
         return _make(0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q))
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: BSpline | Constant) -> BSpline:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: BSpline | Constant) -> BSpline:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: object, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Callable[[fmpz_poly, fmpz_poly], fmpz_poly], name: int) -> BSpline:
         if type(other) is not BSpline:
             if not isinstance(other, CONSTANTS):
-                return NotImplemented
+                refused: BSpline = NotImplemented
+                return refused
             other = self.constant(other)
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
         n, p, q = a.degree, a._polynomials, b._polynomials
@@ -250,7 +251,7 @@ class BSpline(Immutable, _Parts, Operand):
             n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
         )
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: BSpline | Constant) -> BSpline:
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)

@@ -10,22 +10,27 @@ from __future__ import annotations
 
 import json
 import os
-import stat
-from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError
+from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.exact import mpq, rational
-from exactspline.exact import text as text_of
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.control_points import Direction, exact_points
+from exactspline.splines.control_points import exact_points
 from exactspline.splines.given import checked_degree
+from exactspline.splines.json_files import (
+    MAX_BYTES,
+    json_object,
+    number_of,
+    points_of,
+    text_of_file,
+    whole_degree,
+    written_point,
+)
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
-#: Largest file read, in bytes: room for a hundred thousand control points.
-MAX_BYTES = 8 * 1024 * 1024
+__all__ = ["MAX_BYTES", "OPTIONAL", "REQUIRED", "curve_data", "curve_from_text", "read_curve", "save", "write_json"]
 
 REQUIRED = ("degree", "knots", "control_points")
 OPTIONAL = ("weights", "name", "source", "note")
@@ -37,23 +42,7 @@ def read_curve(path: str | os.PathLike[str]) -> Nurbs:
     Raises `CurveFileError` (missing, a directory, unreadable, too large, not JSON, a field missing or unknown) or the
     error of the field at fault, the file named in front.
     """
-    place = Path(path)
-    try:
-        status = place.stat()
-        if not stat.S_ISREG(status.st_mode):
-            kind = "a directory" if stat.S_ISDIR(status.st_mode) else "no regular file"
-            raise CurveFileError(f"is {kind}", where=str(place), remedy="name a JSON curve file")
-        if status.st_size > MAX_BYTES:
-            raise CurveFileError(f"{status.st_size} bytes", where=str(place), remedy=f"at most {MAX_BYTES} are read")
-        text = place.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise CurveFileError("is not UTF-8 text", where=str(place), remedy="a curve file is JSON") from None
-    except OSError as error:
-        raise CurveFileError(
-            f"cannot be read ({error.strerror})",
-            where=str(place),
-            remedy="name a curve file, or an example curve (see `exactspline curves`)",
-        ) from None
+    place, text = text_of_file(path)
     try:
         return curve_from_text(text, place.stem)
     except ExactSplineError as error:
@@ -66,11 +55,13 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     >>> curve_from_text('{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [0.1, "1/3"]]}')(1)
     (mpq(1,10), mpq(1,3))
     """
-    data = _parsed(text)
-    if not isinstance(data, dict):
-        raise CurveFileError(
-            "the JSON text is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}'
-        )
+    data: dict[str, Any] = json_object(
+        text,
+        'one curve is {"degree": …, "knots": […], "control_points": […]}; several, {"curves": […]}, are '
+        "read by exactspline.interchange.files.read",
+    )
+    if isinstance(data.get("degree"), list):
+        raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
     if "pieces" in data:
         data = _one_piece(data)
     if "kind" in data:
@@ -89,40 +80,19 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     for field in ("knots", "control_points", "weights"):
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is not a list", where=field, remedy="write a JSON list")
-    points, weights = _points(data["control_points"]), data.get("weights")
+    points, weights = points_of(data["control_points"]), data.get("weights")
     return Nurbs(
-        _degree(data["degree"]),
-        map(_number, data["knots"]),
+        whole_degree(data["degree"]),
+        map(number_of, data["knots"]),
         points,
-        None if weights is None else map(_number, weights),
+        None if weights is None else map(number_of, weights),
         name=str(data.get("name") or name),
         source=str(data.get("source") or ""),
         note=str(data.get("note") or ""),
     )
 
 
-def _points(rows: list[Any]) -> list[Any]:
-    """Points are lists of numbers, directions are objects: ``{"vector": [x, y]}``."""
-    points: list[Any] = []
-    for i, row in enumerate(rows):
-        if isinstance(row, dict):
-            if set(row) != {"vector"} or not isinstance(row["vector"], list):
-                raise CurveFileError(
-                    "is not a control point",
-                    where=f"control_points[{i}]",
-                    remedy='write [x, y], or {"vector": [x, y]} for a direction',
-                )
-            try:
-                points.append(Direction(*map(_number, row["vector"])))
-            except NumberError as error:
-                place = error.where.removeprefix("Direction")
-                raise NumberError(error.problem, remedy=error.remedy).at(f"control_points[{i}].vector{place}") from None
-        else:
-            points.append(list(map(_number, row)) if isinstance(row, list) else row)
-    return points
-
-
-def _one_piece(data: dict[str, Any]) -> dict[str, object]:
+def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
     """The only piece of what `derive` or `bisector` wrote."""
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
     curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
@@ -139,7 +109,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, object]:
             remedy="low and high tell where; a curve file can only end at a rational parameter",
         )
     of = f" of {data['curve']}" if data.get("curve") else ""
-    named: dict[str, object] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
+    named: dict[str, Any] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
     return named | curves[0]
 
 
@@ -166,8 +136,8 @@ def _curve_of_piece(piece: dict[str, Any], name: str) -> Nurbs:
             where=field,
             remedy="write (w x, w y, …, w) for each" if rational_piece else "write (x, y, …) for each",
         )
-    rows = exact_points([list(map(_number, row)) for row in net], least=3 if rational_piece else 2)
-    degree, knots = _degree(piece["degree"]), KnotVector(map(_number, piece["knots"]))
+    rows = exact_points([list(map(number_of, row)) for row in net], least=3 if rational_piece else 2)
+    degree, knots = whole_degree(piece["degree"]), KnotVector(map(number_of, piece["knots"]))
     knots.check(checked_degree(degree))
     low, high = _ends(piece, knots.domain(degree))
     *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]
@@ -186,60 +156,14 @@ def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq]) -> tuple[mpq, mpq]:
 
 def _end(end: Any, key: str, otherwise: Any) -> mpq:
     if not isinstance(end, dict):
-        return rational(_number(otherwise if end is None else end))
+        return rational(number_of(otherwise if end is None else end))
     if end.get("parameter") is None:
         raise CurveFileError(
             f"the piece ends at an irrational parameter (in {end.get('interval')})",
             where=key,
             remedy="no curve with rational knots ends there; write a rational parameter inside the piece",
         )
-    return rational(_number(end["parameter"]))
-
-
-def _degree(degree: Any) -> Any:
-    """A degree as it stands in JSON: an int where the number is whole, else its text, which is refused later."""
-    if not isinstance(degree, _Decimal):
-        return degree
-    exact = rational(str(degree))
-    return int(exact) if exact.denominator == 1 else str(degree)
-
-
-class _Decimal(str):
-    """The digits of a JSON number, kept as they stand."""
-
-
-def _number(value: Any) -> Any:
-    """Text for a JSON number, so that no digit is lost; everything else is left to the gate to judge."""
-    return "null" if value is None else str(value) if isinstance(value, _Decimal) else value
-
-
-def _parsed(text: str) -> Any:
-    try:
-        return json.loads(
-            text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=once_each
-        )
-    except RecursionError:
-        raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
-    except json.JSONDecodeError as error:
-        raise CurveFileError(
-            f"is not JSON ({error.msg})",
-            where=f"line {error.lineno}, column {error.colno}",
-            remedy="correct the text there",
-        ) from None
-
-
-def once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
-    """The fields of an object; one that is written twice has no value that could be meant."""
-    found = dict(fields)
-    if len(found) < len(fields):
-        names = [name for name, _ in fields]
-        twice = next(name for i, name in enumerate(names) if name in names[:i])
-        raise CurveFileError(f"the field {twice!r} is written twice", remedy="keep one of them")
-    return found
-
-
-def _refuse(word: str) -> NoReturn:
-    raise CurveFileError(f"{word} is not a number", remedy="write finite numbers")
+    return rational(number_of(end["parameter"]))
 
 
 def curve_data(curve: Nurbs) -> dict[str, object]:
@@ -248,16 +172,11 @@ def curve_data(curve: Nurbs) -> dict[str, object]:
     data |= {
         "degree": curve.degree,
         "knots": [str(t) for t in curve.knots],
-        "control_points": [_written(point) for point in curve.control_points],
+        "control_points": [written_point(point) for point in curve.control_points],
     }
     if curve.note:
         data["note"] = curve.note
     return data if curve.polynomial else data | {"weights": [str(w) for w in curve.weights]}
-
-
-def _written(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
-    coordinates = [text_of(x) for x in point]
-    return {"vector": coordinates} if isinstance(point, Direction) else coordinates
 
 
 def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:

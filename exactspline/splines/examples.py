@@ -1,4 +1,4 @@
-"""Named example curves, and readers and writers of curve files."""
+"""Named example curves and surfaces, and readers and writers of their files."""
 
 from __future__ import annotations
 
@@ -9,8 +9,20 @@ from pathlib import Path
 from exactspline.errors import CurveFileError, nearest
 from exactspline.splines.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.surface_files import read_surface, surface_from_text
 
-__all__ = ["curve_from_text", "example", "example_names", "load", "read_curve", "write_json"]
+__all__ = [
+    "curve_from_text",
+    "example",
+    "example_names",
+    "example_surface",
+    "example_surface_names",
+    "load",
+    "load_surface",
+    "read_curve",
+    "write_json",
+]
 
 
 @cache
@@ -20,13 +32,7 @@ def example_names() -> tuple[str, ...]:
     >>> "circle" in example_names()
     True
     """
-    return tuple(
-        sorted(
-            entry.name.removesuffix(".json")
-            for entry in resources.files(__package__).joinpath("example_curves").iterdir()
-            if entry.name.endswith(".json")
-        )
-    )
+    return _names("example_curves")
 
 
 @cache
@@ -41,9 +47,44 @@ def example(name: str) -> Nurbs:
     if name not in example_names():
         remedy = nearest(name, example_names(), listed_by="exactspline curves")
         raise CurveFileError(f"no file and no example curve is called {name!r}", remedy=remedy)
-    return curve_from_text(
-        resources.files(__package__).joinpath("example_curves", f"{name}.json").read_text(encoding="utf-8"), name
-    )
+    return curve_from_text(_text("example_curves", name), name)
+
+
+@cache
+def example_surface_names() -> tuple[str, ...]:
+    """The names of the example surfaces.
+
+    >>> "torus" in example_surface_names()
+    True
+    """
+    return _names("example_surfaces")
+
+
+@cache
+def example_surface(name: str) -> NurbsSurface:
+    """The example surface with this name.
+
+    >>> example_surface("sphere")(0, 1)
+    (mpq(1,1), mpq(0,1), mpq(0,1))
+
+    Raises `CurveFileError` with the nearest names.
+    """
+    if name not in example_surface_names():
+        remedy = nearest(name, example_surface_names(), listed_by="exactspline curves")
+        raise CurveFileError(f"no file and no example surface is called {name!r}", remedy=remedy)
+    return surface_from_text(_text("example_surfaces", name), name)
+
+
+def load_surface(name_or_path: str) -> NurbsSurface:
+    """An example surface by its name, otherwise a surface file by its path; what looks like a name and is none gets
+    the nearest ones.
+
+    >>> load_surface("enneper").degree
+    (3, 3)
+    """
+    is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
+    known = name_or_path in example_surface_names()
+    return example_surface(name_or_path) if known or is_name else read_surface(name_or_path)
 
 
 def load(name_or_path: str) -> Nurbs:
@@ -52,3 +93,12 @@ def load(name_or_path: str) -> Nurbs:
     """
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
     return example(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)
+
+
+def _names(folder: str) -> tuple[str, ...]:
+    files = resources.files(__package__).joinpath(folder).iterdir()
+    return tuple(sorted(entry.name.removesuffix(".json") for entry in files if entry.name.endswith(".json")))
+
+
+def _text(folder: str, name: str) -> str:
+    return resources.files(__package__).joinpath(folder, f"{name}.json").read_text(encoding="utf-8")

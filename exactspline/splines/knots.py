@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, NumberError
-from exactspline.exact import Number, mpq, rational, text, to_fmpz
+from exactspline.exact import Number, mpq, rational, short_text, text, to_fmpz
 from exactspline.language.immutable import Immutable, fill
 
 if TYPE_CHECKING:
@@ -180,7 +180,7 @@ class Mesh(Immutable):
         a, b = self.domain
         if not a <= t <= b:
             raise DomainError(
-                f"the parameter {text(t)} is outside the domain [{text(a)}, {text(b)}]",
+                f"the parameter {short_text(t)} is outside the domain [{text(a)}, {text(b)}]",
                 remedy="stay inside",
                 parameter=t,
                 domain=(a, b),

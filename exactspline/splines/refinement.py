@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
-from exactspline.exact import mpq, text
+from exactspline.exact import mpq, short_text, text
 from exactspline.language.choices import Side
 from exactspline.splines import bernstein
 from exactspline.splines.knots import SMOOTH, Mesh
@@ -92,7 +92,9 @@ def _inner(f: BSpline, t: mpq) -> None:
     a, b = f.domain
     if not a < t < b:
         raise DomainError(
-            f"{text(t)} is not inside the domain ({text(a)}, {text(b)})", remedy="inner parameters only", parameter=t
+            f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
+            remedy="inner parameters only",
+            parameter=t,
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import total_ordering
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.errors import NumberError
 from exactspline.exact import Number, double_between, is_square, isqrt, mpq, mpz, text
@@ -75,7 +75,7 @@ class Surd(Immutable):
     def __abs__(self) -> Surd:
         return Surd(abs(self.coefficient), self.radicand)
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: object) -> mpq | Surd:
         if isinstance(other, Surd):
             return square_root(self.square * other.square) * (self.sign * other.sign)
         if not isinstance(other, _EXACT):
@@ -84,10 +84,10 @@ class Surd(Immutable):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self, other: object) -> mpq | Surd:
         return self * (1 / mpq(other)) if isinstance(other, _EXACT) else NotImplemented
 
-    def __pow__(self, exponent: int) -> Any:
+    def __pow__(self, exponent: int) -> mpq:
         if exponent != 2:
             return NotImplemented
         return self.square

@@ -1,8 +1,7 @@
 """Splines in two parameters: exact tensor-product B-splines, the algebra that §6 needs.
 
-A `TensorSpline` is immutable, like `BSpline`, and scalar; a surface in space is a `Vector` of three, or a `Rational`.
-What depends on one parameter only is kept as the `BSpline` it is, so that nothing is computed once a patch that can be
-computed once a segment.
+A `TensorSpline` is immutable and scalar; a surface in space is a `Vector` of three, or a `Rational`. What depends on
+one parameter only is kept as the `BSpline` it is: nothing is computed for each patch that can be for each segment.
 """
 
 from __future__ import annotations
@@ -17,9 +16,10 @@ from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
-from exactspline.language.arguments import PARAMETERS, Curve, Pair
+from exactspline.language.arguments import Curve, Pair
+from exactspline.language.choices import Parameter
 from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
@@ -30,6 +30,9 @@ from exactspline.splines.tensor_lines import Continuity, Degrees, joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
 from exactspline.splines.tensor_parts import TensorParts
 from exactspline.splines.tensor_univariate import changed_one, one_parameter, packed_segments, replaced, smooth, spread
+
+#: The directions of parameters: those of two curves, and those of a surface.
+DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.V: 1}
 
 
 class TensorSpline(Immutable, TensorParts, Operand):
@@ -157,16 +160,17 @@ class TensorSpline(Immutable, TensorParts, Operand):
         a, b = self.meshes[0].domain
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: TensorSpline | Constant) -> TensorSpline:
         return self._sum(other, plus, SUM)
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: TensorSpline | Constant) -> TensorSpline:
         return self._sum(other, minus, DIFFERENCE)
 
-    def _sum(self, other: object, operation: Any, name: int) -> Any:
+    def _sum(self, other: object, operation: Callable[[Any, Any], Any], name: int) -> TensorSpline:
         right = other if type(other) is TensorSpline else self.beside(other)
         if right is None:
-            return NotImplemented
+            refused: TensorSpline = NotImplemented
+            return refused
         a, b = (self, right) if self.meshes is right.meshes else aligned(self, right)
         stride = a.stride if a.stride >= b.stride else b.stride
         if (
@@ -195,7 +199,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
             (name, self.provenance, right.provenance),
         )
 
-    def __mul__(self, other: object) -> Any:
+    def __mul__(self, other: TensorSpline | Constant) -> TensorSpline:
         if type(other) is not TensorSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)
@@ -233,11 +237,13 @@ class TensorSpline(Immutable, TensorParts, Operand):
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
-        """The derivative of what depends on one parameter only; `FormulaError` for anything else (see `partial`)."""
+        """The derivative by the parameter that is named: s or u the first one, s̄ or v the second; where none is, of
+        what depends on one parameter only; `FormulaError` for anything else (see `partial`).
+        """
         if by is not None:
-            if by not in PARAMETERS:
-                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {' and '.join(PARAMETERS)}")
-            return self.partial(order, 0) if by == PARAMETERS[0] else self.partial(0, order)
+            if by not in DIRECTION:
+                raise FormulaError(f"a derivative by {by!r}", remedy=f"the parameters are {', '.join(DIRECTION)}")
+            return self.partial(order, 0) if DIRECTION[Parameter(by)] == 0 else self.partial(0, order)
         if self.profile is None:
             raise FormulaError(
                 "a derivative of a spline in two parameters", remedy="say by which: d(1, by='s') or d(1, by='s̄')"
@@ -465,14 +471,8 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
             (smooth(len(meshes[0].widths)), spline.continuity),
             stride,
         )
-    result.meshes, result.provenance, result.profile, result._packed, result._points = (
-        meshes,
-        spline.provenance,
-        (direction, spline),
-        {},
-        None,
-    )
-    result._denominators = None
+    result.meshes, result.provenance, result.profile = meshes, spline.provenance, (direction, spline)
+    result._packed, result._points, result._denominators = {}, None, None
     result.__class__ = TensorSpline
     made: TensorSpline = result
     return made

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import comb
 
-from exactspline.errors import DomainError, KnotError, ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.errors import DomainError, KnotError, ShapeError, counted
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, lifted, projected
 from exactspline.splines.knots import KnotVector
@@ -111,7 +111,7 @@ def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
     low, high = knots.domain(degree)
     if not low <= parameter <= high:
         raise DomainError(
-            f"the parameter {text(parameter)} is outside the domain [{text(low)}, {text(high)}]",
+            f"the parameter {short_text(parameter)} is outside the domain [{text(low)}, {text(high)}]",
             remedy="stay inside",
             parameter=parameter,
             domain=(low, high),
@@ -134,15 +134,15 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
     low, high = knots.domain(degree)
     if not low < parameter < high:
         raise DomainError(
-            f"{text(parameter)} is not inside the domain ({text(low)}, {text(high)})",
+            f"{short_text(parameter)} is not inside the domain ({text(low)}, {text(high)})",
             remedy="inner parameters only",
             parameter=parameter,
         )
     present = knots.multiplicity(parameter)
     if type(times) is not int or times < 1 or present + times > degree:
         raise KnotError(
-            f"{times} knots to insert at {text(parameter)}, which has the multiplicity {present}",
-            remedy=f"insert at least one, and up to the multiplicity {degree}, which is the degree",
+            f"the knot {short_text(parameter)} of multiplicity {present} inserted {counted(times, 'time')}",
+            remedy=f"insert it at least once; its multiplicity may reach the degree {degree}",
             knot=parameter,
         )
     return _downwards(curve, parameter, "insertion", times)

@@ -27,6 +27,8 @@ from exactspline.readings.jet import Jet, JetReading
 #: The kinds of arguments in the plane, in space, and with a second curve.
 PLANE, SPACE, PAIR = ("plane", "plane point"), ("space", "point"), ("pair",)
 ALONE = ("curve", *PLANE, *SPACE)
+#: Those of two parameters.
+SURFACES = ("surface", "planar map")
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,9 @@ def _of_second(name: str) -> Callable[[Any], Any]:
 
 
 _EVERYWHERE = (
-    Assumption("w", "w has no zero", "the weight function, without a zero", lambda c: _first(c).w, (*ALONE, *PAIR)),
+    Assumption(
+        "w", "w has no zero", "the weight function, without a zero", lambda c: _first(c).w, (*ALONE, *PAIR, *SURFACES)
+    ),
     Assumption(
         "w̄",
         "w̄ has no zero",
@@ -112,6 +116,14 @@ _EVERYWHERE = (
         _formula("binormal_form_squared"),
         SPACE,
         formula="binormal_form_squared",
+    ),
+    Assumption(
+        "S_u×S_v",
+        "S_u×S_v has no zero",
+        "positive where the surface is regular",
+        _formula("surfaces:area_squared_lifted"),
+        ("surface",),
+        formula="surfaces:area_squared_lifted",
     ),
 )
 
@@ -214,6 +226,6 @@ def _polynomials(
         spoken_of = any(kind.takes(kind_of(name), dimension) for name in each.kinds)
         if spoken_of and order_of(Formula(each.polynomial, each.name, kind, ""), dimension) <= order:
             value = each.polynomial(argument)
-            if not value.is_zero and value.polynomial.total_degree() > 0:
+            if value.polynomial.total_degree() > 0:
                 found.append((each, value.polynomial))
     return found

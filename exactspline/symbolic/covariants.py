@@ -5,18 +5,21 @@ f⁽ⁱ⁻¹⁾``: what an infinitesimal projective change of parameter does to 
 height of F is the j with ``Lʲ F ≠ 0 = Lʲ⁺¹ F``; F is a covariant exactly when j = 0. On the generic curve of degree d
 the polynomial F has degree ``k d − 2 m + j`` in the parameter: exactly that, and never more on any curve. The proof is
 in ``docs/degree-theorem.md``.
+
+Of a surface all this holds in each parameter: along a line of constant v its derivatives by v are curves of degree d_u,
+free and independent of each other. Weight and height then count the derivatives by u alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from exactspline.errors import FormulaError, InapplicableError
-from exactspline.language.arguments import COORDINATES
+from exactspline.language.choices import Parameter
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.leading_terms import common_roots
@@ -24,7 +27,7 @@ from exactspline.readings.leading_terms import common_roots
 
 @dataclass(frozen=True)
 class TrueDegree:
-    """Degree k, weight m and height j for symbolic d.
+    """Degree k, weight m and height j for symbolic d, which may have another `name`.
 
     `lower` are the d ≥ 1 at which the true degree is below ``k d − 2 m + j``, with what it is there: −1 stands for a
     polynomial that vanishes on all curves of that degree.
@@ -34,16 +37,17 @@ class TrueDegree:
     m: int
     j: int
     lower: tuple[tuple[int, int], ...]
+    name: str = "d"
 
     @property
     def nominal(self) -> Degree:
         """``k d − m``, what Table 1 counts."""
-        return _affine(self.k, -self.m)
+        return _affine(self.name, self.k, -self.m)
 
     @property
     def generic(self) -> Degree:
         """``k d − 2 m + j``, the degree on the generic curve."""
-        return _affine(self.k, self.j - 2 * self.m)
+        return _affine(self.name, self.k, self.j - 2 * self.m)
 
     @property
     def surplus(self) -> int:
@@ -55,12 +59,13 @@ class TrueDegree:
         return dict(self.lower).get(d, self.k * d - 2 * self.m + self.j)
 
 
-def _affine(k: int, constant: int) -> Degree:
-    return Degree([((("d", k),) if k else (), constant)])
+def _affine(name: str, k: int, constant: int) -> Degree:
+    return Degree([(((name, k),) if k else (), constant)])
 
 
-def true_degree(jets: Jet | Iterable[Jet]) -> TrueDegree:
-    """k, m, j and the true degree of a differential polynomial, or of a vector of them (the largest of the components).
+def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRST) -> TrueDegree:
+    """k, m, j and the true degree in a parameter of a differential polynomial, or of a vector of them (the largest of
+    the components).
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.plane import f2
     >>> from exactspline.language.kinds import CURVE
@@ -69,12 +74,18 @@ def true_degree(jets: Jet | Iterable[Jet]) -> TrueDegree:
     >>> (t.k, t.m, t.j), t.nominal, t.generic, t.lower
     ((3, 3, 0), 3d − 3, 3d − 6, ((1, -1),))
 
+    >>> from exactspline.language.kinds import SURFACE
+    >>> from exactspline.papers import paper
+    >>> second = paper("surfaces").find("L_lifted")(JetReading(2).argument(SURFACE, 3))
+    >>> [true_degree(second, parameter).generic for parameter in (Parameter.U, Parameter.V)]
+    [4d_u − 6, 4d_v − 2]
+
     Raises `FormulaError` when it is zero, or not homogeneous in degree and weight (see `graded`).
     """
     parts = [jet for jet in ([jets] if isinstance(jets, Jet) else jets) if not jet.is_zero]
     if not parts:
         raise FormulaError("the zero polynomial has no degree", remedy="ask for one that does not vanish")
-    gradings = {grading(jet) for jet in parts}
+    gradings = {grading(jet, parameter) for jet in parts}
     if len(gradings) > 1:
         raise FormulaError(
             f"components with the gradings {sorted(gradings)}",
@@ -86,10 +97,11 @@ def true_degree(jets: Jet | Iterable[Jet]) -> TrueDegree:
     j, images = -1, [_with_d(ring, jet.polynomial) for jet in parts]
     while images:
         lowest, j = images, j + 1
-        images = [image for p in lowest if (image := _lowered(ring, p))]
+        images = [image for p in lowest if (image := _lowered(ring, p, parameter))]
     suspects = {*range(1, ring.order), *set.intersection(*[set(common_roots(p)) for p in lowest])}
-    lower = [(d, _at(parts, k, m, d)) for d in sorted(suspects)]
-    return TrueDegree(k, m, j, tuple((d, n) for d, n in lower if n != k * d - 2 * m + j))
+    lower = [(d, _at(parts, k, m, {parameter: d})) for d in sorted(suspects)]
+    special = tuple((d, n) for d, n in lower if n != k * d - 2 * m + j)
+    return TrueDegree(k, m, j, special, _degree_name(ring, parameter))
 
 
 def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
@@ -99,10 +111,16 @@ def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
     for d in sorted({d for f, _ in factors for d, _ in f.lower}):
         degrees = [(f.at(d), e) for f, e in factors]
         lower.append((d, -1 if any(n < 0 for n, _ in degrees) else sum(n * e for n, e in degrees)))
-    return TrueDegree(k, m, j, tuple((d, n) for d, n in lower if n != k * d - 2 * m + j))
+    special = tuple((d, n) for d, n in lower if n != k * d - 2 * m + j)
+    return TrueDegree(k, m, j, special, factors[0][0].name)
 
 
-def graded(jet: Jet) -> list[Jet]:
+def _degree_name(ring: JetRing, parameter: Parameter) -> str:
+    """The degree in a parameter of the functions of a ring."""
+    return next(s.degree_in(parameter) for s in ring.symbols.values() if parameter in s.parameters)
+
+
+def graded(jet: Jet, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
     """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
@@ -110,7 +128,7 @@ def graded(jet: Jet) -> list[Jet]:
     >>> graded(x * x + 3 * x.d() * x + x.d())
     [x′, x², 3·x·x′]
     """
-    moving = _moving(jet.ring)
+    moving = _moving(jet.ring, parameter)
     parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
     for exponents, c in jet.polynomial.terms():
         e = tuple(map(int, exponents))
@@ -118,11 +136,11 @@ def graded(jet: Jet) -> list[Jet]:
     return [Jet(jet.ring, jet.ring.context.from_dict(terms)) for _, terms in sorted(parts.items())]
 
 
-def grading(jet: Jet) -> tuple[int, int]:
-    """Degree k and weight m in the curve; of two curves in the first. `FormulaError` when it is not homogeneous in
+def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]:
+    """Degree k and weight m in the functions of a parameter. `FormulaError` when it is not homogeneous in
     both.
     """
-    moving = _moving(jet.ring)
+    moving = _moving(jet.ring, parameter)
     exponents = ([int(x) for x in m] for m in jet.polynomial.monoms())
     found = {(sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)) for e in exponents}
     if len(found) != 1:
@@ -133,19 +151,25 @@ def grading(jet: Jet) -> tuple[int, int]:
     return found.pop()
 
 
-def _moving(ring: JetRing) -> list[tuple[int, int]]:
-    """The places of the variables that depend on the parameter, and their orders: of two curves those of the first.
+def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
+    """The places of the variables that depend on a parameter, and their orders in it.
 
     Raises `InapplicableError` where operands depend on each other: the degree theorem speaks of free ones.
     """
-    if ring.rules:
+    if ring.rules or ring.kind.composed:
         raise InapplicableError(
             f"the degree theorem says nothing of the kind {ring.kind.name!r}", remedy="ask for the nominal degree"
         )
-    return [(n, i) for n, (name, i) in enumerate(ring.variables) if name in COORDINATES or name == "w"]
+    found = [(n, orders, ring.symbols[name].parameters) for n, (name, orders) in enumerate(ring.variables)]
+    return [(n, orders[own.index(parameter)]) for n, orders, own in found if parameter in own]
 
 
-def generic_degree(jets: Sequence[Jet]) -> Degree:
+def _beyond(ring: JetRing, degrees: Mapping[Parameter, int]) -> list[int]:
+    """The places of the derivatives that vanish where the functions have these degrees."""
+    return [n for parameter, d in degrees.items() for n, i in _moving(ring, parameter) if i > d]
+
+
+def generic_degree(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> Degree:
     """The true degree of a vector on the generic curve for symbolic d, homogeneous or not.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
@@ -153,16 +177,16 @@ def generic_degree(jets: Sequence[Jet]) -> Degree:
     >>> generic_degree([c.p[0] * c.w.d(1) - c.p[0].d(1) * c.w, c.w])
     max(2d − 2, d)
     """
-    degrees = [true_degree(part).generic for jet in jets for part in graded(jet)]
+    degrees = [true_degree(part, parameter).generic for jet in jets for part in graded(jet, parameter)]
     result = degrees[0]
     for degree in degrees[1:]:
         result = result.max(degree)
     return result
 
 
-def truncated(jets: Iterable[Jet], d: int) -> list[Jet]:
+def truncated(jets: Iterable[Jet], d: int, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
     """The polynomials on curves of degree d: derivatives of higher order are zero."""
-    return [Jet(jet.ring, _truncated(jet.ring, jet.polynomial, d)) for jet in jets]
+    return [Jet(jet.ring, _truncated(jet.ring, jet.polynomial, {parameter: d})) for jet in jets]
 
 
 def without_content(jets: Sequence[Jet]) -> list[Jet]:
@@ -173,47 +197,70 @@ def without_content(jets: Sequence[Jet]) -> list[Jet]:
     return [Jet(jet.ring, jet.polynomial / common) for jet in jets]
 
 
-def degree_at(jets: Sequence[Jet], d: int) -> int:
+def degree_at(jets: Sequence[Jet], d: int, parameter: Parameter = Parameter.FIRST) -> int:
     """The true degree of a vector on the generic curve of one degree d, homogeneous or not; −1 where it vanishes."""
-    return max((true_degree(part).at(d) for jet in jets for part in graded(jet)), default=-1)
+    parts = [part for jet in jets for part in graded(jet, parameter)]
+    return max((true_degree(part, parameter).at(d) for part in parts), default=-1)
+
+
+def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], parameter: Parameter) -> int:
+    """The true degree in one parameter of a vector on the generic patch of these degrees; −1 where it vanishes.
+
+    >>> from exactspline.language.kinds import SURFACE
+    >>> from exactspline.papers import paper
+    >>> from exactspline.readings.jet import JetReading
+    >>> parabolic = paper("surfaces").find("parabolic_lifted")(JetReading(2).argument(SURFACE, 3))
+    >>> [degree_on_patch([parabolic], {Parameter.U: n, Parameter.V: n}, Parameter.U) for n in (1, 2)]
+    [0, 8]
+    """
+    return max(
+        (_at([part], *grading(part, parameter), degrees, parameter) for jet in jets for part in graded(jet, parameter)),
+        default=-1,
+    )
 
 
 def _with_d(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial in a ring that has d besides the jets."""
-    context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}" for name, i in ring.variables]], Ordering.degrevlex)
+    context = fmpq_mpoly_ctx.get(["d", *ring.context.names()], Ordering.degrevlex)
     return context.from_dict({(0, *map(int, exponents)): c for exponents, c in polynomial.terms()})
 
 
-def _lowered(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+def _lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq_mpoly:
     """The derivation L over the polynomials in d."""
     gens = polynomial.context().gens()
     d, total = gens[0], polynomial.context().constant(0)
     used = polynomial.degrees()
-    for n, i in _moving(ring):
+    for n, i in _moving(ring, parameter):
         if i and used[n + 1]:
-            total += polynomial.derivative(n + 1) * (i * (d - i + 1)) * gens[n]
+            below = ring.lowered(n, parameter)
+            total += polynomial.derivative(n + 1) * (i * (d - i + 1)) * gens[below + 1]
     return total
 
 
-def _at(jets: Sequence[Jet], k: int, m: int, d: int) -> int:
-    """The true degree for one number d: derivatives above d are zero, and L has numbers for coefficients."""
-    ring, j = jets[0].ring, -1
-    images = [p for jet in jets if (p := _truncated(ring, jet.polynomial, d))]
+def _at(
+    jets: Sequence[Jet], k: int, m: int, degrees: Mapping[Parameter, int], parameter: Parameter | None = None
+) -> int:
+    """The true degree for one number d: derivatives above d are zero, and L has numbers for coefficients. Where several
+    are given, it is the degree in the `parameter`.
+    """
+    counted = parameter or next(iter(degrees))
+    ring, j, d = jets[0].ring, -1, degrees[counted]
+    images = [p for jet in jets if (p := _truncated(ring, jet.polynomial, degrees))]
     while images:
         j += 1
-        images = [image for p in images if (image := _lowered_at(ring, p, d))]
+        images = [image for p in images if (image := _lowered_at(ring, p, d, counted))]
     return k * d - 2 * m + j if j >= 0 else -1
 
 
-def _truncated(ring: JetRing, polynomial: fmpq_mpoly, d: int) -> fmpq_mpoly:
+def _truncated(ring: JetRing, polynomial: fmpq_mpoly, degrees: Mapping[Parameter, int]) -> fmpq_mpoly:
     names = ring.context.names()
-    vanishing: dict[str | int, int | fmpz | fmpq] = {names[n]: 0 for n, i in _moving(ring) if i > d}
+    vanishing: dict[str | int, int | fmpz | fmpq] = {names[n]: 0 for n in _beyond(ring, degrees)}
     return polynomial.subs(vanishing) if vanishing else polynomial
 
 
-def _lowered_at(ring: JetRing, polynomial: fmpq_mpoly, d: int) -> fmpq_mpoly:
+def _lowered_at(ring: JetRing, polynomial: fmpq_mpoly, d: int, parameter: Parameter = Parameter.FIRST) -> fmpq_mpoly:
     total, used = ring.context.constant(0), polynomial.degrees()
-    for n, i in _moving(ring):
+    for n, i in _moving(ring, parameter):
         if i and used[n]:
-            total += polynomial.derivative(n) * (i * (d - i + 1)) * ring.gens[n - 1]
+            total += polynomial.derivative(n) * (i * (d - i + 1)) * ring.gens[ring.lowered(n, parameter)]
     return total

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from math import gcd, lcm
 from operator import attrgetter
+from threading import RLock
 from typing import Any, NamedTuple, cast
 
 from flint import fmpq_mpoly
@@ -26,6 +27,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
@@ -91,7 +93,28 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     chosen = [find(each) if isinstance(each, str) else each for each in formulas]
     kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
-    return RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
+    shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
+    if shared is not None and key in shared:
+        return shared[key]
+    made = RationalJetReading(order).argument(kind, dimension, polynomial=polynomial)
+    if shared is not None:
+        made = shared.setdefault(key, made.remembering())
+    return made
+
+
+#: Indeterminate curves by kind, dimension, order and whether w = 1, which remember the values of formulas.
+SharedJets = dict[tuple[Kind, int, int, bool], Evaluated]
+_SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
+
+
+@contextmanager
+def sharing(jets: SharedJets) -> Iterator[None]:
+    """While this lasts, `jets_for` hands out these arguments and adds to them: many proofs compute a formula once."""
+    token = _SHARED.set(jets)
+    try:
+        yield
+    finally:
+        _SHARED.reset(token)
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
@@ -188,17 +211,18 @@ def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
     return mpq(int(quotient.p), int(quotient.q)) if same else None
 
 
-def named_parts(ring: JetRing) -> list[tuple[str, Jet]]:
+def named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:
     """The denominators and the scalar polynomial formulas of the library that this ring can express."""
-    return [(name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero]
+    return ((name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero)
 
 
-def named_values(ring: JetRing) -> list[tuple[str, object]]:
-    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them."""
-    found: list[tuple[str, object]] = []
+def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
+    """The denominators and the polynomial formulas of the library that this ring can express, vectors among them; each
+    is computed when it is first reached.
+    """
+    yield from _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial)
     for source in naming():
-        found += _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
-    return _denominators(ring.kind, ring.dimension, ring.order, ring.polynomial) + found
+        yield from _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
 #: The paper whose own words for things come first; None where none is spoken of.
@@ -230,18 +254,41 @@ def _denominators(kind: Kind, dimension: int, order: int, polynomial: bool) -> l
     if polynomial:
         return []
     known: Mapping[str, Any] = JetReading(order).argument(kind, dimension).operands()
-    jets = [(name, known[name]) for name in ("w", "W") if name in known and (name, 0) in known[name].ring.index]
-    return [(jet.ring.primes(jet.ring.index[name, 0]), jet) for name, jet in jets]
+    jets = [(name, known[name]) for name in ("w", "W") if name in known and name in known[name].ring.symbols]
+    return [(jet.ring.symbols[name].text, jet) for name, jet in jets]
+
+
+class _Names:
+    """The polynomial formulas of one paper that a ring can express, with their values, each computed when the first
+    comes to it.
+    """
+
+    def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, argument: Evaluated) -> None:
+        self._formulas, self._kind = tuple(source.formulas.values()), kind
+        self._dimension, self._order = dimension, order
+        self._argument = argument.remembering()
+        self._known: list[tuple[str, object] | None] = []
+        self._lock = RLock()
+
+    def __iter__(self) -> Iterator[tuple[str, object]]:
+        for i, formula in enumerate(self._formulas):
+            if i == len(self._known):
+                with self._lock:
+                    if i == len(self._known):
+                        self._known.append(self._named(formula))
+            if (found := self._known[i]) is not None:
+                yield found
+
+    def _named(self, formula: Formula) -> tuple[str, object] | None:
+        n = self._dimension
+        if not (
+            self._kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order
+        ):
+            return None
+        return symbol_text(formula.symbol) or print_text.at(trace(formula, n), POWER), formula(self._argument)
 
 
 @cache
-def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> list[tuple[str, object]]:
-    """The polynomial formulas of one paper that a ring of that kind can express, with their values."""
-    c = JetReading(order).argument(kind, dimension, polynomial=polynomial)
-    return [
-        (symbol_text(formula.symbol) or print_text(trace(formula, dimension)), formula(c))
-        for formula in source.formulas.values()
-        if kind.takes(formula.kind, dimension)
-        and is_polynomial(formula, dimension)
-        and order_of(formula, dimension) <= order
-    ]
+def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> _Names:
+    argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
+    return _Names(source, kind, dimension, order, argument)

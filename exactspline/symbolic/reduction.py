@@ -10,7 +10,8 @@ one positive. So the constant carries the sign.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from contextlib import nullcontext
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -19,6 +20,7 @@ from flint import fmpq, fmpq_mpoly
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.choices import Parameter
 from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
@@ -26,15 +28,15 @@ from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import find, owner
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector
-from exactspline.symbolic.substitution import substitute
+from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
+from exactspline.symbolic.substitution import Substitution
 
 #: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
 #: alone.
@@ -82,6 +84,8 @@ class Part:
     core_name: str
     is_scalar: bool
     is_quotient: bool
+    #: That in which degrees are counted.
+    parameter: Parameter
 
     @property
     def cancelled(self) -> Factor:
@@ -116,13 +120,17 @@ class Part:
             constant, Factorization((Named(p.name, p.jet.polynomial), e) for p, e in powers), self.core[0].ring
         )
 
-    @property
+    @cached_property
     def reduced(self) -> tuple[Jet, ...]:
         """The reduced form of zero-set problems and directions: the numerator without what has no zeros."""
         kept = self._product((p, p.above - p.below) for p in self.powers if self._kept(p))
         return tuple(kept * c for c in self.core)
 
-    @property
+    @cached_property
+    def _substitutions(self) -> tuple[Substitution, ...]:
+        return tuple(map(Substitution, self.reduced))
+
+    @cached_property
     def lowest(self) -> tuple[tuple[Jet, ...], Jet]:
         """Numerator and denominator in lowest terms: the same value."""
         top = self._product((p, p.above - p.below) for p in self.powers).scaled(self.constant)
@@ -132,16 +140,17 @@ class Part:
         ring = self.core[0].ring
         return Jet(ring, multiplied(ring, Powers((p.jet.polynomial, e) for p, e in powers if e > 0)))
 
-    @property
+    @cached_property
     def true(self) -> TrueDegree | None:
         """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
         kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
         try:
-            return product_of([*[(true_degree(jet), e) for jet, e in kept], (true_degree(self.core), 1)])
+            counted = [(true_degree(jet, self.parameter), e) for jet, e in kept]
+            return product_of([*counted, (true_degree(self.core, self.parameter), 1)])
         except FormulaError:
             return None
 
-    @property
+    @cached_property
     def generic(self) -> Degree:
         """The true degree of the reduced form on the generic curve, by the degree theorem."""
         return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
@@ -149,13 +158,13 @@ class Part:
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
         if self.is_zero:
             return Degree.number(-1)
-        total = generic_degree([c for c in self.core if not c.is_zero])
+        total = generic_degree([c for c in self.core if not c.is_zero], self.parameter)
         for jet, e in powers:
             for _ in range(e):
-                total = total * generic_degree([jet])
+                total = total * generic_degree([jet], self.parameter)
         return total
 
-    @property
+    @cached_property
     def generic_lowest(self) -> Degree:
         """The true degree of the value in lowest terms on the generic curve: the larger of numerator and
         denominator.
@@ -167,7 +176,7 @@ class Part:
         denominator = Degree.number(0)
         for jet, e in below:
             for _ in range(e):
-                denominator = denominator * generic_degree([jet])
+                denominator = denominator * generic_degree([jet], self.parameter)
         return numerator.max(denominator)
 
     @property
@@ -207,7 +216,7 @@ class Part:
         """The reduced form on a curve, in any reading; splines come at the true degree that the theorem guarantees, by
         exact division.
         """
-        values: list[Any] = [substitute(jet, curve) for jet in self.reduced]
+        values: list[Any] = [each.on(curve) for each in self._substitutions]
         in_one_parameter = hasattr(values[0], "reduce_degree") and isinstance(values[0].degree, int)
         surplus = self.true.surplus if self.true and in_one_parameter else 0
         lowered = [
@@ -225,6 +234,7 @@ class Reduction:
     dimension: int
     polynomial: bool
     parts: tuple[Part, ...]
+    kind: Kind
 
     @property
     def joined(self) -> list[Jet]:
@@ -247,15 +257,20 @@ class Reduction:
 
 
 def reduce(
-    formula: Formula | Callable[..., object], *, dimension: int | None = None, polynomial: bool = False
+    formula: Formula | Callable[..., object],
+    *,
+    dimension: int | None = None,
+    polynomial: bool = False,
+    parameter: Parameter | None = None,
 ) -> Reduction:
     """The reduction of a formula, or of any function that takes a curve and returns a scalar, a vector, a quotient or a
     ruled surface.
 
-    `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1. Without a dimension a formula is
-    taken at its word and a plain function tried in the plane and then in space.
+    `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1, `parameter` is that in which
+    degrees are counted: the first one where none is named. Without a dimension a formula is taken at its word and a
+    plain function tried in the plane and then in space.
 
-    >>> from exactspline.papers import find
+    >>> from exactspline.papers import find, owner
     >>> part = reduce(find("curvature_squared_derivative")).main
     >>> str(part.naive), str(part.cancelled), part.text
     ('48d', 'w⁵·(‖D1‖²)⁻⁴', '[X X′ X″ X‴]·f2')
@@ -267,18 +282,20 @@ def reduce(
     """
     known = _dimensions(formula)
     chosen = [dimension] if dimension else known
-    for n in chosen[:-1]:
-        try:
-            return _reduced(formula, n, polynomial)
-        except ShapeError:
-            continue
-    return _reduced(formula, chosen[-1], polynomial)
+    source = owner(formula) if isinstance(formula, Formula) else None
+    with nullcontext() if source is None or source.default else speaking_of(source):
+        for n in chosen[:-1]:
+            try:
+                return _reduced(formula, n, polynomial, parameter)
+            except ShapeError:
+                continue
+        return _reduced(formula, chosen[-1], polynomial, parameter)
 
 
 @cache
-def reduction(name: str, dimension: int, polynomial: bool = False) -> Reduction:
+def reduction(name: str, dimension: int, polynomial: bool = False, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula of the library, made once."""
-    return reduce(find(name), dimension=dimension, polynomial=polynomial)
+    return reduce(find(name), dimension=dimension, polynomial=polynomial, parameter=parameter)
 
 
 def _dimensions(formula: Any) -> list[int]:
@@ -302,15 +319,34 @@ def name_of_function(formula: object) -> str:
     return formula.name if isinstance(formula, Formula) else str(getattr(formula, "__name__", formula))
 
 
-def _reduced(formula: Any, dimension: int, polynomial: bool) -> Reduction:
+def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Parameter | None) -> Reduction:
     name = name_of_function(formula)
     kind = _kind(formula)
-    degrees = _parts(formula(DegreeReading().argument(kind, dimension, polynomial=polynomial)), name)
+    counted = parameter or kind.parameters(dimension)[0]
+    degrees = _naive(formula, kind, dimension, polynomial, counted)
     value = formula(FactoredJetReading(order_of(formula, dimension)).argument(kind, dimension, polynomial=polynomial))
     parts = [
-        _part(role, naive.degree, part) for (role, naive), (_, part) in zip(degrees, _parts(value, name), strict=True)
+        _part(role, naive, part, counted) for naive, (role, part) in zip(degrees, _parts(value, name), strict=True)
     ]
-    return Reduction(name, dimension, polynomial, tuple(parts))
+    return Reduction(name, dimension, polynomial, tuple(parts), kind)
+
+
+def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
+    """The degrees of the parts as Table 1 counts them."""
+    argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
+    return [part.degree for _, part in _parts(formula(argument), name_of_function(formula))]
+
+
+def counted_in(found: Reduction, formula: Formula, parameter: Parameter) -> Reduction:
+    """The same reduction, its degrees counted in another parameter.
+
+    >>> f = find("surfaces:L")
+    >>> [str(counted_in(reduce(f), f, parameter).main.generic) for parameter in (Parameter.U, Parameter.V)]
+    ['4d_u − 6', '4d_v − 2']
+    """
+    degrees = _naive(formula, found.kind, found.dimension, found.polynomial, parameter)
+    parts = (replace(part, naive=n, parameter=parameter) for part, n in zip(found.parts, degrees, strict=True))
+    return replace(found, parts=tuple(parts))
 
 
 def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
@@ -324,7 +360,7 @@ def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
     return [(VALUE, value)]
 
 
-def _part(role: str, naive: Degree, value: Any) -> Part:
+def _part(role: str, naive: Degree, value: Any, parameter: Parameter) -> Part:
     numerator, denominator = _over_one_denominator(value)
     ring = numerator[0].ring
     if denominator is not None and denominator.is_zero:
@@ -337,7 +373,8 @@ def _part(role: str, naive: Degree, value: Any) -> Part:
     constant = (
         unit * above.constant / below.constant / (rational_of(denominator.unit) if denominator is not None else 1)
     )
-    return Part(role, naive, constant, _powers(ring, above, below), core, core_name, is_scalar, denominator is not None)
+    powers = _powers(ring, above, below)
+    return Part(role, naive, constant, powers, core, core_name, is_scalar, denominator is not None, parameter)
 
 
 def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:

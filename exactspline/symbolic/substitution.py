@@ -1,11 +1,16 @@
-"""A jet polynomial evaluated on a concrete curve."""
+"""A jet polynomial evaluated on concrete curves."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import groupby
+from math import gcd
+from typing import Any, NamedTuple
 
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
+from exactspline.language.kinds import Symbol
 from exactspline.language.operand import CONSTANTS
 from exactspline.readings.jet import Jet
 
@@ -20,31 +25,107 @@ def substitute(jet: Jet, curve: Curve[T] | Pair[T]) -> T:
     >>> substitute(jets.w.d(1), curve) == curve.w.d(1)
     True
     """
-    known = curve.operands()
-    terms = [(tuple(map(int, exponents)), mpq(int(c.p), int(c.q))) for exponents, c in jet.polynomial.terms()]
-    value = _horner(
-        terms, 0, [lambda name=name, order=order: known[name].d(order) for name, order in jet.ring.variables]
-    )
-    return known["w"].constant(value) if isinstance(value, CONSTANTS) else value
+    return Substitution(jet).on(curve)
 
 
-def _horner(terms: list[tuple[tuple[int, ...], mpq]], i: int, variables: list[Any]) -> Any:
-    """The sum of terms by Horner's rule in the i-th variable, the coefficients by the same rule in the ones that
-    follow.
+def _derived(operand: Any, symbol: Symbol, orders: tuple[int, ...]) -> Any:
+    """A derivative of an operand: of several parameters by each in turn."""
+    if len(orders) == 1:
+        return operand.d(*orders)
+    for parameter, order in zip(symbol.parameters, orders, strict=True):
+        operand = operand.d(order, by=parameter) if order else operand
+    return operand
+
+
+#: A constant times the value of a node; the constant alone where there is none.
+Multiple = tuple[int, int | None]
+#: The exponents of a monomial, and its coefficient.
+Term = tuple[tuple[int, ...], int]
+
+
+class Step(NamedTuple):
+    """One step of Horner's rule: an inner value is added, and the sum multiplied by a power of the variable."""
+
+    inner: Multiple
+    power: int
+
+
+class Substitution:
+    """A jet polynomial by Horner's rule, variable by variable, for many curves: inner values that agree up to a
+    constant are computed once.
     """
-    if len(terms) <= 1 and (not terms or not any(terms[0][0][i:])):
-        return terms[0][1] if terms else mpq(0)
-    groups: dict[int, list[tuple[tuple[int, ...], mpq]]] = {}
-    for term in terms:
-        groups.setdefault(term[0][i], []).append(term)
-    powers = sorted(groups, reverse=True)
-    if powers == [0]:
-        return _horner(terms, i + 1, variables)
-    x, total = variables[i](), None
-    for e, lower in zip(powers, [*powers[1:], 0], strict=True):
-        inner = _horner(groups[e], i + 1, variables)
-        total = inner if total is None else total + inner
-        if e > lower:
-            power = x ** (e - lower)
-            total = power if isinstance(total, CONSTANTS) and total == 1 else power * total
-    return total
+
+    def __init__(self, jet: Jet) -> None:
+        self.ring = jet.ring
+        coefficients = jet.polynomial.coeffs()
+        below = 1
+        for c in coefficients:
+            below *= int(c.q) // gcd(below, int(c.q))
+        self.unit = mpq(1, below)
+        monomials = [tuple(map(int, exponents)) for exponents in jet.polynomial.monoms()]
+        numbers = [int(c.p) * (below // int(c.q)) for c in coefficients]
+        #: For each inner value its variable and the steps, what it needs before it.
+        self.nodes: list[tuple[int, list[Step]]] = []
+        self._known: dict[tuple[tuple[int, ...], ...], int] = {}
+        self.whole = self._value(sorted(zip(monomials, numbers, strict=True), reverse=True), 0)
+        self._known.clear()
+
+    def _value(self, terms: Sequence[Term], i: int) -> Multiple:
+        """The sum of terms in order without the variables before the i-th."""
+        if not terms:
+            return 0, None
+        first = terms[0][0]
+        while i < len(first) and first[i] == 0:
+            i += 1  # the first has the largest exponent
+        if i == len(first):
+            return terms[0][1], None
+        numbers = [c for _, c in terms]
+        unit = gcd(*numbers) * (1 if numbers[0] > 0 else -1)
+        key = (*[e[i:] for e, _ in terms], tuple(numbers) if unit == 1 else tuple([c // unit for c in numbers]))
+        if key not in self._known:
+            groups = [(e, list(own)) for e, own in groupby(terms, key=lambda term: term[0][i])]
+            lower = [*[e for e, _ in groups[1:]], 0]
+            steps = []
+            for (e, own), next_lower in zip(groups, lower, strict=True):
+                constant, node = self._value(own, i + 1)
+                steps.append(Step((constant // unit, node), e - next_lower))
+            self._known[key] = len(self.nodes)
+            self.nodes.append((i, steps))
+        return unit, self._known[key]
+
+    def on(self, curve: Curve[T] | Pair[T]) -> T:
+        """The value on a curve."""
+        known = curve.operands()
+        symbols = self.ring.symbols
+        variables: list[Callable[[], Any]] = [
+            partial(_derived, known[name], symbols[name], orders) for name, orders in self.ring.variables
+        ]
+        value = self._evaluated(variables)
+        if not isinstance(value, CONSTANTS):
+            scaled: T = self._scaled(value)
+            return scaled
+        some: Any = next(known[name] for name in ("w", *known) if name in known)
+        found: T = some.constant(value * self.unit)
+        return found
+
+    def _scaled(self, value: Any) -> Any:
+        return value if self.unit == 1 else value * self.unit
+
+    def _evaluated(self, variables: list[Callable[[], Any]]) -> Any:
+        values: list[Any] = []
+        powers: dict[tuple[int, int], Any] = {}
+
+        def multiple(of: Multiple) -> Any:
+            constant, node = of
+            return constant if node is None else values[node] if constant == 1 else values[node] * constant
+
+        for i, steps in self.nodes:
+            total: Any = None
+            for inner, e in steps:
+                total = multiple(inner) if total is None else total + multiple(inner)
+                if e:
+                    if (i, e) not in powers:
+                        powers[i, e] = variables[i]() ** e
+                    total = powers[i, e] if isinstance(total, CONSTANTS) and total == 1 else powers[i, e] * total
+            values.append(total)
+        return multiple(self.whole)

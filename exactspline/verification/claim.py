@@ -7,7 +7,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import Field, dataclass, field, fields
 from enum import StrEnum
-from typing import ClassVar, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Operands
@@ -113,7 +113,7 @@ def _assumed(claim: Claim, text: str) -> Assumption:
     if text in ASSUMPTIONS or zero != "0":
         return assumption(text)
     kind = kind_of(claim.curve)
-    constants = {s.name for s in kind.symbols(kind.dimensions[0]) if not s.parameter}
+    constants = {s.name for s in kind.symbols(kind.dimensions[0]) if not s.parameters}
     if name not in constants:
         formula_name(claim, "assumes", name)
     return stated_assumption(text, name if name in constants else claim.find(name), kind, "≠" in sign)
@@ -122,7 +122,8 @@ def _assumed(claim: Claim, text: str) -> Assumption:
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
     kind = kind_of(claim.curve)
-    names = set().union(*[parse(s.degree).names for s in kind.symbols(kind.dimensions[0]) if s.parameter and s.degree])
+    symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
+    names = set().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
     if unknown := parse(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
@@ -150,7 +151,7 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 def identifier(claim: Claim, name: str, value: str) -> str:
     """A key: the id of the claim without spaces and dots, and words after hyphens."""
     begin = claim.begin_of_key
-    if not re.fullmatch(rf"{re.escape(begin)}(-[\w′]+)+", value):
+    if not (value.startswith(begin) and re.fullmatch(r"(-[\w′]+)+", value[len(begin) :])):
         raise ClaimError(
             f"the key {value!r} does not begin with the id", where=name, remedy=f"write for example {begin + '-a'!r}"
         )
@@ -195,13 +196,14 @@ class Claim(Displayed):
     note: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
-        for f in fields(self):
-            if check := f.metadata.get("check"):
-                object.__setattr__(self, f.name, check(self, f.name, getattr(self, f.name)))
-            elif not isinstance(getattr(self, f.name), str):
-                raise ClaimError(f"{getattr(self, f.name)!r} is no text", where=f.name, remedy="write a text")
-            elif not getattr(self, f.name).replace("\n", "").isprintable():
-                raise ClaimError("a text that cannot be printed", where=f.name, remedy="leave control characters out")
+        for name, check in _checks(self.__class__):
+            value = getattr(self, name)
+            if check is not None:
+                object.__setattr__(self, name, check(self, name, value))
+            elif not isinstance(value, str):
+                raise ClaimError(f"{value!r} is no text", where=name, remedy="write a text")
+            elif not value.replace("\n", "").isprintable():
+                raise ClaimError("a text that cannot be printed", where=name, remedy="leave control characters out")
         self._validate_common()
         self.validate()
 
@@ -238,9 +240,9 @@ class Claim(Displayed):
     def named(self) -> tuple[str, ...]:
         """The names of the formulas it speaks of."""
         chosen: list[str] = []
-        for f in fields(self):
-            if f.metadata.get("check") in (formula_name, formula_names):
-                value = getattr(self, f.name)
+        for name, check in _checks(self.__class__):
+            if check in (formula_name, formula_names):
+                value = getattr(self, name)
                 chosen += [value] if isinstance(value, str) else value
         return tuple(name for name in chosen if name)
 
@@ -455,6 +457,16 @@ def contradict(claim: Claim, proof: Finding, example_finding: Finding) -> None:
             remedy="one of the readings is wrong: report this",
             claim=claim.key,
         )
+
+
+#: The fields of each kind of claims with what reads them; None for a text.
+_CHECKS: dict[type[Claim], tuple[tuple[str, Callable[[Claim, str, Any], object] | None], ...]] = {}
+
+
+def _checks(kind: type[Claim]) -> tuple[tuple[str, Callable[[Claim, str, Any], object] | None], ...]:
+    if kind not in _CHECKS:
+        _CHECKS[kind] = tuple((f.name, f.metadata.get("check")) for f in fields(kind))
+    return _CHECKS[kind]
 
 
 def entries(kind: type[Claim]) -> dict[str, Field[object]]:

@@ -55,7 +55,7 @@ def factor_of_text(
     Raises `ClaimError` when it cannot be read.
     """
     known: Mapping[str, Any] = curve.operands()
-    one = next(known[name] for name in ("w", "w1") if name in known)
+    one = next(known[name] for name in ("w", "w1", *known) if name in known)
     top = bottom = one.constant(1)
     for name, exponent in factor_parts(text):
         value = (

@@ -119,7 +119,7 @@ def assumptions(place: Path, module: str, theorems: Iterable[str]) -> dict[str, 
 def _told(answer: str) -> str:
     if CLOSED in answer:
         return "no axioms"
-    return "axioms " + ", ".join(re.findall(r"^(\S+)(?=\s*:)", answer, re.MULTILINE))
+    return "axioms " + ", ".join(re.findall(r"^(?!Axioms:)(\S+)(?=\s*:)", answer, re.MULTILINE))
 
 
 def _coqc(place: Path, file: str) -> tuple[bool, str]:

@@ -12,6 +12,7 @@ from exactspline.errors import FormulaError, InapplicableError, ReductionError, 
 from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction, constructions_for
 from exactspline.geometry.derived import derive
 from exactspline.language.arguments import Curve, Pair
+from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PAIR, TABLE, Kind
 from exactspline.language.rational import Rational
@@ -310,18 +311,25 @@ class FormulaDegrees:
 def formula_degrees(formulas: Iterable[Formula]) -> list[Callable[[], FormulaDegrees]]:
     """The rows for formulas, rational and polynomial curves one after the other, as calls."""
     return [
-        partial(_degrees_of, f, polynomial) for f in formulas if f.kind is not TABLE for polynomial in (False, True)
+        partial(_degrees_of, f, polynomial, parameter)
+        for f in formulas
+        if f.kind is not TABLE
+        for polynomial in (False, True)
+        for parameter in f.kind.counted
     ]
 
 
-def _degrees_of(formula: Formula, polynomial: bool) -> FormulaDegrees:
+def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter) -> FormulaDegrees:
     n, curves = formula.kind.dimensions[0], "polynomial" if polynomial else "rational"
+    if len(formula.kind.counted) > 1:
+        curves += f", in {parameter}"
     try:
-        nominal = str(formula(DegreeReading().argument(formula.kind, n, polynomial=polynomial)).degree)
+        counted = DegreeReading(parameter=parameter).argument(formula.kind, n, polynomial=polynomial)
+        nominal = str(formula(counted).degree)
     except InapplicableError as error:
         return FormulaDegrees(formula.name, curves, "–", "–", "–", error.problem)
     try:
-        main = reduction_of(formula, n, polynomial).main
+        main = reduction_of(formula, n, polynomial, parameter).main
         cancelled, reduced, lowest = str(main.cancelled), str(main.generic), str(main.generic_lowest)
     except FormulaError as error:
         cancelled, reduced, lowest = "–", "–", error.problem

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 
+from exactspline.errors import ClaimError
 from exactspline.language.choices import Parameter
+from exactspline.language.kinds import kind_of
 from exactspline.language.services import Displayed
 from exactspline.papers import Paper, default_papers
 from exactspline.readings.printing.text import symbol_text
@@ -142,6 +144,17 @@ def numbered(claim: Claim) -> str:
     return f"{claim.statement}: {claim.claims}" if said else claim.statement
 
 
+def _has_factor(claim: Identity, dimension: int) -> bool:
+    """Whether one side is the other times a product of powers; not so where roots are adjoined, or the right side
+    vanishes.
+    """
+    try:
+        alone = not kind_of(claim.curve).adjoins_roots
+        return alone and factor_of(claim.find(claim.left), claim.find(claim.right), dimension) is not None
+    except ClaimError:
+        return False
+
+
 def check(claim: Claim) -> tuple[str, ...]:
     """Three lines of Python that show that the claim fails."""
     d, source = claim.dimensions[0], claim.source_paper
@@ -150,7 +163,7 @@ def check(claim: Claim) -> tuple[str, ...]:
         """What `find` finds it by."""
         return formula if source.default else f"{source.name}:{formula}"
 
-    if isinstance(claim, Identity) and factor_of(claim.find(claim.left), claim.find(claim.right), d) is not None:
+    if isinstance(claim, Identity) and _has_factor(claim, d):
         return (
             "from exactspline.verification.generic_proof import factor_of",
             f'factor = factor_of("{named(claim.left)}", "{named(claim.right)}", {d})',

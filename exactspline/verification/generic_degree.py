@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from exactspline.geometry.constructions import Construction, Variant
+from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.papers import known_as
 from exactspline.readings.degree import Degree
@@ -39,9 +40,15 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     return joined_degree(reduction(known_as(formula), dimension, polynomial))
 
 
-def joined_degree(found: Reduction) -> Degree:
-    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator."""
-    return generic_degree([jet for jet in found.joined if jet.polynomial.total_degree() > 0])
+def joined_degree(found: Reduction, parameter: Parameter = Parameter.FIRST) -> Degree:
+    """The degree of a value in lowest terms, of a ruled surface with directrix and generator over one denominator;
+    −1 for what vanishes. A denominator 1 counts nothing.
+    """
+    *components, denominator = found.joined
+    top = [jet for jet in components if not jet.is_zero]
+    if not top:
+        return Degree.number(-1)
+    return generic_degree(top if denominator.polynomial.is_constant() else [*top, denominator], parameter)
 
 
 def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | None:

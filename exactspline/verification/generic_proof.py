@@ -6,14 +6,18 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.language.arguments import Operands, Pair
+from exactspline.language.choices import Parameter
+from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
+from exactspline.language.parts import split
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, find
 from exactspline.readings.degree import Degree
-from exactspline.readings.jet import Jet
+from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
+from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
-from exactspline.symbolic.factorization import Factor, find_factor, jets_for, naming
-from exactspline.symbolic.reduction import Reduction, reduce
+from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
+from exactspline.symbolic.reduction import Reduction, counted_in, reduce
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -32,6 +36,30 @@ def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, poly
 def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Factor | None:
     c = jets_for((left, right), dimension, polynomial=polynomial)
     return find_factor(left(c), right(c))
+
+
+def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
+    """The quotient of the numerators of two formulas as they come, nothing cancelled; None when they are not
+    proportional.
+
+    >>> str(factor_of_numerators(find("f0"), find("f2"), 2))
+    'w⁶'
+    """
+    factor = factor_of(left, right, dimension, polynomial=polynomial)
+    if factor is None:
+        return None
+    first, second = (_naive_denominator(each, factor.ring, polynomial) for each in (left, right))
+    return Factor(factor.constant, factor.powers * first * second**-1, factor.ring)
+
+
+def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
+    """The irreducible factors of a denominator as it comes."""
+    argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
+    below: FactoredJet | None = split(formula(argument))[1]
+    found, one = Factorization[Named](), ring.context.constant(1)
+    for base, exponent in () if below is None else below.powers:
+        found = found * factored(ring, base, one).powers ** exponent
+    return found
 
 
 def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[str], tuple[str, ...]]:
@@ -54,9 +82,10 @@ def transposed(formula: Formula) -> Formula:
     return Formula(lambda c: formula.function(Pair(c.second, c.first)), formula.source, formula.kind, formula.symbol)
 
 
-def reduction_of(formula: Formula, dimension: int, polynomial: bool) -> Reduction:
-    """The reduction of a formula, made once."""
-    return _reduction(formula, dimension, polynomial, naming())
+def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
+    """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
+    found = _reduction(formula, dimension, polynomial, naming())
+    return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache

@@ -10,7 +10,7 @@ from exactspline.errors import ExactSplineError
 from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
-from exactspline.symbolic.factorization import speaking_of
+from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
 from exactspline.verification.claim import Claim, contradict, fitting
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
@@ -83,10 +83,12 @@ class Proofs:
 
     def __init__(self) -> None:
         self._made: dict[Claim, tuple[str, Finding]] = {}
+        self._jets: SharedJets = {}
 
     def __getitem__(self, claim: Claim) -> tuple[str, Finding]:
         if claim not in self._made:
-            self._made[claim] = _proof(claim)
+            with sharing(self._jets):
+                self._made[claim] = _proof(claim)
         return self._made[claim]
 
 

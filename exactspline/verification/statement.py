@@ -20,6 +20,7 @@ from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import Node, trace
 from exactspline.verification.claim import Claim, combined
 from exactspline.verification.claims import select
+from exactspline.verification.divisors import divisors
 from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim
 from exactspline.verification.verdict import Finding
@@ -91,7 +92,14 @@ class Statement(Displayed):
         }
         return (
             head
-            | {"sides": sides, "assumes": c.assumed, "reading": self.reading, "note": c.note, "expected": c.expected}
+            | {
+                "sides": sides,
+                "assumes": c.assumed,
+                "divides_by": list(divisors(c)),
+                "reading": self.reading,
+                "note": c.note,
+                "expected": c.expected,
+            }
             | verdict
         )
 

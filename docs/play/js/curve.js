@@ -71,7 +71,7 @@ function showFeatures({ answer, milliseconds }) {
   const rows = answer.features.map((f) => {
     const index = counts[f.group]++;
     const more = html("button", { type: "button", title: "more digits", onclick: () => askDigits(f.group, index) }, f.t);
-    const curvature = f.curvature === undefined ? "–" : f.curvature ? f.curvature.toPrecision(9) : "0";
+    const curvature = f.curvature === undefined ? "–" : f.curvature ? f.curvature.toPrecision(6) : "0";
     return html("tr", {}, html("td", { class: style(f) }, f.kind), html("td", { class: "number" }, more), html("td", { class: "number" }, curvature));
   });
   for (const j of answer.joints) rows.push(html("tr", {}, html("td", { class: "singular" }, j.kind), html("td", { class: "number" }, j.t), html("td", {}, "–")));

@@ -67,6 +67,7 @@ function move(k) {
     handle.classList.add("q");
   }
   kernel.latest("triangle", { curve: copy(editor.curve), share: `${slider.value}/${STEPS}` }, show, complain);
+  multiply();
 }
 
 function nearest(place) {
@@ -113,6 +114,34 @@ function table({ columns, ratios, first }) {
   return [html("thead", {}, head), html("tbody", {}, ...rows)];
 }
 
+// In Bézier points times binomial coefficients a product of functions is one of polynomials.
+function multiply() {
+  const factors = [element("left").value, element("right").value];
+  const asked = { curve: copy(editor.curve), share: `${slider.value}/${STEPS}`, factors };
+  kernel.latest("product", asked, ({ answer }) => showProduct(answer, factors), complain);
+}
+
+function showProduct(answer, [first, second]) {
+  const between = ["on the segment from ", formula([answer.span[0]]), " to ", formula([answer.span[1]])];
+  element("multiplied").replaceChildren(
+    ...[`The Bézier points of ${first} and ${second} `, ...between, ", times their binomial coefficients, multiplied. "],
+    "Sums along the diagonals, divided by the binomial coefficients of the product's degree, are its Bézier points",
+    answer.same ? ": decided exactly." : ".",
+  );
+  const head = (text) => html("th", { scope: "col" }, text);
+  const heads = answer.right.map((x) => html("th", { scope: "col" }, "· ", formula([x])));
+  const rows = answer.table.map((row, i) =>
+    html("tr", {}, html("th", { scope: "row" }, formula([answer.left[i]])), ...row.map((x) => html("td", {}, formula([x])))),
+  );
+  element("product").replaceChildren(html("thead", {}, html("tr", {}, html("th", {}), ...heads)), html("tbody", {}, ...rows));
+  const sums = answer.sums.map((x, m) =>
+    html("tr", {}, html("th", { scope: "row" }, `${m}`), html("td", {}, formula([x])), html("td", {}, formula([answer.points[m]]))),
+  );
+  const names = ["diagonal", "sum", "Bézier point"].map(head);
+  element("diagonals").replaceChildren(html("thead", {}, html("tr", {}, ...names)), html("tbody", {}, ...sums));
+  document.body.dataset.product = JSON.stringify(answer);
+}
+
 function complain(problem) {
   plane.clear("steps");
   element("triangle").replaceChildren();
@@ -137,6 +166,10 @@ element("elevate").onclick = () => refine({});
 element("undo").onclick = () => before.length && editor.set(before.pop());
 slider.oninput = () => move(Number(slider.value));
 
+for (const [id, chosen] of [["left", "x"], ["right", "y"]]) {
+  element(id).append(...["x", "y", "w"].map((name) => html("option", { value: name, selected: name === chosen }, name)));
+  element(id).onchange = multiply;
+}
 const examples = await data("curves");
 element("examples").append(...examples.map(({ name }, i) => html("option", { value: i }, name.replaceAll("_", " "))));
 element("examples").onchange = () => {

@@ -21,10 +21,10 @@ function show() {
     const value = row[key].values[d];
     if (value === undefined) return html("div", { class: "bar none" }, "–");
     const width = `${Math.max((100 * value) / largest, 0.4)}%`;
-    return html("div", { class: "bar" }, html("span", { style: `width:${width};background:${colour}` }), `${value}`);
+    return html("div", { class: "bar" }, html("span", { style: `width:${width};background:${colour}` }), `${value}`, html("small", {}, row[key].text));
   };
   element("bars").replaceChildren(
-    html("thead", {}, html("tr", {}, html("th", {}, "construction"), ...COLUMNS.map(([, name]) => html("th", {}, name)), html("th", { class: "wide" }, `at d = ${d}`))),
+    html("thead", {}, html("tr", {}, html("th", {}, "construction"), ...COLUMNS.map(([, name]) => html("th", { class: "formula" }, name)), html("th", { class: "wide" }, `at d = ${d}`))),
     html(
       "tbody",
       {},

@@ -9,6 +9,7 @@ const PAGES = [
   ["claims.html", "claims"],
   ["de-boor.html", "de Boor"],
   ["bisector.html", "bisector"],
+  ["surface.html", "surfaces"],
   ["degrees.html", "degrees"],
 ];
 

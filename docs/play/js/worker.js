@@ -15,15 +15,14 @@ async function fetched(path) {
 
 async function start() {
   tell(0);
-  const manifest = await (await fetched("vendor/manifest.json")).json();
-  const wheels = manifest.wheels.map(async (name) => (await fetched(`vendor/${name}`)).arrayBuffer());
+  const library = fetched("vendor/library.zip").then((response) => response.arrayBuffer());
   const scripts = ["gmpy2.py", "page.py"].map(async (name) => [name, await (await fetched(`python/${name}`)).text()]);
   const python = await loadPyodide({
     indexURL: new URL("vendor/pyodide/", ROOT).href,
     env: { MPMATH_NOGMPY: "1", HOME: "/home/pyodide" },
   });
   tell(1);
-  for (const wheel of wheels) python.unpackArchive(await wheel, "wheel");
+  python.unpackArchive(await library, "zip");
   for (const [name, text] of await Promise.all(scripts)) python.FS.writeFile(`/home/pyodide/${name}`, text);
   python.runPython("import sys; sys.path.insert(0, '/home/pyodide')");
   tell(2);

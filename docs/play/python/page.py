@@ -4,6 +4,7 @@ import json
 from collections.abc import Callable
 from typing import Any
 
+import flint  # noqa: F401  # every answer needs it: loaded before the first question
 from mpmath import mp, nstr
 
 import exactspline as xs
@@ -143,6 +144,27 @@ def refined(data: dict[str, Any]) -> dict[str, Any]:
     }
 
 
+def product(data: dict[str, Any]) -> dict[str, Any]:
+    """The product of two of the functions x, y, w of a curve, over the segment that holds a share of the domain."""
+    curve = _curve(data["curve"])
+    functions = dict(zip("xy", curve.p, strict=True)) | {"w": curve.w}
+    low, high = curve.domain
+    t = low + (high - low) * xs.rational(data["share"])
+    left, right = (functions[name] for name in data["factors"])
+    tables = xs.product_tables(left, right)
+    table = next(one for one in tables if t <= one.span[1])
+    f = left * right
+    return {
+        "span": [str(u) for u in table.span],
+        "left": [str(x) for x in table.left],
+        "right": [str(x) for x in table.right],
+        "table": [[str(x) for x in row] for row in table.table],
+        "sums": [str(x) for x in table.sums],
+        "points": [str(x) for x in table.points],
+        "same": f.restrict(*table.span) == xs.BSpline.bezier(table.points, *table.span),
+    }
+
+
 def _piece(curve: Any, piece: Any, count: int = 48) -> dict[str, Any]:
     low, high = (end.low if isinstance(end, xs.Root) else end for end in (piece.low, piece.high))
     drawn = []
@@ -193,4 +215,5 @@ QUESTIONS: dict[str, Callable[[Any], Any]] = {
     "bisector": bisector,
     "triangle": triangle,
     "refined": refined,
+    "product": product,
 }

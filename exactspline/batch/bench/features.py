@@ -110,11 +110,7 @@ def _in_occ(degree: int, knots: list[float], points: list[tuple[float, ...]], we
     from OCP.Geom2d import Geom2d_BSplineCurve
     from OCP.gp import gp_Pnt2d
 
-    def array(kind: Any, values: Sequence[Any]) -> Any:
-        made = kind(1, len(values))
-        for i, value in enumerate(values, 1):
-            made.SetValue(i, value)
-        return made
+    from exactspline.batch.grade.adapters.open_cascade import array
 
     distinct = list(dict.fromkeys(knots))
     poles = array(Array1_gp_Pnt2d, [gp_Pnt2d(*p) for p in points])

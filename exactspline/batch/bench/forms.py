@@ -19,6 +19,7 @@ from exactspline.batch.bench import inline
 from exactspline.batch.bench.inputs import curve, forms
 from exactspline.batch.bench.peers import FractionPoly, powers
 from exactspline.batch.bench.row import OURS, Options, Row, Timed, best, compared
+from exactspline.errors import counted
 from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
 from exactspline.papers import find
@@ -40,7 +41,7 @@ def form_rows(options: Options) -> Iterator[Row]:
     """f2, g2 and the lifted vertex form of rational cubics, torsion, and the bisector of two cubics."""
     for name, segments in product(BY_HAND, SEGMENTS):
         c = curve(3, segments)
-        yield from _form(options, name, c, f"{name}, rational cubic, {_told(segments)}", with_peers=True)
+        yield from _form(options, name, c, f"{name}, rational cubic, {counted(segments, 'segment')}", with_peers=True)
     yield from _torsion()
     yield from _bisector()
 
@@ -53,10 +54,6 @@ def growth_rows(options: Options) -> Iterator[Row]:
         yield from _form(options, "g2", curve(3, segments), f"g2 by segments: {segments}", section=GROWTH)
     for bits in BITS:
         yield from _form(options, "g2", curve(3, bits=bits), f"g2 by bits: {bits}", section=GROWTH)
-
-
-def _told(segments: int) -> str:
-    return "1 segment" if segments == 1 else f"{segments} segments"
 
 
 def _afresh(formula: Formula, c: Nurbs) -> Timed:

@@ -83,7 +83,7 @@ class SympyOperand(Operand):
     __slots__ = ("poly", "variable")
     provenance = degree = 0
 
-    def __init__(self, poly: Any, variable: Any) -> None:
+    def __init__(self, poly: sympy.Poly, variable: sympy.Symbol) -> None:
         self.poly, self.variable = poly, variable
 
     def __add__(self, other: object) -> SympyOperand:

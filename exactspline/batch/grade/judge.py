@@ -26,7 +26,7 @@ WRONG = (OFF, MISSED, INVENTED, CRASHED)
 PLACE, ZERO = mpq(1, 1 << 16), mpq(1, 1 << 32)
 #: How far a parameter may be from the place that it is a value below `ZERO` for.
 NEAR = mpq(1, 1 << 8)
-#: Below which part of ‖γ′‖ ‖γ″‖ a curve counts as straight.
+#: Below which part of ‖γ′‖² over the domain γ′ × γ″ is that of a curve that counts as straight.
 STRAIGHT = mpq(1, 1 << 20)
 #: How many times more is allowed to control points that take divisions.
 DIVIDED = 1 << 16
@@ -183,7 +183,7 @@ def _over_knots(curve: Nurbs, knots: Sequence[float]) -> list[list[mpq]]:
         more = values.count(t) - list(curve.knots).count(t)
         if more > 0 and values.count(t) <= curve.degree + 1:
             curve = curve.insert_knot(t, more)
-    return rows(curve)
+    return rows(curve, weighted=not curve.polynomial)
 
 
 def _box(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
@@ -287,13 +287,14 @@ class _Form:
 
 
 def _is_straight(curve: Nurbs) -> bool:
-    """Whether γ′ × γ″ is nowhere more than a part of what γ′ and γ″ are, of a polynomial plane curve."""
+    """Whether the direction of a polynomial plane curve turns by less than what a tolerance may overlook: γ′ × γ″ times
+    the length of the domain is nowhere more than a part of ‖γ′‖².
+    """
     if not curve.polynomial:
         return False
-    first, second = ([f.d(k).control_points for f in curve.p] for k in (1, 2))
-    sizes = [max((abs(c) for row in rows for c in row), default=mpq(0)) for rows in (first, second)]
-    turning = bend(curve).control_points
-    return max((abs(c) for c in turning), default=mpq(0)) <= STRAIGHT * sizes[0] * sizes[1]
+    speed = max((abs(c) for f in curve.p for c in f.d().control_points), default=mpq(0))
+    turning = max(map(abs, bend(curve).control_points), default=mpq(0))
+    return turning * (curve.domain[1] - curve.domain[0]) <= STRAIGHT * speed * speed
 
 
 def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:

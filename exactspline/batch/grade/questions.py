@@ -25,7 +25,7 @@ PLACES = (
     "knot too) may be named or not; a parameter is invented where the exact function is above 2⁻³² of its largest "
     "Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
 )
-STRAIGHT = "anything where γ′ × γ″ is below 2⁻²⁰ of what γ′ and γ″ are"
+STRAIGHT = "anything where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
 QUESTIONS: dict[str, Asked] = {
     asked.name: asked
     for asked in (

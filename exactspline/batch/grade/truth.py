@@ -68,16 +68,23 @@ def _torsion(case: Case) -> Answer:
     return _numbers([torsion_at(case.curve, case.parameter)])
 
 
-def rows(curve: Nurbs) -> list[list[mpq]]:
-    """Control points; of a rational curve with their weights over the first weight."""
-    if curve.polynomial:
+def rows(curve: Nurbs, *, weighted: bool) -> list[list[mpq]]:
+    """Control points, where that is asked with their weights over the first weight: of rational curves and of all their
+    parts, as a part of one may have equal weights.
+    """
+    if not weighted:
         return [list(point) for point in curve.control_points]
     return [[*p, w / curve.weights[0]] for p, w in zip(curve.control_points, curve.weights, strict=True)]
 
 
-def _curves(*curves: Nurbs) -> Answer:
+def _curves(case: Case, *curves: Nurbs) -> Answer:
+    weighted = not case.curve.polynomial
     parts: list[ExactCurve] = [
-        {"degree": c.degree, "knots": [text(t) for t in c.knots], "rows": [[text(x) for x in row] for row in rows(c)]}
+        {
+            "degree": c.degree,
+            "knots": [text(t) for t in c.knots],
+            "rows": [[text(x) for x in row] for row in rows(c, weighted=weighted)],
+        }
         for c in curves
     ]
     return {"curves": parts}
@@ -93,7 +100,7 @@ def inserted(case: Case) -> Nurbs | None:
 
 
 def _remove(case: Case) -> Answer | None:
-    return None if inserted(case) is None else _curves(case.curve)
+    return None if inserted(case) is None else _curves(case, case.curve)
 
 
 def _box(case: Case) -> Answer:
@@ -168,10 +175,10 @@ _ANSWERS: dict[str, Callable[[Case], Answer | None]] = {
     "tangent": _tangent,
     "curvature": _curvature,
     "torsion": lambda case: _torsion(case) if case.curve.dimension == 3 else None,
-    "insert": lambda case: _curves(case.curve.insert_knot(case.parameter)),
+    "insert": lambda case: _curves(case, case.curve.insert_knot(case.parameter)),
     "remove": _remove,
-    "elevate": lambda case: _curves(case.curve.elevate_degree()),
-    "split": lambda case: _curves(*case.curve.split(case.parameter)),
+    "elevate": lambda case: _curves(case, case.curve.elevate_degree()),
+    "split": lambda case: _curves(case, *case.curve.split(case.parameter)),
     "box": _box,
     "turns": _turns,
     "roots": _roots,

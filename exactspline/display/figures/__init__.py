@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from pathlib import Path
 
 from exactspline.display.figures import bisectors, plane
@@ -45,8 +44,7 @@ def folder(path: str | Path) -> Path:
 
 
 def make(number: int, folder: str | Path) -> Made:
-    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as a page that turns (left out
-    without plotly).
+    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as a page that turns.
 
     Raises `PlotError` for a number that is no figure of the paper, without matplotlib, and where nothing can be
     written.
@@ -61,7 +59,7 @@ def make(number: int, folder: str | Path) -> Made:
         place = Path(folder) / f"figure{number}.{suffix}"
         save(figure, place)
         made.files.append(str(place))
-    if scenes and find_spec("plotly"):
+    if scenes:
         place = Path(folder) / f"figure{number}.html"
         save_page(turning_page(scenes, caption), place)
         made.files.append(str(place))

@@ -4,12 +4,14 @@ inside both.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.html import Scene
+from exactspline.display.plot.html import Scene, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
 from exactspline.exact import mpq
@@ -25,71 +27,106 @@ EXPLICIT, DIRECT = "point_bisector_polynomial", "point_bisector_direct_z"
 TITLES = ("(a) explicit directrix approach", "(b) direct approach")
 #: Where the figures are seen from: height and turn, in degrees.
 VIEW = (22, -60)
-#: Curve, point, and the bounds of the ruling parameter in both approaches: in the second it is the height itself.
-HELIX = ("helix_like", (mpq(1, 3), mpq(1, 4), mpq(1)), (("-1/4", "1/4"), ("-1/2", "5/2")))
-ELLIPSE = ("ellipse_in_space", (mpq(1, 2), mpq(1, 4), mpq(0)), (("-1/4", "1/4"), ("-3/2", "3/2")))
+
+
+class Shown(NamedTuple):
+    """A curve, a point, the heights between which their bisector is shown, and the bounds of the ruling parameter to
+    which the control nets belong: in the direct approach it is the height itself.
+    """
+
+    curve: str
+    point: Point
+    heights: tuple[str, str]
+    explicit: tuple[str, str]
+
+
+HELIX = Shown("helix_like", (mpq(1, 3), mpq(1, 4), mpq(1)), ("-1/2", "5/2"), ("-1/4", "1/4"))
+ELLIPSE = Shown("ellipse_in_space", (mpq(1, 2), mpq(1, 4), mpq(0)), ("-3/2", "3/2"), ("-1/8", "1/8"))
 
 
 def figure_4() -> Drawn:
     """Bisector of a point and a helix-like curve."""
-    return _compared(4, "a space point (in grey) and a helix-like quadratic space curve", *HELIX)
+    return _compared(4, "a space point (in grey) and a helix-like quadratic space curve", HELIX)
 
 
 def figure_5() -> Drawn:
     """Bisector of a point and an ellipse."""
-    return _compared(5, "a point (in grey) and an ellipse in its plane", *ELLIPSE)
+    return _compared(5, "a point (in grey) and an ellipse in its plane", ELLIPSE)
 
 
-def _surfaces(name: str, point: Point, rulings: Any) -> list[tuple[RationalSurface, SurfaceMesh]]:
-    argument = example(name).with_point(point)
+def _surfaces(shown: Shown) -> list[tuple[RationalSurface, SurfaceMesh]]:
+    """The surface by both approaches: the same part of it, cut at the same heights, with either net."""
+    argument = example(shown.curve).with_point(shown.point)
     found = [find(formula)(argument) for formula in (EXPLICIT, DIRECT)]
-    return [(surface, ruled_mesh(surface, bounds)) for surface, bounds in zip(found, rulings, strict=True)]
+    nets = (shown.explicit, shown.heights)
+    return [(s, ruled_mesh(s, net, heights=shown.heights)) for s, net in zip(found, nets, strict=True)]
 
 
-def _frame(figure: Figure, i: int, name: str, mesh: SurfaceMesh, point: Point, title: str, *, net: bool) -> Any:
-    ax = plot_curve(example(name), figure.add_subplot(1, 2, i + 1, projection="3d"), control_polygon=False, knots=False)
+def _frame(figure: Figure, i: int, shown: Shown, mesh: SurfaceMesh, title: str, *, net: bool) -> Any:
+    curve = example(shown.curve)
+    ax = plot_curve(curve, figure.add_subplot(1, 2, i + 1, projection="3d"), control_polygon=False, knots=False)
     plot_mesh(mesh, ax, label="bisector", control_net=net, net_color=GREEN)
-    mark_points(ax, [point], "point")
-    cast(Any, ax).view_init(*VIEW)  # axes in space
+    mark_points(ax, [shown.point], "point")
     ax.set_title(title)
     return ax
 
 
-def _scene(name: str, mesh: SurfaceMesh, point: Point, title: str, *more: tuple[str, list[Run]]) -> Scene:
-    curve = example(name)
+def _alike(frames: Sequence[Any]) -> None:
+    """One camera, one scale and the same few ticks in all frames, which hold everything of each."""
+    for axis in "xyz":
+        bounds = [getattr(ax, f"get_{axis}lim")() for ax in frames]
+        low, high = min(a for a, _ in bounds), max(b for _, b in bounds)
+        for ax in frames:
+            getattr(ax, f"set_{axis}lim")(low, high)
+            getattr(ax, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high)])
+            getattr(ax, f"set_{axis}label")(axis)
+    for ax in frames:
+        ax.set_aspect("equal")
+        ax.view_init(*VIEW)
+
+
+def _scene(shown: Shown, mesh: SurfaceMesh, title: str, *more: tuple[str, list[Run]]) -> Scene:
+    curve = example(shown.curve)
     runs = [[p for _, p in part] for part in sampled(curve, curve.breakpoints)]
-    return Scene(title, mesh, [(name, runs), *more], [("point", point)])
+    return Scene(title, mesh, [(shown.curve, runs), *more], [("point", shown.point)])
 
 
-def _compared(number: int, what: str, name: str, point: Point, rulings: Any) -> Drawn:
-    figure, scenes, counts = new_figure(13, 7), [], []
-    for i, (surface, mesh) in enumerate(_surfaces(name, point, rulings)):
+def _compared(number: int, what: str, shown: Shown) -> Drawn:
+    figure, scenes, counts, frames = new_figure(13, 7.2), [], [], []
+    for i, (surface, mesh) in enumerate(_surfaces(shown)):
         title = f"{TITLES[i]} (degree = {surface.degree})"
-        _frame(figure, i, name, mesh, point, title, net=True)
-        scenes.append(_scene(name, mesh, point, title))
+        frames.append(_frame(figure, i, shown, mesh, title, net=True))
+        scenes.append(_scene(shown, mesh, title))
         counts.append(
             f"({'ab'[i]}) degree {surface.degree}, {control_point_count(surface.joined)} control points along the curve"
         )
+    _alike(frames)
     caption = (
-        f"Bisector of {what}: {'; '.join(counts)}. Rulings between bounds of the ruling parameter, which "
-        "is the height in (b); nets in green."
+        f"Bisector of {what}, the same part of it in both: heights from {_minus(shown.heights[0])} to "
+        f"{shown.heights[1]}; {'; '.join(counts)}. In green the nets, in (a) between the ruling parameters "
+        f"{_minus(shown.explicit[0])} and {shown.explicit[1]}, in (b) between the two heights."
     )
     return captioned(figure, number, caption, tuple(scenes))
 
 
+def _minus(text: str) -> str:
+    return text.replace("-", "−")
+
+
 def figure_6() -> Drawn:
     """The planar bisector inside both surfaces of Figure 5."""
-    name, point, rulings = ELLIPSE
-    plane = find("plane_bisector_polynomial")(example("ellipse").with_point(point[:2]))
-    figure, scenes = new_figure(13, 7), []
-    for i, (surface, mesh) in enumerate(_surfaces(name, point, rulings)):
+    plane = find("plane_bisector_polynomial")(example("ellipse").with_point(ELLIPSE.point[:2]))
+    figure, scenes, frames = new_figure(13, 7.2), [], []
+    for i, (surface, mesh) in enumerate(_surfaces(ELLIPSE)):
         iso_curve = surface.directrix
         if any(iso_curve[k] != plane[k] for k in range(2)) or not iso_curve[2].is_zero:
             raise PlotError("the planar bisector is no iso-curve of the surface", where=f"figure 6{TITLES[i][:3]}")
-        ax = _frame(figure, i, name, mesh, point, TITLES[i], net=False)
+        ax = _frame(figure, i, ELLIPSE, mesh, TITLES[i], net=False)
         plot_quotient(iso_curve, ax, control_polygon=False, color=VERMILLION, label="planar bisector")
-        runs = [[p for _, p in part] for part in sampled(iso_curve, iso_curve.denominator.breakpoints)]
-        scenes.append(_scene(name, mesh, point, TITLES[i], ("planar bisector", runs)))
+        frames.append(ax)
+        runs = [[p for _, p in part] for part in sampled(iso_curve.point, iso_curve.denominator.breakpoints)]
+        scenes.append(_scene(ELLIPSE, replace(mesh, net=[]), TITLES[i], ("planar bisector", runs)))
+    _alike(frames)
     caption = (
         f"The planar bisector of Figure 5, of degree {plane.degree}, is the iso-curve of the ruled "
         "bisector at ruling parameter 0 in both."

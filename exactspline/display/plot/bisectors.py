@@ -66,7 +66,7 @@ def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Bo
         plot_curve(curve, ax, control_polygon=False, knots=False, label=label)
     for patch in found.patches:
         if max(patch.value.degree) == 0:
-            mark_points(ax, [patch.value(*[a for a, _ in patch.sides])], "surface (one point)", SKY)
+            mark_points(ax, [patch.value.point(*[a for a, _ in patch.sides])], "surface (one point)", SKY)
         else:
             _plot(ax, tensor_mesh(patch.value, box), "surface", SKY)
     for line in found.lines:
@@ -177,7 +177,7 @@ def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
 def _piece_rulings(one: LinePiece) -> list[Ruling | None]:
     directrix, generator = one.surface.directrix, one.surface.generator.vector
     return [
-        (directrix(u), tuple(g(u) for g in generator)) if directrix.denominator(u) else None
+        (directrix.point(u), tuple(g(u) for g in generator)) if directrix.denominator(u) else None
         for u in _between(one.low, one.high)
     ]
 
@@ -241,7 +241,12 @@ def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Numb
         for u in _between(*piece.interval):
             w = directrix.denominator(u)
             line = (
-                (directrix(u), generator(u) if callable(generator) else tuple(g(u) for g in generator)) if w else None
+                (
+                    directrix.point(u),
+                    generator.point(u) if isinstance(generator, Rational) else tuple(g(u) for g in generator),
+                )
+                if w
+                else None
             )
             rulings.append(line)
         _plot(ax, lines_mesh(rulings, box), "bisector", SKY)
@@ -269,7 +274,7 @@ def plot_trimmed_bisector(
         domain = piece.value.denominator.domain
         low, high = (parameter(t, domain) for t in (piece.low, piece.high))
         places = [low + (high - low) * mpq(k, SAMPLES) for k in range(SAMPLES + 1)]
-        points = [kept(piece.value(t), box) if piece.value.denominator(t) else None for t in places]
+        points = [kept(piece.value.point(t), box) if piece.value.denominator(t) else None for t in places]
         color = GREEN if piece.foot is None else VERMILLION
         for run in joined(points):
             draw(ax, run, color=color, linewidth=1.5, label=str(piece.kind), zorder=3)

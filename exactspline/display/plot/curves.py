@@ -161,7 +161,7 @@ def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
     poles = {parameter(t, denominator.domain) for t in zeros(denominator)}
 
     def near(t: mpq, side: Side | str = Side.RIGHT) -> Point | None:
-        point = value(t, side) if t not in poles and denominator(t, side) else None
+        point = value.point(t, side=side) if t not in poles and denominator(t, side) else None
         return point if point and inside(point, box) else None
 
     parts = sampled(near, sorted({*denominator.breakpoints, *poles}))

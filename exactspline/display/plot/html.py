@@ -1,23 +1,70 @@
-"""Surfaces that turn: a page of HTML with everything in it, for any browser, without a network. Needs plotly (the extra
-``html``).
+"""Surfaces that turn: a page of HTML with everything in it, for any browser, without a network.
+
+The page is data and ``turning.js``, which draws it by WebGL; the pages of the site use the same two.
 """
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from importlib import import_module
+from html import escape
+from importlib.resources import files
 from itertools import cycle
-from textwrap import wrap
-from typing import Any
+from math import ceil, floor, log10
+from typing import TypedDict
 
 from exactspline.atomic_write import write_atomically
 from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, PlotError, Point, Run
+from exactspline.display.plot.frames import Box, box_around, grown
 from exactspline.display.plot.meshes import SurfaceMesh
+from exactspline.exact import mpq
 
-#: Height of the page's picture in pixels, and characters in a line of its title.
-HEIGHT, LINE = 800, 150
+#: Isolines along and across a surface, and the colour they have.
+ISOLINES, DARK = (7, 24), "#24556F"
+#: How much room is around what is shown, in parts of its longest side.
+ROOM = mpq(1, 20)
+#: Significant digits of the coordinates on a page.
+DIGITS = 5
+
+
+class SurfaceData(TypedDict):
+    """A surface on a page: points, and faces as places in their list."""
+
+    label: str
+    color: str
+    points: list[list[float]]
+    faces: list[list[int]]
+
+
+class LineData(TypedDict):
+    """Lines of one kind on a page."""
+
+    label: str
+    color: str
+    width: float
+    runs: list[list[list[float]]]
+
+
+class DotData(TypedDict):
+    """Dots of one kind on a page."""
+
+    label: str
+    color: str
+    size: float
+    places: list[list[float]]
+
+
+class SceneData(TypedDict):
+    """What ``turning.js`` reads: meshes, lines and dots in doubles, their box, and a few ticks on its edges."""
+
+    title: str
+    box: list[list[float]]
+    ticks: list[list[float]]
+    surfaces: list[SurfaceData]
+    lines: list[LineData]
+    dots: list[DotData]
 
 
 @dataclass
@@ -29,9 +76,86 @@ class Scene:
     curves: list[tuple[str, list[Run]]] = field(default_factory=list)
     points: list[tuple[str, Point]] = field(default_factory=list)
 
+    @property
+    def box(self) -> Box:
+        """What holds all of it, with some room."""
+        runs = [*self.mesh.net, *[run for _, runs in self.curves for run in runs]]
+        return grown(box_around([*self.mesh.indexed[0], *[p for run in runs for p in run]]), ROOM)
+
+    def data(self, box: Box | None = None) -> SceneData:
+        """The scene as plain data, in a box (None: its own).
+
+        >>> rows = [[(mpq(i), mpq(j), mpq(i * j)) for j in range(2)] for i in range(2)]
+        >>> told = Scene("a saddle", SurfaceMesh([rows], [], 0, 0)).data()
+        >>> told["surfaces"][0]["faces"], told["box"], told["ticks"][0]
+        ([[0, 1, 3, 2]], [[-0.05, -0.05, -0.05], [1.05, 1.05, 1.05]], [0, 0.5, 1])
+        """
+        points, faces = self.mesh.indexed
+        net = self.mesh.net
+        lines = [_line("isolines", DARK, 0.7, self.mesh.isolines(*ISOLINES))]
+        lines += [_line("control net", GREEN, 1, net)] if net else []
+        lines += [
+            _line(name.replace("_", " "), color, 3, runs)
+            for (name, runs), color in zip(self.curves, cycle((BLACK, VERMILLION)), strict=False)
+        ]
+        dots = [_dots("control points", BLUE, 5, dict.fromkeys(p for run in net for p in run))] if net else []
+        dots += [_dots(name, GREY, 13, [p]) for name, p in self.points]
+        box = box or self.box
+        return {
+            "title": self.title,
+            "box": _places(box),
+            "ticks": [[_rounded(x) for x in three_ticks(*ends)] for ends in zip(*box, strict=True)],
+            "surfaces": [
+                {"label": "surface", "color": SKY, "points": _places(points), "faces": [list(face) for face in faces]}
+            ],
+            "lines": lines,
+            "dots": dots,
+        }
+
+
+def scenes_data(scenes: Sequence[Scene]) -> list[SceneData]:
+    """Scenes that stand side by side, in one box: they have one scale."""
+    box = box_around([corner for scene in scenes for corner in scene.box])
+    return [scene.data(box) for scene in scenes]
+
+
+def _dots(label: str, color: str, size: float, places: Iterable[Point]) -> DotData:
+    return {"label": label, "color": color, "size": size, "places": _places(places)}
+
+
+def _line(label: str, color: str, width: float, runs: Iterable[Run]) -> LineData:
+    return {"label": label, "color": color, "width": width, "runs": [_places(run) for run in runs]}
+
+
+def _places(points: Iterable[Point]) -> list[list[float]]:
+    return [[_rounded(x) for x in point] for point in points]
+
+
+def _rounded(x: mpq) -> float:
+    short = float(f"{float(x):.{DIGITS}g}")
+    return int(short) if short == int(short) else short
+
+
+def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
+    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten.
+
+    >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
+    [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
+    """
+    low, high = mpq(low), mpq(high)
+    if low >= high:
+        return [low]
+    power = floor(log10(high - low)) - 1
+    steps = (mpq(k) * mpq(10) ** (power + up) for up in range(3) for k in (1, 2, 5))
+    return next(
+        [k * step for k in range(first, last + 1)]
+        for step in steps
+        if (last := floor(high / step)) - (first := ceil(low / step)) < 3
+    )
+
 
 def turning_page(scenes: Sequence[Scene], title: str) -> str:
-    """The page: the scenes side by side, each turned with the mouse.
+    """The page: the scenes side by side, turned together with the mouse, a finger or the arrow keys.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
@@ -40,65 +164,32 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
     >>> page = turning_page([Scene("tangents", mesh)], "a surface")
     >>> "<script src=" in page, "tangents" in page
     (False, True)
-
-    Raises `PlotError` without plotly.
     """
-    try:
-        graphs, subplots = import_module("plotly.graph_objects"), import_module("plotly.subplots")
-    except ImportError:
-        raise PlotError(
-            "pages that turn need plotly, which is not installed", remedy="pip install 'exactspline[html]'"
-        ) from None
-    figure = subplots.make_subplots(
-        1, len(scenes), specs=[[{"type": "scene"}] * len(scenes)], subplot_titles=[s.title for s in scenes]
-    )
-    for i, scene in enumerate(scenes):
-        for trace in _traces(graphs, scene, shown=i == 0):
-            figure.add_trace(trace, row=1, col=i + 1)
-    figure.update_scenes(aspectmode="data", camera={"eye": {"x": 1.5, "y": -1.5, "z": 0.9}})
-    heading = {"text": "<br>".join(wrap(title, LINE)), "font": {"size": 13}}
-    figure.update_layout(title=heading, height=HEIGHT, legend={"orientation": "h"}, margin={"l": 0, "r": 0})
-    page: str = figure.to_html(include_plotlyjs=True, full_html=True, div_id="figure")
-    return page
+    here = files("exactspline.display.plot")
+    script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
+    data = json.dumps(scenes_data(scenes), ensure_ascii=False).replace("<", "\\u003c")
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(title.partition(":")[0])}</title>
+<style>
+body {{ font: 1rem/1.5 system-ui, sans-serif; color: #1a2230; margin: 1rem auto; max-width: 80rem; padding: 0 1rem; }}
+{style}</style>
+</head>
+<body>
+<p>{escape(title)}</p>
+<div id="scenes"></div>
+<script type="module">
+{script}
+turning(document.getElementById("scenes"), {data});
+</script>
+</body>
+</html>
+"""
 
 
 def save_page(page: str, path: str | os.PathLike[str]) -> None:
     """Write a page; the file is there whole or not at all. Raises `PlotError` where nothing can be written."""
     write_atomically(path, lambda stream: stream.write(page.encode()), PlotError)
-
-
-def _traces(graphs: Any, scene: Scene, *, shown: bool) -> Iterable[Any]:
-    for i, rows in enumerate(scene.mesh.patches):
-        x, y, z = ([[None if p is None else float(p[k]) for p in row] for row in rows] for k in range(3))
-        one = {"colorscale": [[0, SKY], [1, SKY]], "showscale": False, "hoverinfo": "skip"}
-        yield graphs.Surface(x=x, y=y, z=z, name="surface", showlegend=shown and not i, **one)
-    yield _lines(graphs, scene.mesh.net, GREEN, f"control net ({scene.mesh.points} points)", shown, width=2)
-    corners = list(dict.fromkeys(p for run in scene.mesh.net for p in run))
-    yield _dots(graphs, corners, BLUE, "control points", shown, size=3)
-    for (label, runs), color in zip(scene.curves, cycle((BLACK, VERMILLION)), strict=False):
-        yield _lines(graphs, runs, color, label, shown, width=6)
-    for label, point in scene.points:
-        yield _dots(graphs, [point], GREY, label, shown, size=7)
-
-
-def _columns(points: Iterable[Point | None]) -> dict[str, list[float | None]]:
-    listed = list(points)
-    return {axis: [None if p is None else float(p[k]) for p in listed] for k, axis in enumerate("xyz")}
-
-
-def _lines(graphs: Any, runs: Iterable[Run], color: str, label: str, shown: bool, width: int) -> Any:
-    spread = [p for run in runs for p in (*run, None)]
-    return graphs.Scatter3d(
-        **_columns(spread),
-        mode="lines",
-        line={"color": color, "width": width},
-        name=label,
-        showlegend=shown,
-        hoverinfo="skip",
-    )
-
-
-def _dots(graphs: Any, points: Iterable[Point], color: str, label: str, shown: bool, size: int) -> Any:
-    return graphs.Scatter3d(
-        **_columns(points), mode="markers", marker={"color": color, "size": size}, name=label, showlegend=shown
-    )

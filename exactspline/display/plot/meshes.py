@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import count, pairwise
 from typing import Any
 
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
@@ -46,21 +46,63 @@ class SurfaceMesh:
     @property
     def faces(self) -> list[Run]:
         """The quadrilaterals all of whose corners are there."""
-        found = []
+        points, faces = self.indexed
+        return [[points[k] for k in face] for face in faces]
+
+    @property
+    def indexed(self) -> tuple[list[Point], list[tuple[int, ...]]]:
+        """The points, patch by patch, and the quadrilaterals as places in that list: neighbours share their corners."""
+        points: list[Point] = []
+        faces: list[tuple[int, ...]] = []
         for rows in self.patches:
-            for a, b in pairwise(rows):
+            places: list[list[int | None]] = []
+            for row in rows:
+                number = count(len(points))
+                places.append([None if p is None else next(number) for p in row])
+                points += [p for p in row if p is not None]
+            for a, b in pairwise(places):
                 for (p, q), (r, s) in zip(pairwise(a), pairwise(b), strict=True):
-                    corners = [x for x in (p, q, s, r) if x is not None]
+                    corners = tuple(x for x in (p, q, s, r) if x is not None)
                     if len(corners) == 4:
-                        found.append(corners)
-        return found
+                        faces.append(corners)
+        return points, faces
+
+    def isolines(self, along: int, across: int) -> list[Run]:
+        """So many lines along each patch (its edges among them) and across all patches together, where points are.
+
+        >>> rows = [[(mpq(i), mpq(j), mpq(0)) for j in range(5)] for i in range(9)]
+        >>> lines = SurfaceMesh([rows], [], 0, 0).isolines(2, 3)
+        >>> [[int(x) for p in (run[0], run[-1]) for x in p[:2]] for run in lines]
+        [[0, 0, 8, 0], [0, 4, 8, 4], [0, 0, 0, 4], [4, 0, 4, 4], [8, 0, 8, 4]]
+        """
+        rows_in_all = sum(map(len, self.patches))
+        lines: list[list[Point | None]] = []
+        for rows in self.patches:
+            columns = list(zip(*rows, strict=True))
+            share = max(2, -(-across * len(rows) // rows_in_all))
+            lines += [list(columns[k]) for k in _spread(len(columns), along)]
+            lines += [list(rows[k]) for k in _spread(len(rows), share)]
+        return [run for line in lines for run in joined(line) if len(run) > 1]
 
 
-def ruled_mesh(surface: SplineSurface, rulings: tuple[Number, Number] = (-1, 1), box: Box | None = None) -> SurfaceMesh:
+def _spread(length: int, wanted: int) -> list[int]:
+    """About so many places in a list, both ends among them."""
+    steps = max(1, min(wanted, length) - 1)
+    return sorted({(length - 1) * k // steps for k in range(steps + 1)})
+
+
+def ruled_mesh(
+    surface: SplineSurface,
+    rulings: tuple[Number, Number] = (-1, 1),
+    box: Box | None = None,
+    heights: tuple[Number, Number] | None = None,
+) -> SurfaceMesh:
     """The part of a ruled surface (in the spline reading) between two ruling parameters, cut at its poles; its net
     joins the polygons at both.
 
-    `box` is what is kept; by default what lies around most of the points.
+    `box` is what is kept; by default what lies around most of the points. Between two `heights` (third coordinates)
+    every ruling is cut there instead: the same part of the surface, whatever its parameters; a level ruling is left
+    out.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
@@ -72,6 +114,7 @@ def ruled_mesh(surface: SplineSurface, rulings: tuple[Number, Number] = (-1, 1),
     none.
     """
     low, high = map(rational, rulings)
+    levels = None if heights is None else tuple(map(rational, heights))
     if low >= high:
         raise ShapeError(f"rulings from {low} to {high}", where="rulings", remedy="the first must be the smaller one")
     if not isinstance(surface, RuledSurface) or len(surface.directrix) != 3 or not _of_splines(surface.directrix):
@@ -82,15 +125,21 @@ def ruled_mesh(surface: SplineSurface, rulings: tuple[Number, Number] = (-1, 1),
     if denominator is not None and not all(denominator.polynomials):
         raise ShapeError("the denominator vanishes on a whole segment", remedy="derive the surface piece by piece")
 
-    def row(s: mpq, side: Side | str) -> list[Point]:
+    def row(s: mpq, side: Side | str) -> list[Point | None]:
         w = mpq(1) if denominator is None else denominator(s, side)
         values = [c(s, side) / w for c in components]
-        steps = [low + (high - low) * mpq(k, ALONG - 1) for k in range(ALONG)]
+        start, end = low, high
+        if levels is not None:
+            if values[5] == 0:
+                return [None] * ALONG
+            start, end = ((h - values[2]) / values[5] for h in levels)
+        steps = [start + (end - start) * mpq(k, ALONG - 1) for k in range(ALONG)]
         return [tuple(d + z * g for d, g in zip(values[:3], values[3:], strict=True)) for z in steps]
 
     poles = [] if denominator is None else [parameter(t, denominator.domain) for t in zeros(denominator)]
     patches = _sampled_rows(row, components[0].breakpoints, poles)
-    box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1])], bool(poles)) if box is None else box
+    if box is None:
+        box = usual_box([p for rows in patches for r in rows for p in (r[0], r[-1]) if p is not None], bool(poles))
     net, points, hidden = _net(surface.joined, (low, high), box)
     return SurfaceMesh([[[kept(p, box) for p in r] for r in rows] for rows in patches], net, points, hidden)
 
@@ -101,16 +150,16 @@ def _of_splines(value: Any) -> bool:
 
 
 def _sampled_rows(
-    row: Callable[[mpq, str], list[Point]], breaks: Sequence[mpq], poles: Iterable[mpq]
-) -> list[list[list[Point]]]:
+    row: Callable[[mpq, str], list[Point | None]], breaks: Sequence[mpq], poles: Iterable[mpq]
+) -> list[list[list[Point | None]]]:
     """The rows patch by patch, patches ending beside poles and where the surface jumps."""
     poles = set(poles)
     cuts = sorted({*breaks, *poles})
-    count = max(LEAST, SAMPLES // (len(breaks) - 1))
-    patches: list[list[list[Point]]] = []
+    steps = max(LEAST, SAMPLES // (len(breaks) - 1))
+    patches: list[list[list[Point | None]]] = []
     for a, b in pairwise(cuts):
-        step = (b - a) / count
-        inner = [a + step * k for k in range(count + 1)]
+        step = (b - a) / steps
+        inner = [a + step * k for k in range(steps + 1)]
         first = row(a, Side.RIGHT) if a not in poles else row(a + step * BESIDE, Side.RIGHT)
         last = row(b, Side.LEFT) if b not in poles else row(b - step * BESIDE, Side.RIGHT)
         rows = [first, *[row(t, Side.RIGHT) for t in inner[1:-1]], last]
@@ -174,8 +223,8 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
 
 
 def _grid(breaks: Sequence[mpq]) -> list[mpq]:
-    count = max(LEAST_OF_GRID, GRID // (len(breaks) - 1))
-    return [*[a + (b - a) * mpq(k, count) for a, b in pairwise(breaks) for k in range(count)], breaks[-1]]
+    steps = max(LEAST_OF_GRID, GRID // (len(breaks) - 1))
+    return [*[a + (b - a) * mpq(k, steps) for a, b in pairwise(breaks) for k in range(steps)], breaks[-1]]
 
 
 def _over(values: list[mpq], quotient: bool) -> Point | None:

@@ -64,15 +64,17 @@ def plot_mesh(
         )
     if any(abs(x) > LARGEST for face in faces for p in face for x in p):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
-    corners = [[tuple(float(x) for x in p) for p in face] for face in faces]
-    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
-    # thousands of faces are a picture inside an SVG, not as many paths
-    shades = [_shaded(corner, library("matplotlib.colors").to_rgb(color)) for corner in corners]
-    made = collection(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, rasterized=True, zorder=1)
-    made.set_label(label)
+    rgb = library("matplotlib.colors").to_rgb(color)
+    shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
+    from exactspline.display.plot.depth import DepthCollection
+
+    made = DepthCollection(mesh, color, shades, zorder=1)
+    made.set_label("_surface")
+    space.plot([], [], [], "s", color=color, markersize=9, label=label)
     space.add_collection3d(made)
     # curves, nets and points stay visible through the surface
     space.computed_zorder = False
+    space.set_proj_type("ortho")
     if control_net and mesh.net:
         for run in mesh.net:
             draw(ax, run, color=net_color, linewidth=0.6, label="_net", zorder=2)
@@ -85,12 +87,12 @@ def plot_mesh(
             label=_counted(mesh),
             zorder=2.1,
         )
-    _framed(ax, [p for face in faces for p in face])
+    framed(ax, [p for face in faces for p in face])
     legend_below(ax)
     return ax
 
 
-def _shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
+def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
     """The colour of a face by its slope to the light, the same for both of its sides."""
     (px, py, pz), (qx, qy, qz), (rx, ry, rz), (sx, sy, sz) = corners
     ax, ay, az, bx, by, bz = rx - px, ry - py, rz - pz, sx - qx, sy - qy, sz - qz
@@ -105,7 +107,7 @@ def _counted(mesh: SurfaceMesh) -> str:
     return f"control net ({mesh.points} points{hidden})"
 
 
-def _framed(ax: Any, points: Iterable[Point]) -> None:
+def framed(ax: Any, points: Iterable[Point]) -> None:
     """Equal scales on the three axes, and all points in sight."""
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
 
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.system import System
@@ -88,10 +87,10 @@ class PairEquation:
         """The polynomial as text."""
         return str(self.polynomial)
 
-    def __call__(self, s: Any, t: Any) -> mpq:
+    def __call__(self, s: Number, t: Number) -> mpq:
         """The exact value."""
-        s, t = rational(s), rational(t)
-        return sum((x * s**i * t**j for (i, j), x in self.terms), mpq(0))
+        u, v = rational(s), rational(t)
+        return sum((x * u**i * v**j for (i, j), x in self.terms), mpq(0))
 
     def transposed(self) -> PairEquation:
         """With the parameters exchanged."""
@@ -115,18 +114,17 @@ class LinePiece:
     def pair(self, parameter: Number) -> tuple[Parameter | None, Parameter | None]:
         """The two parameters that a parameter of the piece stands for."""
         u = self._inside(parameter)
-        other = self.other(u) if isinstance(self.other, Rational) else self.other
+        other = self.other.number(u) if isinstance(self.other, Rational) else self.other
         return (u, other) if self.of == 0 else (other, u)
 
-    def __call__(self, parameter: Any, ruling: Any) -> tuple[mpq, ...]:
+    def __call__(self, parameter: Number, ruling: Number) -> tuple[mpq, ...]:
         """A point; `ShapeError` outside the piece, `ZeroDivisionError` where the line is at infinity."""
-        point: tuple[mpq, ...] = self.surface.at(rational(ruling))(self._inside(parameter))
-        return point
+        return self.surface.at(rational(ruling)).point(self._inside(parameter))
 
-    def _inside(self, parameter: Any) -> mpq:
+    def _inside(self, parameter: Number) -> mpq:
         u = rational(parameter)
         if not self.low <= u <= self.high:
-            raise ShapeError(f"{text(u)} is outside this piece", remedy="stay between low and high")
+            raise ShapeError(f"{short_text(u)} is outside this piece", remedy="stay between low and high")
         return u
 
     @property

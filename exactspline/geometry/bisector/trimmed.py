@@ -19,7 +19,7 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
@@ -62,15 +62,14 @@ class TrimmedPiece:
     value: Rational[BSpline]
     foot: mpq | None = None
 
-    def __call__(self, t: Any) -> tuple[mpq, ...]:
+    def __call__(self, t: Number) -> tuple[mpq, ...]:
         """The point at a parameter of the piece; `ShapeError` outside it, `ZeroDivisionError` at an end that is
         infinite.
         """
         t = rational(t)
         if not self.low <= t <= self.high:
-            raise ShapeError(f"{text(t)} is outside this piece", remedy="stay between low and high")
-        point: tuple[mpq, ...] = self.value(t)
-        return point
+            raise ShapeError(f"{short_text(t)} is outside this piece", remedy="stay between low and high")
+        return self.value.point(t)
 
     def restricted(self) -> Rational[BSpline] | None:
         """The piece as a quotient over [low, high] alone; None where an end is irrational."""
@@ -130,7 +129,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
             missing.append(f"[{text(a)}, {text(b)}]: {arc}")
             continue
         forms, value = arc
-        moved = Rational(value.numerator + Vector(*[value.denominator * x for x in q]), value.denominator)
+        moved = Rational(value.vector + Vector(*[value.denominator * x for x in q]), value.denominator)
         for low, high in conditions.kept(*forms, (a, b), i):
             pieces.append(TrimmedPiece(PieceKind.ARC, low, high, moved))
     for kind, t in _corners(curve, missing):

@@ -13,7 +13,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, rational, text
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, Interval, is_zero_on
 from exactspline.geometry.bisector.special_pairs import special_pairs
@@ -99,15 +99,15 @@ class CurveBisector:
         """What could not be decided; empty where the answer is complete."""
         return self.special.left_out
 
-    def __call__(self, s: Any, t: Any) -> tuple[mpq, ...]:
+    def __call__(self, s: Number, t: Number) -> tuple[mpq, ...]:
         """The point for two parameters; `ZeroDivisionError` at a pole, `ShapeError` where there is no surface."""
-        s, t = rational(s), rational(t)
+        u, v = rational(s), rational(t)
         for patch in self.patches:
-            if all(a <= x <= b for x, (a, b) in zip((s, t), patch.sides, strict=True)):
-                point: tuple[mpq, ...] = patch.value(s, t)
-                return point
+            if all(a <= x <= b for x, (a, b) in zip((u, v), patch.sides, strict=True)):
+                return patch.value.point(u, v)
         raise ShapeError(
-            f"there is no surface at ({text(s)}, {text(t)})", remedy="; ".join(reason for _, reason in self.missing)
+            f"there is no surface at ({short_text(u)}, {short_text(v)})",
+            remedy="; ".join(reason for _, reason in self.missing),
         )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from xml.sax.saxutils import quoteattr
 
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.exact import mpq
@@ -70,6 +69,8 @@ def _numbers(found: Collector, element: Element) -> list[mpq]:
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     """The curves, one geometry each."""
+    from xml.sax.saxutils import quoteattr  # the network modules come with it
+
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
     for i, named in enumerate(curves):
         curve = named.curve

@@ -12,7 +12,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from itertools import pairwise
-from xml.sax.saxutils import quoteattr
 
 from exactspline.errors import ExactSplineError, ShapeError
 from exactspline.exact import mpq
@@ -135,6 +134,8 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     """Polynomial plane curves of degree 1 to 3 as paths; SVG holds no knots: the segments are kept, their parameter
     intervals are not.
     """
+    from xml.sax.saxutils import quoteattr  # the network modules come with it
+
     paths = []
     for named in curves:
         segments = pen_segments(named.curve)

@@ -4,7 +4,7 @@ The directions a = γ′ and b = DF × a are orthogonal and tangent to the surfa
 """
 
 from exactspline.language.formula import formula
-from exactspline.language.vector import cross, dot, join, norm2
+from exactspline.language.vector import cross, dot, join, norm2, triple
 
 PLACE = "ImplicitSurface3.h, GetPrincipalInformation"
 
@@ -94,6 +94,12 @@ def gauss_in_the_code(c):
 def across(c):
     """``b = DF × γ′``: tangent to the surface, at a right angle to the curve."""
     return cross(c.gradient_f, c.gamma.d(1))
+
+
+@formula("second fundamental form", on="implicit surface")
+def right_handed(c):
+    """``[DF γ′ b]``: DF, γ′ and b are a right-handed frame where it is positive."""
+    return triple(c.gradient_f, c.gamma.d(1), across(c))
 
 
 def _form(c, u, v):

@@ -6,23 +6,23 @@ from exactspline.papers.chen_riesenfeld_cohen_2007.plane import curvature_square
 from exactspline.papers.primer_on_bezier_curves.control_points import (
     bezier_1,
     derivative_weight_1,
-    derivative_weight_2,
-    derivative_weight_3,
+    extremities_a_by_v,
     quadratic_2,
     quadratic_3,
+    second_derivative_weight_1,
 )
 
 
 @formula("CubicBez.find_offset_cusps", on="plane")
 def hodograph_step(c):
     """``(d1x, d1y)``: twice the first difference of the control points of the hodograph."""
-    return 2 * (derivative_weight_2(c) - derivative_weight_1(c))
+    return second_derivative_weight_1(c)
 
 
 @formula("CubicBez.find_offset_cusps", on="plane")
 def hodograph_bend(c):
     """``(d2x, d2y)``: their second difference."""
-    return derivative_weight_1(c) - 2 * derivative_weight_2(c) + derivative_weight_3(c)
+    return extremities_a_by_v(c)
 
 
 @formula("CubicBez.find_offset_cusps", on="plane", symbol="c_0")

@@ -41,3 +41,15 @@ def off_the_osculating_sphere(c):
     """The same for the centre with the other sign."""
     way = c.second.gamma - c.first.gamma
     return norm2(way) - 2 * dot(way, towards_the_circle(c.first) - sphere_offset_along_binormal(c.first))
+
+
+@formula("ch. Torsion, § Spherical curves", on="pair")
+def between_the_spheres(c):
+    """What the centre with the other sign gives, less what the printed one gives."""
+    return off_the_osculating_sphere(c) - off_the_printed_sphere(c)
+
+
+@formula("ch. Torsion, § Spherical curves", on="pair")
+def along_the_offset(c):
+    """``v·o`` with ``v = γ(s̄) − γ`` and the offset o of the centre along B."""
+    return dot(c.second.gamma - c.first.gamma, sphere_offset_along_binormal(c.first))

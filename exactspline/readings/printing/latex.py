@@ -44,6 +44,10 @@ class LatexPrinter(Printer):
         power = f"^{{{order}}}" if order > 1 else ""
         return rf"\partial_{{{by}}}{power} {base}"
 
+    def subscripted(self, base: str, letters: str) -> str:
+        """``a_{uv}``."""
+        return f"{base}_{{{letters}}}"
+
     def component(self, base: str, index: str) -> str:
         """An index."""
         shown = index.replace("…", r" \ldots ")

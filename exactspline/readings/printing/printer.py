@@ -7,7 +7,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from exactspline.exact import Number
+from exactspline.language.choices import Parameter
 from exactspline.readings.tree import ATOMS, Node, Operation
+
+#: The parameters of surfaces: derivatives by them are written as subscripts.
+SUBSCRIPTS = (Parameter.U, Parameter.V)
 
 #: How tightly an operation binds; arguments that bind less get parentheses.
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
@@ -43,6 +47,9 @@ class Printer(ABC):
             return self.power(self.at(n.args[0], ATOM), n.value), POWER
         if n.op is Operation.DERIVATIVE:
             order, by = n.value
+            if by in SUBSCRIPTS:
+                inner, letters = _letters(n)
+                return self.subscripted(self.at(inner, ATOM), letters), ATOM
             base = self.at(n.args[0], ATOM)
             return (self.derivative(base, order), ATOM) if by is None else (self.partial(base, order, by), PRODUCT)
         if n.op is Operation.COMPONENT:
@@ -76,7 +83,8 @@ class Printer(ABC):
         if n.op is Operation.DET:
             return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
         if n.op is Operation.PERP:
-            return self.perp(self.at(n.args[0], ATOM)), ATOM
+            (turned,) = n.args
+            return self.perp(self.at(turned, ATOM)), ATOM
         if n.op is Operation.GENERALIZED_CROSS:
             return self.wedge([self(a) for a in n.args]), ATOM
         return (f" {self.cross} " if n.op is Operation.CROSS else f" {self.dot} ").join(parts), PRODUCT
@@ -108,6 +116,10 @@ class Printer(ABC):
         """A derivative by a parameter that is named."""
 
     @abstractmethod
+    def subscripted(self, base: str, letters: str) -> str:
+        """A derivative of a surface by parameters in this order."""
+
+    @abstractmethod
     def component(self, base: str, index: str) -> str:
         """A component of a vector."""
 
@@ -132,6 +144,15 @@ class Printer(ABC):
         """A generalized cross product."""
 
 
+def _letters(n: Node) -> tuple[Node, str]:
+    """What derivatives one after the other are taken of, and their parameters, the first one first."""
+    letters = ""
+    while n.op is Operation.DERIVATIVE and n.value.by in SUBSCRIPTS:
+        letters = str(n.value.by) * n.value.order + letters
+        n = n.args[0]
+    return n, letters
+
+
 def named_binding(n: Node) -> int:
     """How tightly the symbol of a named formula binds: one with a power of its own needs parentheses before it gets
     another.
@@ -142,10 +163,21 @@ def named_binding(n: Node) -> int:
 def index_text(index: int | slice) -> str:
     """An index, or the first and last of a slice.
 
-    >>> index_text(2), index_text(slice(1, 4))
-    ('2', '1…3')
+    >>> index_text(2), index_text(slice(1, 4)), index_text(slice(1, None)), index_text(slice(None, 2))
+    ('2', '1…3', '1…', '0…1')
+
+    A slice that counts from the end or leaves some out is written as in Python.
+
+    >>> index_text(slice(None, -1)), index_text(slice(0, 3, 2))
+    (':-1', '0:3:2')
     """
-    return f"{index.start}…{index.stop - 1}" if isinstance(index, slice) else str(index)
+    if not isinstance(index, slice):
+        return str(index)
+    start, stop = index.start or 0, index.stop
+    if index.step in (None, 1) and start >= 0 and (stop is None or stop > 0):
+        return f"{start}…" if stop is None else f"{start}…{stop - 1}"
+    ends = ["" if end is None else str(end) for end in (index.start, stop)]
+    return ":".join(ends if index.step is None else [*ends, str(index.step)])
 
 
 def number(value: Number) -> tuple[str, int]:

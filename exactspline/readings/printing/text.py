@@ -45,6 +45,10 @@ class TextPrinter(Printer):
         """``∂_s a``."""
         return f"∂_{by}{str(order).translate(_SUPERSCRIPT) if order > 1 else ''} {base}"
 
+    def subscripted(self, base: str, letters: str) -> str:
+        """``a_uv``."""
+        return f"{base}_{letters}"
+
     def component(self, base: str, index: str) -> str:
         """``a[i]``."""
         return f"{base}[{index}]"
@@ -80,6 +84,8 @@ def symbol_text(symbol: str) -> str:
 
     >>> symbol_text(r"D_{21}"), symbol_text(r"\gamma''"), symbol_text("[D_1\\ D_2]")
     ('D21', 'γ″', '[D1 D2]')
+    >>> symbol_text("S_{uv}"), symbol_text(r"[P\ P_u\ P_v\ P_{uu}]")
+    ('S_uv', '[P P_u P_v P_uu]')
     """
     text = symbol.replace("'''", "‴").replace("''", "″").replace("'", "′").replace("\\ ", " ")
     text = text.replace(r"\times", "×").replace(r"\cdot", "·").replace(r"\perp", "⊥").replace(r"\|", "‖")
@@ -87,7 +93,8 @@ def symbol_text(symbol: str) -> str:
     text = re.sub(rf"\\({'|'.join(_GREEK)}|bar) ?", lambda m: _GREEK.get(m[1], ""), text)
     text = re.sub(r"\^\{?(\d+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
     text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1/\2", text)
-    return re.sub(r"\\(mathbf|mathrm|left|right)|[_{}]", "", text)
+    text = re.sub(r"_\{?([uv]+)\}?", r"∂\1", text)
+    return re.sub(r"\\(mathbf|mathrm|left|right)|[_{}]", "", text).replace("∂", "_")
 
 
 print_text = TextPrinter()

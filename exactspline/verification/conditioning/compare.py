@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import cast
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import FormulaError, ShapeError, counted
 from exactspline.exact import mpq, text
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.roots.root import Root
@@ -80,7 +80,7 @@ class Conditioning:
     def _verdict(self, form: str) -> str:
         signs = [row.compare(form) for row in self.roots]
         proved = sum(row[form].one_sign and row[form].growth is not None for row in self.roots)
-        of = f"of {len(signs)} zero{'s' if len(signs) != 1 else ''}"
+        of = f"of {counted(len(signs), 'zero')}"
         tail = f"; by the theorem it cannot be better at {proved}" if proved else ""
         return f"the reduced form is worse conditioned at {signs.count(1)} {of}, better at {signs.count(-1)}{tail}"
 

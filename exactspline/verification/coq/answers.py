@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from flint import fmpq_poly
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, counted
 from exactspline.exact import mpq, to_fmpq
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Symbol
@@ -163,9 +163,8 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
         for f, own in zip(answer.polynomials, answer.cells, strict=True)
     )
     points, stretches = _pairs(answer.points), _pairs(answer.stretches)
-    n = len(answer.points)
-    told = f"{n} point{'' if n == 1 else 's'}"
-    told += f" and {len(answer.stretches)} stretches" if answer.stretches else ""
+    told = counted(len(answer.points), "point")
+    told += f" and {counted(len(answer.stretches), 'stretch')}" if answer.stretches else ""
     return (
         f"Definition {answer.name}_in_pieces : pieces := [\n  {pieces}\n].\n\n"
         f"Definition cells_of_{answer.name} : list (list cell) := [\n  {cells}\n].\n\n"

@@ -11,6 +11,7 @@ from flint import fmpq_mpoly
 
 from exactspline.exact import mpq, to_fmpq
 from exactspline.language.operand import CONSTANTS
+from exactspline.language.vector import Vector
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, Operation, applied
 
@@ -27,12 +28,13 @@ class Evaluation:
         self._known: dict[int, Any] = {}
         self._kept: list[Node] = []
 
-    def __call__(self, node: Node) -> Any:
+    def __call__(self, node: Node) -> JetFraction | Vector[JetFraction]:
         """The value of a tree."""
         if id(node) not in self._known:
             self._kept.append(node)  # so that its id stays its own
             self._known[id(node)] = self._value(node, [self(each) for each in node.args])
-        return self._known[id(node)]
+        known: JetFraction | Vector[JetFraction] = self._known[id(node)]
+        return known
 
     def _value(self, node: Node, values: list[Any]) -> Any:
         if node.op is Operation.NAMED:

@@ -51,7 +51,7 @@ class _Rooted(CurveKind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Those of the curve, and the roots."""
-        return (*super().symbols(dimension, polynomial=polynomial), *(Symbol(name, name, "") for name in ROOTS))
+        return (*super().symbols(dimension, polynomial=polynomial), *(Symbol(name, name, ()) for name in ROOTS))
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
@@ -107,11 +107,10 @@ class FramedSetting(Setting):
         """The vectors that the quantifier names."""
         return [] if self.dimension == 2 else ["velocity_", "binormal_"]
 
-    def position(self, name: str, order: int = 0) -> int:
-        """The number of a variable in the list."""
-        if name in ROOTS:
-            return 2 * self.used.index(name) + 2
-        return 2 * len(self.used) + self.ring.index[name, order] + 1
+    def _place(self, i: int) -> int:
+        """The number of the i-th variable of the ring in the list."""
+        name, _ = self.ring.variables[i]
+        return 2 * self.used.index(name) + 2 if name in ROOTS else 2 * len(self.used) + i + 1
 
     def flat(self, value: Any) -> Any:
         """A value in which one product of roots alone occurs as a fraction of the ring.
@@ -149,7 +148,7 @@ class FramedSetting(Setting):
         """The square of a root from its definition, the variables before the jets counted by `shift`."""
 
         def vector(order: int) -> str:
-            places = [shift + self.ring.index[x, order] + 1 for x in COORDINATES[: self.dimension]]
+            places = [shift + self.ring.index[x, (order,)] + 1 for x in COORDINATES[: self.dimension]]
             return "[" + "; ".join(f"var {i}" for i in places) + "]"
 
         v = vector(1) if root == "sigma" else f"(cross {vector(1)} {vector(2)})"

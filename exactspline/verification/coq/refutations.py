@@ -123,8 +123,11 @@ class _Attempt(Statement):
         directrix = Calling(POINT_IN_SPACE, 3).calls(right).directrix
         in_space = Evaluation(embedded(self.argument))
         inside = Writer(self.writer.named, "(embedded c)")
+        planar, spatial = self.evaluation(left), in_space(directrix)
+        assert isinstance(planar, Vector)
+        assert isinstance(spatial, Vector)
         for i in range(2):
-            difference = self.evaluation(left)[i] - in_space(directrix)[i]
+            difference = planar[i] - spatial[i]
             if not difference.is_zero:
                 self.evaluation.denominators += in_space.denominators
                 self.units.recognize(difference)

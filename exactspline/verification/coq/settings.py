@@ -127,7 +127,11 @@ class Setting:
 
     def position(self, name: str, order: int = 0) -> int:
         """The number of a variable in the list of jets."""
-        return self.ring.index[name, order] + 1
+        return self._place(self.ring.index[name, (order,)])
+
+    def _place(self, i: int) -> int:
+        """The number of the i-th variable of the ring."""
+        return i + 1
 
     def named(self, name: str) -> str:
         """The variable of a proof that stands for an operand."""
@@ -140,10 +144,10 @@ class Setting:
         """The variables of a proof, and the hypotheses about them, in the order of the quantifier."""
         weights = [f"H{weight}" for weight in self.weights]
         if self.constants:
-            functions = [self.named(symbol.name) for symbol in self.symbols if symbol.parameter]
+            functions = [self.named(symbol.name) for symbol in self.symbols if symbol.parameters]
             return [*functions, *weights, *[x for name in self.constants for x in (f"{name}_", f"H{name}_")]]
         names = [self.named(symbol.name) for symbol in self.symbols]
-        constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameter]
+        constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameters]
         return [*names, *constants, *weights]
 
     @property
@@ -152,8 +156,8 @@ class Setting:
         rest = [self.named(name) for name in (*self.ring.rules, *self.ring.constants)]
         parts = []
         for symbol in self.symbols:
-            if symbol.parameter and symbol.name not in self.ring.rules:
-                parameter = "s" if symbol.parameter == PARAMETERS[0] else "s_bar"
+            if symbol.parameters and symbol.name not in self.ring.rules:
+                parameter = "s" if symbol.parameters == PARAMETERS[:1] else "s_bar"
                 parts.append(f"jets {parameter} {self.order} {self.named(symbol.name)}")
         return " ++ ".join([*parts, *([f"[{'; '.join(rest)}]"] if rest else [])])
 
@@ -167,9 +171,9 @@ class Setting:
         """What the derivatives of the jets are."""
         chains = {str(parameter): list[str]() for parameter in PARAMETERS}
         for symbol in self.symbols:
-            if symbol.parameter and symbol.name not in self.ring.rules:
-                chains[symbol.parameter].append(f"chain {self.position(symbol.name)} {self.order}")
-        constants = [str(self.position(symbol.name)) for symbol in self.symbols if not symbol.parameter]
+            if symbol.parameters and symbol.name not in self.ring.rules:
+                chains[symbol.parameters[0]].append(f"chain {self.position(symbol.name)} {self.order}")
+        constants = [str(self.position(symbol.name)) for symbol in self.symbols if not symbol.parameters]
         if constants:
             chains[PARAMETERS[0]].append(f"constants [{'; '.join(constants)}]%positive")
         if own := self.own_rules:
@@ -219,9 +223,7 @@ class Setting:
             if c.denominator != 1:
                 raise FormulaError(f"the coefficient {c}", remedy="multiply the denominators out")
             factors = [
-                self.variable(*self.ring.variables[i]) + (f" ^ {int(e)}" if e > 1 else "")
-                for i, e in enumerate(exponents)
-                if e
+                f"var {self._place(i)}" + (f" ^ {int(e)}" if e > 1 else "") for i, e in enumerate(exponents) if e
             ]
             if abs(c) != 1 or not factors:
                 factors.insert(0, f"num {integer(abs(int(c)))}")

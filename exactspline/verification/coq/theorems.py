@@ -159,7 +159,7 @@ class _Theorem(Statement):
         if right is None:
             return bool(value.is_zero)
         other = self.evaluation(right)
-        pairs = zip(value, other, strict=True) if isinstance(value, Vector) else [(value, other)]
+        pairs = [(value, other)] if not isinstance(other, Vector) else zip(value, other, strict=True)
         return all(bool((a - b).is_zero) if isinstance(a, FieldOperand) else bool(a == b) for a, b in pairs)
 
     def same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:

@@ -75,6 +75,9 @@ class Coefficients(Claim):
         for d in GENERIC_DEGREES:
             value = formula(GenericReading(d).argument(CURVE, dimension, polynomial=polynomial))
             components = list(value) if isinstance(value, Vector) else [value]
+            if all(c.is_zero for c in components):
+                told = f"it is zero for every curve of degree {d}"
+                return Finding(REFUTED, NONE, f"zero for degree {d}", witness=told)
             for i, parts in enumerate(zip(*[c.coefficients for c in components], strict=True)):
                 if not any(parts):
                     told = f"coefficient {i} is zero for every curve of degree {d}"

@@ -62,8 +62,13 @@ class DegreeClaim(Claim):
     def validate(self) -> None:
         """Refuse combinations that say nothing."""
         table = self.curve == ArgumentKind.TABLE
-        if self.parameter == Parameter.SECOND and not self.of_pair:
-            raise ClaimError("there is no parameter s̄ of one curve", where="parameter", remedy='write "s"')
+        kind = kind_of(self.curve)
+        if self.parameter not in (known := kind.parameters(kind.dimensions[0])):
+            raise ClaimError(
+                f"there is no parameter {self.parameter} of the kind {self.curve!r}",
+                where="parameter",
+                remedy=f"write {' or '.join(map(repr, map(str, known)))}",
+            )
         if self.counting == Counting.PART_BY_PART and (self.measure != Measure.NOMINAL or table):
             raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
         if table and (self.measure != Measure.NOMINAL or self.of != Scope.BOTH):
@@ -131,9 +136,10 @@ class DegreeClaim(Claim):
         if self.curve == ArgumentKind.TABLE:
             return degree.at({name: known[name.replace("d", "p")].degree for name in degree.names})
         for each in kind_of(self.curve).symbols(argument.dimension):
-            if each.parameter == self.parameter and each.degree.isidentifier() and each.name in known:
-                own = self._own(known[each.name].degree)
-                values[each.degree] = max(own, values.get(each.degree, 0))
+            if self.parameter not in each.parameters or each.name not in known:
+                continue
+            if (named := each.degree_in(self.parameter)).isidentifier():
+                values[named] = max(self._own(known[each.name].degree), values.get(named, 0))
         return degree.at({name: values[name] for name in degree.names})
 
     def _computed(self, argument: Handed) -> int:
@@ -155,10 +161,14 @@ class DegreeClaim(Claim):
             return reduction_of(swapped, argument.dimension, polynomial).main.on(Pair(argument.second, argument.first))
         return reduction_of(self.find(self.formula), argument.dimension, polynomial).main.on(argument)
 
+    @property
+    def _is_first(self) -> bool:
+        return self.parameter in (Parameter.FIRST, Parameter.U)
+
     def _own(self, degree: Any) -> int:
         """The degree in the parameter that is counted."""
         if isinstance(degree, Degrees):
-            return int(degree.s if self.parameter == Parameter.FIRST else degree.t)
+            return int(degree.s if self._is_first else degree.t)
         return int(degree)
 
     def _profile(self, value: Any) -> Any:
@@ -166,11 +176,11 @@ class DegreeClaim(Claim):
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):
             return value
-        across = components[0].domain[1 if self.parameter == Parameter.FIRST else 0]
+        across = components[0].domain[1 if self._is_first else 0]
         fixed = across[0] + (across[1] - across[0]) * mpq(2, 7)
 
         def line(x: TensorSpline) -> Any:
-            return x.at_t(fixed) if self.parameter == Parameter.FIRST else x.at_s(fixed)
+            return x.at_t(fixed) if self._is_first else x.at_s(fixed)
 
         top = Vector(*map(line, components))
         return top if denominator is None else Rational(top, line(denominator))

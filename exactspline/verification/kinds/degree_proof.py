@@ -32,17 +32,26 @@ def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
-        computed, lower = _true(formula, dimension, polynomial)
+        computed, lower = _true(formula, dimension, polynomial, _counted(claim))
         return _held(claim, computed, lower, "")
-    found = reduction_of(formula, dimension, polynomial)
+    found = reduction_of(formula, dimension, polynomial, _counted(claim))
     part = found.main
     if claim.measure == Measure.HEIGHT:
         height = part.true.j if part.true else -1
         return _held(claim, Degree.number(height), {}, "")
     if claim.measure == Measure.REDUCED:
-        lower = dict(part.true.lower) if part.true else lower_degrees([j for j in part.reduced if not j.is_zero])
+        lower = (
+            dict(part.true.lower)
+            if part.true
+            else lower_degrees([j for j in part.reduced if not j.is_zero], part.parameter)
+        )
         return _held(claim, part.generic, lower, str(part.cancelled), _grading(part.true))
     return _lowest(claim, found)
+
+
+def _counted(claim: DegreeClaim) -> Parameter:
+    """The parameter in which the degree is counted; of two exchanged curves it is the first."""
+    return Parameter.FIRST if claim.parameter == Parameter.SECOND else claim.parameter
 
 
 def _grading(true: Any) -> str:
@@ -61,7 +70,7 @@ def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
     return degree
 
 
-def _true(formula: Formula, dimension: int, polynomial: bool) -> tuple[Degree, dict[int, int]]:
+def _true(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter) -> tuple[Degree, dict[int, int]]:
     """The true degree on the generic curve, at infinity and by the degree theorem: two readings that must agree."""
     value = formula(JetReading(order_of(formula, dimension)).argument(formula.kind, dimension, polynomial=polynomial))
     jets, denominator = split(value)
@@ -70,38 +79,41 @@ def _true(formula: Formula, dimension: int, polynomial: bool) -> tuple[Degree, d
     jets = [jet for jet in jets if not jet.is_zero]
     if not jets:
         return Degree.number(-1), {}
-    computed, at_infinity = generic_degree(jets), generic_true_degree(formula, dimension, polynomial=polynomial)
+    computed = generic_degree(jets, parameter)
+    at_infinity = generic_true_degree(formula, dimension, polynomial=polynomial, parameter=parameter)
     if computed != at_infinity:
         raise ContradictionError(
             f"{formula.name} has true degree {at_infinity} at infinity, {computed} by the degree theorem",
             remedy="one of the readings is wrong: report this",
         )
-    return computed, lower_degrees(jets)
+    return computed, lower_degrees(jets, parameter)
 
 
-def lower_degrees(jets: Sequence[Jet]) -> dict[int, int]:
+def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> dict[int, int]:
     """The d at which the generic curve has a lower degree than the one for symbolic d, with what it is there."""
     if not jets:
         return {}
-    generic = generic_degree(jets)
-    suspects = {d for jet in jets for part in graded(jet) for d, _ in true_degree(part).lower}
-    found = {d: degree_at(jets, d) for d in sorted(suspects)}
+    generic = generic_degree(jets, parameter)
+    parts = [part for jet in jets for part in graded(jet, parameter)]
+    suspects = {d for part in parts for d, _ in true_degree(part, parameter).lower}
+    found = {d: degree_at(jets, d, parameter) for d in sorted(suspects)}
     return {d: n for d, n in found.items() if n < generic.at(dict.fromkeys(generic.names, d))}
 
 
 def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
     """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
-    computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found)
+    parameter = _counted(claim)
+    computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found, parameter)
     order = max(part.core[0].ring.order for part in found.parts)
-    lower: dict[int, int] = {}
-    if claim.least_d <= order or len(found.parts) > 1:
-        jets = [jet for jet in found.joined if not jet.is_zero]
-        lower = lower_degrees(jets)
-        for d in range(claim.least_d, order):
-            cut = [jet for jet in truncated(jets, d) if not jet.is_zero]
-            n = degree_at(without_content(cut), d) if cut else -1
-            if n < computed.at(dict.fromkeys(computed.names, d)):
-                lower[d] = n
+    jets = [jet for jet in found.joined if not jet.is_zero]
+    lower = lower_degrees(jets, parameter)
+    for d in range(claim.least_d, order):
+        *tops, bottom = truncated(found.joined, d, parameter)
+        cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
+        vanishes = all(jet.is_zero for jet in tops)
+        n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
+        if n < computed.at(dict.fromkeys(computed.names, d)):
+            lower[d] = n
     return _held(claim, computed, lower, str(found.main.cancelled))
 
 

@@ -130,7 +130,7 @@ class Invariance(Claim):
     @property
     def latex(self) -> str:
         """The name, the group, the weight."""
-        return rf"{self.symbol(self.formula)}\;	ext{{under {_a(self.under)}: {self.claims}}}"
+        return rf"{self.symbol(self.formula)}\;\text{{under {_a(self.under)}: {self.claims}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """By substitution in the jets, with indeterminates for the constants of the group."""
@@ -189,8 +189,8 @@ class Invariance(Claim):
             factor = k[SPEED] if SPEED in k else _line(curve.w)
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
-            changed = Accompanied(plain, beside) if beside else plain
-            return _components(formula(changed)), _times(_components(formula(curve)), factor, self.weight)
+            value = _times(_components(formula(curve)), factor, self.weight)
+            return _components(formula(Accompanied(plain, beside))), value
         made = MAPS[name]
         value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1))
         unit = made.unit(curve.p, curve.w, k) if made.unit else None
@@ -227,7 +227,7 @@ class _Wider(CurveKind):
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Those of a curve, and ρ."""
-        return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[0]))
+        return (*super().symbols(dimension, polynomial=polynomial), Symbol(SPEED, "ρ", PARAMETERS[:1]))
 
     def argument(
         self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False

@@ -13,7 +13,7 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_names, one_of, read
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.generic_proof import factor_of, harmful
+from exactspline.verification.generic_proof import factor_of, factor_of_numerators, harmful
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, ZeroSetOf
 
@@ -49,7 +49,9 @@ class ZeroSet(Claim):
         return " = ".join(rf"\{{{self.symbol(name)} = 0\}}" for name in self.formulas)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """Neighbours are identical up to factors that have no zero by what is assumed."""
+        """Neighbours are identical up to factors that have no zero by what is assumed: their values, and their
+        numerators as they come.
+        """
         formulas = [self.find(name) for name in self.formulas]
         c = jets_for(formulas, dimension, polynomial=polynomial)
         zero = [name for name, f in zip(self.formulas, formulas, strict=True) if _is_zero(f(c))]
@@ -62,7 +64,10 @@ class ZeroSet(Claim):
             f"{self.formulas[0]}/{other} = {f}" for other, f in zip(self.formulas[1:], factors, strict=True)
         )
         if self.measure == ZeroSetOf.NUMERATORS and None not in factors:
-            told = [harmful(factor, self.assumes) for factor in factors if factor is not None]
+            as_they_come = [
+                factor_of_numerators(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]
+            ]
+            told = [harmful(factor, self.assumes) for factor in (*factors, *as_they_come) if factor is not None]
             if not any(bad for bad, _ in told):
                 used = tuple(dict.fromkeys(name for _, names_used in told for name in names_used))
                 return Finding(PROVED, ONE, ONE, names, assumptions=used)
@@ -93,4 +98,4 @@ def _is_zero(value: Any) -> bool:
 
 
 def _lowest(value: Any) -> Any:
-    return in_lowest_terms(value) if isinstance(value, Rational) and all(value.denominator.polynomials) else value
+    return in_lowest_terms(value) if isinstance(value, Rational) else value

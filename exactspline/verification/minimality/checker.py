@@ -54,14 +54,18 @@ def _require(condition: bool, flaw: str) -> None:
         raise ValueError(flaw)
 
 
+#: The first primes: with them as bases Miller and Rabin's test decides all n below 3·10²⁴.
+BASES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
+
+
 def _is_prime(n: int) -> bool:
-    """Miller and Rabin's test with bases that decide all n below 3·10²⁴."""
-    if n < 2 or any(n % q == 0 and n != q for q in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)):
+    """Miller and Rabin's test."""
+    if n < 2 or any(n % q == 0 and n != q for q in BASES):
         return False
     odd, twos = n - 1, 0
     while odd % 2 == 0:
         odd, twos = odd // 2, twos + 1
-    for base in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41):
+    for base in BASES:
         x = pow(base, odd, n)
         if base % n and x not in (1, n - 1) and all((x := x * x % n) != n - 1 for _ in range(twos - 1)):
             return False

@@ -148,6 +148,10 @@ Definition gauss_in_the_code (c : implicit A) : A :=
 Definition across (c : implicit A) : list A :=
   cross (gradient_f c) (vder (along c) (gamma c)).
 
+(** second fundamental form. `[DF γ′ b]`: DF, γ′ and b are a right-handed frame where it is positive. *)
+Definition right_handed (c : implicit A) : A :=
+  det [gradient_f c; vder (along c) (gamma c); across c].
+
 (** second fundamental form. `aᵀ D²F a` for a = γ′. *)
 Definition form_along (c : implicit A) : A :=
   dot (vder (along c) (gamma c)) (([dot (hessian_fx_of c) (vder (along c) (gamma c))] ++ [dot (hessian_fy_of c) (vder (along c) (gamma c))] ++ [dot (hessian_fz_of c) (vder (along c) (gamma c))])).

@@ -121,11 +121,11 @@ Definition step_numerator (c : accompanied A) : list A :=
 
 (** CubicBez.find_offset_cusps. `(d1x, d1y)`: twice the first difference of the control points of the hodograph. *)
 Definition hodograph_step (c : curve A) : list A :=
-  vmul (number 2) (vsub (primer_on_bezier_curves.derivative_weight_2 c) (primer_on_bezier_curves.derivative_weight_1 c)).
+  primer_on_bezier_curves.second_derivative_weight_1 c.
 
 (** CubicBez.find_offset_cusps. `(d2x, d2y)`: their second difference. *)
 Definition hodograph_bend (c : curve A) : list A :=
-  vadd (vsub (primer_on_bezier_curves.derivative_weight_1 c) (vmul (number 2) (primer_on_bezier_curves.derivative_weight_2 c))) (primer_on_bezier_curves.derivative_weight_3 c).
+  primer_on_bezier_curves.extremities_a_by_v c.
 
 (** CubicBez.find_offset_cusps. `d1x d0y − d1y d0x`. *)
 Definition cusp_coefficient_0 (c : curve A) : A :=

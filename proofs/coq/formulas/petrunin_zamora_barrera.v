@@ -224,4 +224,12 @@ Definition off_the_printed_sphere (c : pair A) : A :=
 Definition off_the_osculating_sphere (c : pair A) : A :=
   dot (vsub (gamma (second c)) (gamma (first c))) (vsub (gamma (second c)) (gamma (first c))) - number 2 * dot (vsub (gamma (second c)) (gamma (first c))) (vsub (towards_the_circle (first c)) (sphere_offset_along_binormal (first c))).
 
+(** ch. Torsion, § Spherical curves. What the centre with the other sign gives, less what the printed one gives. *)
+Definition between_the_spheres (c : pair A) : A :=
+  off_the_osculating_sphere c - off_the_printed_sphere c.
+
+(** ch. Torsion, § Spherical curves. `v·o` with `v = γ(s̄) − γ` and the offset o of the centre along B. *)
+Definition along_the_offset (c : pair A) : A :=
+  dot (vsub (gamma (second c)) (gamma (first c))) (sphere_offset_along_binormal (first c)).
+
 End Formulas.

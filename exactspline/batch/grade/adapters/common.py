@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import SupportsFloat
+from typing import Any, SupportsFloat
 
 from exactspline.batch.grade.data import GivenData, Rows, WithKnots
 
@@ -81,6 +81,24 @@ class Adapter:
         """The library's answer."""
         answer: Callable[[Given], object] = getattr(self, question)
         return answer(given)
+
+
+class IncreasingDegree(Adapter):
+    """A library whose curves have the method ``IncreaseDegree``."""
+
+    def _curve(self, given: Given) -> Any:
+        """The curve as an object of the library."""
+        raise NotImplementedError
+
+    def _rows(self, curve: Any, given: Given) -> Rows:
+        """The control points of such an object."""
+        raise NotImplementedError
+
+    def elevate(self, given: Given) -> Rows:
+        """``curve.IncreaseDegree(degree + 1)``."""
+        curve = self._curve(given)
+        curve.IncreaseDegree(given.degree + 1)
+        return self._rows(curve, given)
 
 
 def floats(values: Iterable[SupportsFloat]) -> list[float]:

@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol, TypeVar
 
-from exactspline.batch.grade.adapters.common import Adapter, DeclinedError, Given
+from exactspline.batch.grade.adapters.common import DeclinedError, Given, IncreasingDegree
 from exactspline.batch.grade.data import Rows
 
+
+class Array(Protocol):
+    """An array of Open CASCADE."""
+
+    def SetValue(self, index: int, value: object, /) -> None:
+        """Give the entry with an index its value."""
+
+
+A = TypeVar("A", bound=Array)
 #: ``Precision::Confusion()``: what the library takes for one point, and adds to boxes.
 CONFUSION = 1e-7
 
 
-def _filled(kind: Any, values: list[Any]) -> Any:
+def array(kind: Callable[[int, int], A], values: Sequence[object]) -> A:
+    """An array of Open CASCADE, whose indices begin at 1."""
     made = kind(1, len(values))
     for i, value in enumerate(values, 1):
         made.SetValue(i, value)
     return made
 
 
-class OpenCascade(Adapter):
+class OpenCascade(IncreasingDegree):
     """``Geom_BSplineCurve`` and ``Geom2d_BSplineCurve``."""
 
     name = "Open CASCADE"
@@ -33,22 +44,22 @@ class OpenCascade(Adapter):
         from OCP.Geom import Geom_BSplineCurve
         from OCP.gp import gp_Pnt
 
-        poles = _filled(Array1_gp_Pnt, [gp_Pnt(*map(float, (*p, 0)[:3])) for p in given.points])
+        poles = array(Array1_gp_Pnt, [gp_Pnt(*map(float, (*p, 0)[:3])) for p in given.points])
         knots, times = given.distinct
-        parts = (_filled(Array1_double, list(map(float, knots))), _filled(Array1_int, times), given.degree)
+        parts = (array(Array1_double, list(map(float, knots))), array(Array1_int, times), given.degree)
         if given.weights is None:
             return Geom_BSplineCurve(poles, *parts)
-        return Geom_BSplineCurve(poles, _filled(Array1_double, list(map(float, given.weights))), *parts)
+        return Geom_BSplineCurve(poles, array(Array1_double, list(map(float, given.weights))), *parts)
 
     def _flat(self, given: Given) -> Any:
         from OCP.collections import Array1_double, Array1_gp_Pnt2d, Array1_int
         from OCP.Geom2d import Geom2d_BSplineCurve
         from OCP.gp import gp_Pnt2d
 
-        poles = _filled(Array1_gp_Pnt2d, [gp_Pnt2d(float(p[0]), float(p[1])) for p in given.points])
-        weights = _filled(Array1_double, list(map(float, given.weights or [1] * len(given.points))))
+        poles = array(Array1_gp_Pnt2d, [gp_Pnt2d(float(p[0]), float(p[1])) for p in given.points])
+        weights = array(Array1_double, list(map(float, given.weights or [1] * len(given.points))))
         knots, times = given.distinct
-        parts = (_filled(Array1_double, list(map(float, knots))), _filled(Array1_int, times))
+        parts = (array(Array1_double, list(map(float, knots))), array(Array1_int, times))
         return Geom2d_BSplineCurve(poles, weights, *parts, given.degree)
 
     def _triple(self, v: Any, given: Given) -> list[float]:
@@ -101,12 +112,6 @@ class OpenCascade(Adapter):
         knots, times = given.finer.distinct
         index = knots.index(given.t)
         curve.RemoveKnot(index + 1, times[index] - 1, CONFUSION)
-        return self._rows(curve, given)
-
-    def elevate(self, given: Given) -> Rows:
-        """``curve.IncreaseDegree(degree + 1)``."""
-        curve = self._curve(given)
-        curve.IncreaseDegree(given.degree + 1)
         return self._rows(curve, given)
 
     def split(self, given: Given) -> Rows:

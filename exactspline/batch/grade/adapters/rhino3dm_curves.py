@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactspline.batch.grade.adapters.common import Adapter, Given
+from exactspline.batch.grade.adapters.common import Given, IncreasingDegree
 from exactspline.batch.grade.data import Rows
 
 
-class Rhino3dm(Adapter):
+class Rhino3dm(IncreasingDegree):
     """``PointAt``, ``DerivativeAt``, ``TangentAt``, ``CurvatureAt``, ``IncreaseDegree``, ``Split``."""
 
     name = "rhino3dm"
@@ -55,12 +55,6 @@ class Rhino3dm(Adapter):
         """The length of ``curve.CurvatureAt(t)``."""
         v = self._curve(given).CurvatureAt(given.t)
         return [float((v.X**2 + v.Y**2 + v.Z**2) ** 0.5)]
-
-    def elevate(self, given: Given) -> Rows:
-        """``curve.IncreaseDegree(degree + 1)``."""
-        curve = self._curve(given)
-        curve.IncreaseDegree(given.degree + 1)
-        return self._rows(curve, given)
 
     def split(self, given: Given) -> Rows:
         """``curve.Split(t)``."""

@@ -1,0 +1,82 @@
+"""``inspect`` of surfaces: which arguments are surfaces, and what is printed of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from exactspline.cli.output import OptionsError, Output
+from exactspline.errors import ExactSplineError
+
+if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
+    from exactspline.splines.surface import NurbsSurface
+
+
+def is_surface(name: str) -> bool:
+    """Whether a name or a file is meant as a surface.
+
+    >>> is_surface("torus"), is_surface("circle")
+    (True, False)
+    """
+    from exactspline.splines.examples import example_names, example_surface_names
+    from exactspline.splines.json_files import MAX_BYTES
+    from exactspline.splines.surface_files import looks_like_surface
+
+    place = Path(name)
+    if not place.is_file():
+        return name in example_surface_names() and name not in example_names()
+    if not name.lower().endswith(".json") or place.stat().st_size > MAX_BYTES:
+        return False
+    try:
+        return looks_like_surface(place.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        return False
+
+
+def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str) -> None:
+    """Print what surfaces have; a bad one is reported and the rest goes on."""
+    from exactspline.display.console import show_error
+    from exactspline.splines.examples import load_surface
+
+    if plot and len(names) > 1:
+        raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
+    told: list[tuple[dict[str, object], Sheet]] = []
+    good = True
+    for name in names:
+        try:
+            told.append(_inspected(load_surface(name), digits, plot))
+        except ExactSplineError as error:
+            show_error(error)
+            good = False
+    out.give(
+        "inspect surface",
+        lambda: [{"key": str(data["surface"])} | data for data, _ in told],
+        lambda: [sheet for _, sheet in told],
+        by="surface",
+    )
+    if not good:
+        raise typer.Exit(2)
+
+
+def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:
+    """What a surface has as data and as a table, and the picture where one is wanted."""
+    from exactspline.display.surface_data import map_data, map_sheet, surface_inspection_data, surface_sheet
+    from exactspline.geometry.surface.inspection import inspect_surface
+    from exactspline.geometry.surface.planar_maps import jacobian_sign
+
+    if surface.dimension == 2:
+        if plot:
+            raise OptionsError("--plot and a map of the plane", remedy="surfaces in space are drawn")
+        sign = jacobian_sign(surface)
+        return map_data(sign), map_sheet(sign)
+    found = inspect_surface(surface)
+    if plot:
+        from exactspline.display.plot.canvas import save
+        from exactspline.display.plot.patches import surface_figure
+
+        save(surface_figure(found), plot)
+    return surface_inspection_data(found, digits), surface_sheet(found, digits)

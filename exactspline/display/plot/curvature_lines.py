@@ -1,0 +1,260 @@
+"""Lines of curvature for pictures: by steps along the principal directions, in floats, evenly spaced.
+
+Source: Jobard and Lefer, Creating evenly-spaced streamlines of arbitrary density, 1997.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import comb
+from typing import TYPE_CHECKING, Any
+
+from exactspline.display.plot.canvas import library
+from exactspline.geometry.surface.forms import Patch, SurfaceForms
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+#: Distance between lines and length of a step, as parts of the size of the surface; the most steps of a line.
+APART, STEP, MOST = 1 / 26, 1 / 400, 1200
+#: Steps of the shortest line.
+LEAST = 12
+#: A line ends where it comes nearer to another one than this part of their distance.
+NEAR = 0.55
+
+
+@dataclass
+class Samples:
+    """A surface on a grid: parameters and points patch by patch, the sign of K, and principal directions over the
+    whole rectangle.
+    """
+
+    surface: NurbsSurface
+    us: list[Any]
+    vs: list[Any]
+    points: dict[Patch, Any]
+    signs: dict[Patch, Any]
+    #: The rectangle's grid lines, points on it, and the two principal directions as doubled angles.
+    grid: tuple[Any, Any]
+    whole: Any
+    directions: tuple[Any, Any]
+
+    @classmethod
+    def of(cls, surface: NurbsSurface, grid: int, least: int) -> Samples:
+        """The samples of a surface: about so many in each direction, at least so many a patch."""
+        np: Any = library("numpy")
+        counts = [max(least, -(-grid // n)) for n in surface.patches]
+        ts = [
+            [np.linspace(float(a), float(b), count + 1) for a, b in zip(mesh.breaks, mesh.breaks[1:], strict=False)]
+            for mesh, count in zip(surface.meshes, counts, strict=True)
+        ]
+        forms = SurfaceForms(surface)
+        jets = {key: [f.partial(*key) for f in (*surface.p, surface.w)] for key in _ORDERS}
+        points, signs, derivatives = {}, {}, {}
+        for patch in forms.patches:
+            at = [np.linspace(0, 1, count + 1) for count in counts]
+            values = {key: [_on_grid(f, patch, *at) for f in own] for key, own in jets.items()}
+            derivatives[patch] = _quotients(np, values)
+            points[patch] = derivatives[patch][0, 0]
+            signs[patch] = _on_grid(forms.parabolic, patch, *at)
+        rows, columns = surface.patches
+
+        def assembled(which: Any) -> Any:
+            """What belongs to patches over the whole rectangle; of a common border the later patch's."""
+            lines = [
+                np.concatenate([which((i, j))[:, : None if j == columns - 1 else -1] for j in range(columns)], axis=1)
+                for i in range(rows)
+            ]
+            return np.concatenate([line[: None if i == rows - 1 else -1] for i, line in enumerate(lines)], axis=0)
+
+        whole = {key: assembled(lambda patch, key=key: derivatives[patch][key]) for key in _ORDERS}
+        us, vs = (np.concatenate([*[t[:-1] for t in own[:-1]], own[-1]]) for own in ts)
+        return cls(surface, ts[0], ts[1], points, signs, (us, vs), whole[0, 0], _principal(np, whole))
+
+    def lifted(self, line: Iterable[tuple[float, float]]) -> NDArray[Any]:
+        """Points on the surface for points of the rectangle."""
+        np: Any = library("numpy")
+        points: NDArray[Any] = np.array([_between(self.whole, *self._cell(u, v)) for u, v in line])
+        return points
+
+    def _cell(self, u: float, v: float) -> tuple[int, int, float, float]:
+        """The cell of the grid that holds a point, and where in it."""
+        found: list[Any] = []
+        for t, own in ((u, self.grid[0]), (v, self.grid[1])):
+            i = min(max(int(own.searchsorted(t, side="right")) - 1, 0), len(own) - 2)
+            found.append((i, (t - own[i]) / (own[i + 1] - own[i])))
+        return found[0][0], found[1][0], found[0][1], found[1][1]
+
+    def direction(self, family: int, u: float, v: float) -> tuple[float, float]:
+        """A principal direction in the parameters, of length 1 or zero."""
+        from math import atan2, cos, sin
+
+        x, y = _between(self.directions[family], *self._cell(u, v))
+        if x * x + y * y < 1e-4:
+            return 0.0, 0.0
+        angle = atan2(y, x) / 2
+        return cos(angle), sin(angle)
+
+    def velocity(self, u: float, v: float, du: float, dv: float) -> float:
+        """About how far a step of the parameters goes on the surface."""
+        e = 1e-3
+        (a, b), (c, d) = ((own[0], own[-1]) for own in self.grid)
+        u, v = min(max(u, a), b - e * (b - a)), min(max(v, c), d - e * (d - c))
+        i, j, _, _ = self._cell(u, v)
+        p = self.whole
+        su = (p[i + 1, j] - p[i, j]) / (self.grid[0][i + 1] - self.grid[0][i])
+        sv = (p[i, j + 1] - p[i, j]) / (self.grid[1][j + 1] - self.grid[1][j])
+        return float(sum((su * du + sv * dv) ** 2) ** 0.5)
+
+
+_ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+
+
+def _on_grid(f: TensorSpline, patch: Patch, xs: Any, ys: Any) -> Any:
+    """The values of a spline on a grid of one patch."""
+    np: Any = library("numpy")
+    if min(f.degree) < 0:
+        return np.zeros((len(xs), len(ys)))
+    net = np.array([[float(x) for x in row] for row in f.bezier_net(*patch)])
+    left, right = (_bernstein(np, n, ts) for n, ts in zip(f.degree, (xs, ys), strict=True))
+    return left @ net @ right.T
+
+
+def _bernstein(np: Any, n: int, ts: Any) -> Any:
+    return np.stack([comb(n, k) * ts**k * (1 - ts) ** (n - k) for k in range(n + 1)], axis=1)
+
+
+def _quotients(np: Any, values: dict[tuple[int, int], list[Any]]) -> dict[tuple[int, int], Any]:
+    """The derivatives of p/w to the second order, by Leibniz' rule."""
+    found: dict[tuple[int, int], Any] = {}
+    w = {key: own[-1] for key, own in values.items()}
+    for i, j in _ORDERS:
+        own = np.stack(values[i, j][:-1], axis=-1)
+        for (a, b), earlier in found.items():
+            if a <= i and b <= j:
+                own = own - (comb(i, a) * comb(j, b) * w[i - a, j - b])[..., None] * earlier
+        found[i, j] = own / w[0, 0][..., None]
+    return found
+
+
+def _principal(np: Any, s: dict[tuple[int, int], Any]) -> tuple[Any, Any]:
+    """The two principal directions as doubled angles of (du, dv); zero where they are not determined."""
+    n = np.cross(s[1, 0], s[0, 1])
+    length = np.linalg.norm(n, axis=-1)
+    n = n / np.where(length > 0, length, 1)[..., None]
+    e, f, g = ((a * b).sum(-1) for a, b in ((s[1, 0], s[1, 0]), (s[1, 0], s[0, 1]), (s[0, 1], s[0, 1])))
+    ll, m, k = ((s[key] * n).sum(-1) for key in ((2, 0), (1, 1), (0, 2)))
+    area = np.where(e * g - f * f > 0, e * g - f * f, 1)
+    mean, gauss = (e * k - 2 * f * m + g * ll) / (2 * area), (ll * k - m * m) / area
+    gap = np.sqrt(np.maximum(mean * mean - gauss, 0))
+    families = []
+    for kappa in (mean + gap, mean - gap):
+        # (L − κE) du + (M − κF) dv = 0 = (M − κF) du + (N − κG) dv: the larger row tells the direction
+        first, second, third = ll - kappa * e, m - kappa * f, k - kappa * g
+        by_first = np.abs(first) >= np.abs(third)
+        du, dv = np.where(by_first, -second, -third), np.where(by_first, first, second)
+        angle = 2 * np.arctan2(dv, du)
+        sure = (gap > 1e-9 * (np.abs(mean) + gap)) & (length > 0)
+        families.append(np.stack([np.cos(angle) * sure, np.sin(angle) * sure], axis=-1))
+    return families[0], families[1]
+
+
+def _between(values: Any, i: int, j: int, x: float, y: float) -> Any:
+    """Bilinear interpolation in a cell."""
+    low = values[i, j] * (1 - x) + values[i + 1, j] * x
+    return low * (1 - y) + (values[i, j + 1] * (1 - x) + values[i + 1, j + 1] * x) * y
+
+
+def lines_of_curvature(samples: Samples) -> tuple[list[Any], list[Any]]:
+    """The lines of both families as points of the rectangle."""
+    return _family(samples, 0), _family(samples, 1)
+
+
+def _family(samples: Samples, family: int) -> list[Any]:
+    """Lines of one family, about equally far apart on the surface."""
+    np: Any = library("numpy")
+    flat = samples.whole.reshape(-1, 3)
+    size = float(np.linalg.norm(flat.max(axis=0) - flat.min(axis=0)))
+    us, vs = samples.grid
+    seeds = [(us[i], vs[j]) for j in range(1, len(vs) - 1, 3) for i in range(1, len(us) - 1, 3)]
+    # from the middle outwards
+    middle = (us[0] + us[-1]) / 2, (vs[0] + vs[-1]) / 2
+    seeds.sort(
+        key=lambda p: (p[0] - middle[0]) ** 2 / (us[-1] - us[0]) ** 2 + (p[1] - middle[1]) ** 2 / (vs[-1] - vs[0]) ** 2
+    )
+    near = _Neighbours(size * APART)
+    found = []
+    for seed in seeds:
+        if near.distance(samples.lifted(np.array([seed]))[0]) < size * APART:
+            continue
+        first, closed = _half(samples, family, seed, 1.0, near, size)
+        second, _ = ([], True) if closed else _half(samples, family, seed, -1.0, near, size)
+        line = np.array([*second[::-1], seed, *first])
+        if len(line) > LEAST:
+            found.append(line)
+            near.add(samples.lifted(line))
+    return found
+
+
+def _half(
+    samples: Samples, family: int, seed: tuple[float, float], sign: float, near: _Neighbours, size: float
+) -> tuple[list[tuple[float, float]], bool]:
+    """A line from a seed to one side, till it leaves the rectangle or comes near another one, or back: then it is
+    closed.
+    """
+    (a, b), (c, d) = ((own[0], own[-1]) for own in samples.grid)
+    u, v = seed
+    du, dv = samples.direction(family, u, v)
+    last = (du * sign, dv * sign)
+    found: list[tuple[float, float]] = []
+    start = samples.lifted([seed])[0]
+    for step in range(MOST):
+        speed = samples.velocity(u, v, *last)
+        length = size * STEP / speed if speed > 0 else 0.0
+        length = min(length, (b - a) / 40, (d - c) / 40)
+        middle = _turned(samples.direction(family, u + last[0] * length / 2, v + last[1] * length / 2), last)
+        u, v = u + middle[0] * length, v + middle[1] * length
+        if middle == (0.0, 0.0) or not (a <= u <= b and c <= v <= d):
+            break
+        found.append((u, v))
+        point = samples.lifted([(u, v)])[0]
+        if step > LEAST and sum((point - start) ** 2) < (size * STEP) ** 2:
+            return [*found, seed], True
+        if step % 4 == 3 and near.distance(point) < size * APART * NEAR:
+            break
+        last = _turned(samples.direction(family, u, v), middle)
+        if last == (0.0, 0.0):
+            break
+    return found, False
+
+
+def _turned(direction: tuple[float, float], last: tuple[float, float]) -> tuple[float, float]:
+    """A direction or its opposite, whichever goes on as before."""
+    forward = direction[0] * last[0] + direction[1] * last[1] >= 0
+    return direction if forward else (-direction[0], -direction[1])
+
+
+class _Neighbours:
+    """Points in space, found by cells of one size."""
+
+    def __init__(self, size: float) -> None:
+        self.size = size
+        self.cells: dict[tuple[int, ...], list[Any]] = {}
+
+    def _key(self, point: Any) -> tuple[int, ...]:
+        return tuple(int(x // self.size) for x in point)
+
+    def add(self, points: Any) -> None:
+        """Keep points."""
+        for point in points:
+            self.cells.setdefault(self._key(point), []).append(point)
+
+    def distance(self, point: Any) -> float:
+        """The distance of the nearest point that is not farther than a cell; else infinite."""
+        i, j, k = self._key(point)
+        cells = [(i + a, j + b, k + c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1)]
+        own = [((point - other) ** 2).sum() for cell in cells for other in self.cells.get(cell, [])]
+        return float(min(own)) ** 0.5 if own else float("inf")

@@ -1,0 +1,69 @@
+"""What of the lines on a surface is not hidden behind it, for pictures: by a buffer of depths."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from math import cos, radians, sin
+from typing import Any
+
+from exactspline.display.plot.canvas import library
+
+#: Cells of the buffer along the larger side, points that each face gives in each direction, and how far behind the
+#: nearest point something may be (a part of the size).
+CELLS, EACH, TOLERANCE = 180, 4, 0.035
+
+
+class Visibility:
+    """A surface as it is seen by parallel projection.
+
+    >>> import numpy
+    >>> wall = numpy.array([[[0.0, y, z] for z in numpy.linspace(0, 1, 30)] for y in numpy.linspace(0, 1, 30)])
+    >>> seen = Visibility([wall], elevation=0, azimuth=0)  # from the side of positive x
+    >>> [bool(x) for x in seen.of([(0.5, 0.5, 0.5), (-0.5, 0.5, 0.5)])]
+    [True, False]
+    """
+
+    def __init__(self, patches: Iterable[Any], elevation: float, azimuth: float) -> None:
+        self.np: Any = library("numpy")
+        e, a = radians(elevation), radians(azimuth)
+        view = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
+        right, up = (-sin(a), cos(a), 0.0), (-sin(e) * cos(a), -sin(e) * sin(a), cos(e))
+        self.frame = self.np.array([right, up, view]).T
+        points = self.np.concatenate([_dense(self.np, patch).reshape(-1, 3) for patch in patches]) @ self.frame
+        self.low = points.min(axis=0)
+        self.size = float((points.max(axis=0) - self.low).max()) or 1.0
+        shape = (CELLS + 1, CELLS + 1)
+        self.depth = self.np.full(shape, -self.np.inf)
+        cells = self._cells(points)
+        self.np.maximum.at(self.depth, (cells[:, 0], cells[:, 1]), points[:, 2])
+
+    def _cells(self, points: Any) -> Any:
+        cells = ((points[:, :2] - self.low[:2]) / self.size * CELLS).astype(int)
+        return cells.clip(0, CELLS)
+
+    def of(self, points: Any) -> Any:
+        """Which of the points are seen."""
+        own = self.np.asarray(points, dtype=float) @ self.frame
+        cells = self._cells(own)
+        return own[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size
+
+    def runs(self, points: Any) -> Iterator[Any]:
+        """The parts of a line that are seen."""
+        points = self.np.asarray(points, dtype=float)
+        start = 0
+        for seen, run in groupby(self.of(points)):
+            count = len(list(run))
+            if seen and count > 1:
+                yield points[start : start + count]
+            start += count
+
+
+def _dense(np: Any, patch: Any) -> Any:
+    """A grid of points with more of them between, by straight lines."""
+    for axis in (0, 1):
+        own = np.moveaxis(patch, axis, 0)
+        parts = [own[:-1] + (own[1:] - own[:-1]) * (k / EACH) for k in range(EACH)]
+        joined = np.stack(parts, axis=1).reshape(-1, *own.shape[1:])
+        patch = np.moveaxis(np.concatenate([joined, own[-1:]]), 0, axis)
+    return patch

@@ -1,0 +1,330 @@
+"""What a surface has, as data for programs and as a table for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from exactspline.display.sheet import Sheet
+from exactspline.exact import mpq, text
+from exactspline.geometry.surface.forms import in_parameters
+from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
+from exactspline.geometry.surface.places import Place
+from exactspline.geometry.surface.planar_maps import MapInspection, MapKind
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surface.zero_curve import Part
+from exactspline.splines.patch_forms import Box, Interval, box_text
+from exactspline.splines.surface import Along, NurbsSurface
+
+#: The index of an umbilic by its kind.
+INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
+#: What is said of a patch of a kind.
+CURVATURE = {
+    PatchKind.ELLIPTIC: "K > 0",
+    PatchKind.HYPERBOLIC: "K < 0",
+    PatchKind.MIXED: "K has both signs",
+    PatchKind.ELLIPTIC_BUT: "K ≥ 0",
+    PatchKind.HYPERBOLIC_BUT: "K ≤ 0",
+    PatchKind.DEVELOPABLE: "K = 0",
+    PatchKind.PLANAR: "K = H = 0",
+    PatchKind.CURVE: "no tangent planes",
+    PatchKind.POINT: "no tangent planes",
+}
+
+
+def described_surface(surface: NurbsSurface) -> str:
+    """A surface in one line.
+
+    >>> from exactspline import example_surface
+    >>> described_surface(example_surface("torus"))
+    'rational, degree 2 × 2, 4 × 4 patches, 9 × 9 control points in R3'
+    """
+    (m, n), (rows, columns) = surface.degree, surface.patches
+    kind = "polynomial" if surface.polynomial else "rational"
+    patches = "one patch" if rows * columns == 1 else f"{rows} × {columns} patches"
+    net = f"{len(surface.control_points)} × {len(surface.control_points[0])} control points in R{surface.dimension}"
+    return f"{kind}, degree {m} × {n}, {patches}, {net}"
+
+
+# ---- data
+
+
+def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, object]:
+    """All of it as data for programs: numbers as exact text, irrational ones as intervals and to so many digits."""
+    surface = found.surface
+    return {
+        "surface": surface.name,
+        "degree": list(surface.degree),
+        "polynomial": surface.polynomial,
+        "digits": digits,
+        "closed": [along.value for along in found.closed],
+        "complete": found.complete,
+        "minimal": found.minimal,
+        "umbilic_everywhere": found.umbilic_everywhere,
+        "patches": [_patch_data(one) for one in found.patches],
+        "umbilics": [_umbilic_data(umbilic, digits) for umbilic in found.umbilics],
+        "parabolic_lines": [
+            {
+                "along": line.along.value,
+                "value": text(line.value),
+                "interval": _ends(line.interval),
+                "closed": line.closed,
+            }
+            for line in found.parabolic_lines
+        ],
+        "parabolic_curves": [
+            {"patch": list(one.patch), "shape": part.shape.value, **_hull_data(_hull(one, part))}
+            for one in found.patches
+            for part in one.parabolic
+        ],
+        "singular_points": [_place_data(place, digits) for place in found.singular_points],
+        "poles": [
+            {
+                "along": pole.along.value,
+                "value": text(pole.value),
+                "interval": _ends(pole.interval),
+                "point": None if pole.point is None else [text(x) for x in pole.point],
+            }
+            for pole in found.poles
+        ],
+        "jumps": [{"across": jump.across.value, "value": text(jump.value), "open": jump.open} for jump in found.jumps],
+    }
+
+
+def _patch_data(one: PatchInspection) -> dict[str, object]:
+    boxes = [*one.singular.undecided, *one.umbilics.undecided, *_open_boxes(one)]
+    return {
+        "patch": list(one.patch),
+        **_hull_data(one.sides),
+        "kind": one.kind.value,
+        "minimal": one.minimal,
+        "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
+        "umbilic_everywhere": one.umbilics.everywhere,
+        "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
+        "undecided": [_hull_data(box) for box in boxes],
+    }
+
+
+def _open_boxes(one: PatchInspection) -> Iterator[Box]:
+    """The boxes of a patch in which the parabolic curve is not resolved."""
+    if one.curve is not None:
+        yield from (in_parameters(box, one.sides) for box in one.curve.undecided)
+
+
+def _umbilic_data(umbilic: Umbilic, digits: int) -> dict[str, object]:
+    return {
+        **_place_data(umbilic.place, digits),
+        "kind": umbilic.kind.value,
+        "index": INDEX.get(umbilic.kind),
+        "one_sided": umbilic.one_sided,
+    }
+
+
+def _place_data(place: Place, digits: int) -> dict[str, object]:
+    exact, box = place.exact, place.box(digits + 2)
+    sides = {
+        name: {
+            "parameter": text(exact[k]) if exact else text(a) if a == b else None,
+            "interval": _ends((a, b)),
+            "decimal": shown(a, b, digits),
+        }
+        for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
+    }
+    return {**sides, "patches": [list(patch) for patch in place.patches]}
+
+
+def _hull_data(box: Box) -> dict[str, list[str]]:
+    return {name: _ends(side) for name, side in zip("uv", box, strict=True)}
+
+
+def _ends(side: Interval) -> list[str]:
+    return [text(x) for x in side]
+
+
+def shown(low: mpq, high: mpq, digits: int) -> str:
+    """A number between two to so many digits behind the point.
+
+    >>> shown(mpq(1, 3), mpq(1, 3), 4), shown(mpq(-1, 2), mpq(-1, 2), 3)
+    ('0.3333', '-0.5')
+    """
+    middle = (low + high) / 2
+    scaled = abs(middle) * mpq(10) ** digits
+    whole = int((scaled + mpq(1, 2)) // 1)
+    before, behind = divmod(whole, 10**digits)
+    tail = str(behind).rjust(digits, "0").rstrip("0") if digits else ""
+    return ("-" if middle < 0 and whole else "") + str(before) + (f".{tail}" if tail else "")
+
+
+def _hull(one: PatchInspection, part: Part) -> Box:
+    """A box around a part of a curve, in the parameters of the surface."""
+    boxes = [*(arc.box for arc in part.arcs), *part.cells]
+    if not boxes:
+        return one.sides
+    first, second = (
+        (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(*boxes, strict=True)
+    )
+    return in_parameters((first, second), one.sides)
+
+
+def _extent(one: PatchInspection, part: Part) -> Box:
+    """About how far a part of a curve reaches: the hull of points on it."""
+    curve = one.curve
+    if curve is None or not part.arcs:
+        return _hull(one, part)
+    columns = list(zip(*[point for arc in part.arcs for point in curve.points(arc)], strict=True))
+    return in_parameters(((min(columns[0]), max(columns[0])), (min(columns[1]), max(columns[1]))), one.sides)
+
+
+# ---- a table
+
+
+def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
+    """What a surface has, one thing a row."""
+    surface = found.surface
+    closed = f", closed in {' and '.join(along.value for along in found.closed)}" if found.closed else ""
+    title = f"{surface.name}: {described_surface(surface)}{closed}"
+    made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
+    for kind, box, remark in _regions(found):
+        made.add_row(kind, *(_side(side) for side in box), remark)
+    for line in found.parabolic_lines:
+        made.add_row("parabolic line", *_line(line.along, line.value, line.interval), "closed" if line.closed else "")
+    for one in found.patches:
+        for part in one.parabolic:
+            made.add_row("parabolic curve", *(_near(side) for side in _extent(one, part)), part.shape.value)
+    for umbilic in found.umbilics:
+        made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
+    for place in found.singular_points:
+        made.add_row("singular point", *_parameters(place, digits), "no tangent plane")
+    for (along, value, point), intervals in _poles(found):
+        at = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
+        for interval in intervals:
+            made.add_row("pole" if point else "singular line", *_line(along, value, interval), at)
+    for jump in found.jumps:
+        values = ("", text(jump.value)) if jump.across is Along.V else (text(jump.value), "")
+        made.add_row("C⁻¹ knot", *values, "torn" if jump.open else "the sides fit together")
+    for one in found.patches:
+        for box in [*one.singular.undecided, *one.umbilics.undecided, *_open_boxes(one)][:1]:
+            made.add_row("undecided", *(_near(side) for side in box), "left open there")
+    return made
+
+
+def _regions(found: SurfaceInspection) -> Iterator[tuple[str, Box, str]]:
+    """Kinds of patches with the rectangle they fill where that is one, else patch by patch."""
+    groups: dict[tuple[str, str], list[Box]] = {}
+    for one in found.patches:
+        remark = _of_patch(one)
+        groups.setdefault((one.kind.value, remark), []).append(one.sides)
+    for (kind, remark), boxes in groups.items():
+        for box in _together(_together(sorted(boxes), 0), 1):
+            yield kind, box, remark
+
+
+def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
+    """Neighbouring boxes along a direction as one."""
+    found: list[Box] = []
+    for box in sorted(boxes, key=lambda b: (b[1 - direction], b[direction])):
+        last = found[-1] if found else None
+        if last and last[1 - direction] == box[1 - direction] and last[direction][1] == box[direction][0]:
+            side = last[direction][0], box[direction][1]
+            found[-1] = (side, box[1]) if direction == 0 else (box[0], side)
+        else:
+            found.append(box)
+    return found
+
+
+def _of_patch(one: PatchInspection) -> str:
+    """What is said of a patch."""
+    told = [CURVATURE.get(one.kind, "")]
+    if one.radius_squared is not None:
+        told = [f"K = {text(1 / one.radius_squared)}", "every point is an umbilic"]
+    if one.minimal and one.kind is not PatchKind.PLANAR:
+        told.append("H = 0")
+    if one.umbilics.curve is not None or one.umbilics.edges:
+        told.append("umbilics along a curve")
+    return ", ".join(filter(None, told))
+
+
+def _of_umbilic(umbilic: Umbilic) -> str:
+    index = INDEX.get(umbilic.kind)
+    parts = [
+        umbilic.kind.value + (f" (index {index.replace('1/2', '½').replace('-', '−')})" if index else ""),
+        f"on the border of {len(umbilic.place.patches)} patches" if len(umbilic.place.patches) > 1 else "",
+        "seen from some patches only" if umbilic.one_sided else "",
+    ]
+    return ", ".join(filter(None, parts))
+
+
+def _poles(found: SurfaceInspection) -> Iterator[tuple[tuple[Along, mpq, tuple[mpq, ...] | None], list[Interval]]]:
+    """Poles along one line at one point together."""
+    groups: dict[tuple[Along, mpq, tuple[mpq, ...] | None], list[Interval]] = {}
+    for pole in found.poles:
+        own = groups.setdefault((pole.along, pole.value, pole.point), [])
+        if own and own[-1][1] == pole.interval[0]:
+            own[-1] = own[-1][0], pole.interval[1]
+        else:
+            own.append(pole.interval)
+    yield from groups.items()
+
+
+def _parameters(place: Place, digits: int) -> Iterator[str]:
+    exact = place.exact
+    for k, (a, b) in enumerate(place.box(digits + 2)):
+        yield text(exact[k]) if exact else text(a) if a == b else shown(a, b, digits)
+
+
+def _line(along: Along, value: mpq, interval: Interval) -> tuple[str, str]:
+    return (_side(interval), text(value)) if along is Along.U else (text(value), _side(interval))
+
+
+def _side(side: Interval) -> str:
+    return f"[{text(side[0])}, {text(side[1])}]"
+
+
+def _near(side: Interval) -> str:
+    """An interval by decimals, rounded."""
+    a, b = (shown(x, x, 4) for x in side)
+    return f"≈ {a}" if a == b else f"≈ [{a}, {b}]"
+
+
+# ---- maps of the plane
+
+
+def map_data(found: MapInspection) -> dict[str, object]:
+    """The sign of a Jacobian determinant as data for programs."""
+
+    def point(place: tuple[mpq, mpq] | None) -> list[str] | None:
+        return None if place is None else [text(x) for x in place]
+
+    surface = found.surface
+    return {
+        "surface": surface.name,
+        "degree": list(surface.degree),
+        "polynomial": surface.polynomial,
+        "complete": found.kind is not MapKind.UNDECIDED,
+        "kind": found.kind.value,
+        "positive": point(found.positive),
+        "negative": point(found.negative),
+        "zeros": [point(place) for place in found.zeros],
+        "undecided": [_hull_data(box) for box in found.undecided],
+    }
+
+
+def map_sheet(found: MapInspection) -> Sheet:
+    """The sign of a Jacobian determinant, with the places that show it."""
+    surface = found.surface
+    title = f"{surface.name}: {described_surface(surface)}"
+    made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
+    made.add_row("map", *(_side(side) for side in surface.domain), found.kind.value)
+    for place, remark in ((found.positive, "det > 0"), (found.negative, "det < 0")):
+        if place and not found.regular:
+            made.add_row("point", *(text(x) for x in place), remark)
+    for place in found.zeros:
+        made.add_row("point", *(text(x) for x in place), "det = 0")
+    for patch, edge in found.edges:
+        line = f"{'u' if edge.direction == 0 else 'v'} {'highest' if edge.end else 'lowest'}"
+        made.add_row("edge", "", "", f"det = 0 where {line} on patch {patch[0]}, {patch[1]}")
+    for box in found.undecided[:1]:
+        made.add_row("undecided", "", "", f"left open where {box_text(box)}")
+    return made
+
+
+__all__ = ["described_surface", "map_data", "map_sheet", "shown", "surface_inspection_data", "surface_sheet"]

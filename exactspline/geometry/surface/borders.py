@@ -1,0 +1,100 @@
+"""Zeros on the four edges of a patch: of polynomials in one parameter, so that they are found without any doubt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import reduce
+from itertools import product
+from math import comb
+from typing import NamedTuple
+
+from flint import fmpz_poly
+
+from exactspline.exact import lcm, mpq
+from exactspline.geometry.bisector.polynomials import roots_in
+from exactspline.geometry.surface.forms import in_parameters
+from exactspline.geometry.surface.isolation import Zero
+from exactspline.geometry.surface.places import Parameter, enclosing
+from exactspline.roots.root import Root
+from exactspline.splines.bernstein import substituted
+from exactspline.splines.patch_forms import Box, PatchForm
+
+#: Bits of a box before it is given up to tell whether a zero is inside a patch.
+BITS = 4096
+
+
+class Edge(NamedTuple):
+    """The edge of a patch on which one parameter (`direction` 0: u) has its first or last value (`end` 0 or 1)."""
+
+    direction: int
+    end: int
+
+    def value(self, sides: Box) -> mpq:
+        """The value of that parameter."""
+        return sides[self.direction][self.end]
+
+    def place(self, sides: Box, other: Parameter) -> tuple[Parameter, Parameter]:
+        """Both parameters of a point of the edge."""
+        return (self.value(sides), other) if self.direction == 0 else (other, self.value(sides))
+
+
+EDGES = tuple(Edge(direction, end) for direction, end in product((0, 1), (0, 1)))
+
+
+def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
+    """A form along an edge as a polynomial in the other parameter of the surface, up to a positive constant."""
+    a, b = sides[1 - edge.direction]
+    m = lcm(a.denominator, b.denominator)
+    n = form.degree[1 - edge.direction]
+    c = fmpz_poly([comb(n, i) * x for i, x in enumerate(form.edge(*edge))])
+    return substituted(c, n, fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)]))
+
+
+def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:
+    """The greatest common divisor of forms along an edge: zero where all of them vanish on it."""
+    return reduce(fmpz_poly.gcd, [along(f, edge, sides) for f in forms])
+
+
+def roots_along(p: fmpz_poly, edge: Edge, sides: Box) -> list[Root]:
+    """The roots on a closed edge of a polynomial that is not zero."""
+    return roots_in(p, *sides[1 - edge.direction])
+
+
+def is_inside(zero: Zero, sides: Box) -> bool | None:
+    """Whether a certified zero is inside its patch: False on the border and outside; None where it is given up."""
+    bits = 16
+    while bits <= BITS:
+        box = zero.refine(bits)
+        if any(b < 0 or a > 1 for a, b in box):
+            return False
+        if all(a > 0 and b < 1 for a, b in box):
+            return True
+        if zero.exact is not None:
+            return False  # on the border: its box is a point
+        if any(_is_root_on(zero, edge, sides) for edge in _touched(box)):
+            return False
+        bits *= 2
+    return None
+
+
+def _touched(box: Box) -> Iterator[Edge]:
+    return (edge for edge in EDGES if box[edge.direction][0] <= edge.end <= box[edge.direction][1])
+
+
+def _is_root_on(zero: Zero, edge: Edge, sides: Box) -> bool:
+    """Whether the zero is that root of both forms on an edge which is in its region."""
+    p = common_along(zero.forms, edge, sides)
+    low, high = in_parameters(zero.region, sides)[1 - edge.direction]
+    for root in roots_along(p, edge, sides):
+        digits = 4
+        while True:
+            a, b = enclosing(root, digits)
+            if low < a and b < high:
+                return True
+            if b < low or high < a or (a == b):
+                break
+            digits *= 2
+    return False
+
+
+__all__ = ["EDGES", "Edge", "along", "common_along", "is_inside", "roots_along"]

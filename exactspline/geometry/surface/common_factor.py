@@ -1,0 +1,61 @@
+"""Common factors of forms on a patch: along their zeros the forms vanish on a whole curve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import reduce
+
+from flint import fmpz, fmpz_mpoly
+
+from exactspline.geometry.bisector.polynomials import CONTEXT
+from exactspline.splines.patch_forms import PatchForm, of_powers, powers_of
+
+
+def as_polynomial(form: PatchForm) -> fmpz_mpoly:
+    """The form as a primitive polynomial in the two parameters of the unit square, up to a positive constant."""
+    rows = powers_of(form)
+    common = reduce(fmpz.gcd, [x for row in rows for x in row])
+    return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
+
+
+def as_form(p: fmpz_mpoly) -> PatchForm:
+    """The form of a polynomial over the unit square, up to a positive constant.
+
+    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> as_form(S * T - 1).sign
+    """
+    m, n = (max(int(k), 0) for k in p.degrees())
+    rows = [[fmpz(0)] * (n + 1) for _ in range(m + 1)]
+    for (i, j), x in p.terms():
+        rows[int(i)][int(j)] = x
+    return of_powers(rows)
+
+
+def common_factor(forms: Sequence[PatchForm]) -> PatchForm | None:
+    """The greatest common divisor of forms that are not zero; None where it is a constant."""
+    found = reduce(lambda p, q: p.gcd(q), [as_polynomial(f) for f in forms])
+    return as_form(found) if found.total_degree() > 0 else None
+
+
+def divided(form: PatchForm, factor: PatchForm) -> PatchForm:
+    """The quotient of a form by a factor of it."""
+    quotient, rest = divmod(as_polynomial(form), as_polynomial(factor))
+    assert not rest, "the factor divides"
+    return as_form(quotient)
+
+
+def square_free(form: PatchForm) -> PatchForm:
+    """The product of the factors that depend on a parameter, each once."""
+    _, factors = as_polynomial(form).factor_squarefree()
+    return as_form(reduce(lambda p, q: p * q, [p for p, _ in factors], CONTEXT.from_dict({(0, 0): 1})))
+
+
+def odd_part(form: PatchForm) -> PatchForm:
+    """The form without squares of factors: of its sign wherever it is not zero.
+
+    >>> odd_part(PatchForm.of_net([[-1, 1, -1]])).degree  # −(1 − 2y)²
+    (0, 0)
+    """
+    constant, factors = as_polynomial(form).factor_squarefree()
+    own = CONTEXT.from_dict({(0, 0): 1 if constant > 0 else -1})
+    return as_form(reduce(lambda p, q: p * q, [p for p, times in factors if times % 2], own))

@@ -1,0 +1,123 @@
+"""Singular points of the zeros of a form: where both its derivatives vanish with it, certified, each in a cell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import StrEnum
+from typing import NamedTuple
+
+from exactspline.exact import mpq
+from exactspline.geometry.surface.isolation import Zero, isolate
+from exactspline.geometry.surface.singular import same
+from exactspline.splines.patch_forms import Box, Interval, PatchForm
+
+#: Bits to which a critical point is refined before it is given up to tell whether the form vanishes there.
+BITS = 256
+#: Bits of the cells that are tried.
+CELL_BITS = (6, 8, 10, 14, 20, 30, 44)
+
+
+class Crossing(StrEnum):
+    """What the zeros are near a singular point at which the Hessian is regular."""
+
+    POINT = "single point"
+    NODE = "two branches that cross"
+
+
+class Cell(NamedTuple):
+    """A box with one singular point, and what the zeros in it are: that point alone, or two branches through it and
+    nothing else.
+    """
+
+    box: Box
+    crossing: Crossing
+
+
+def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> tuple[list[Cell], list[Box]]:
+    """The singular points inside the unit square, each in a cell, and boxes that are undecided.
+
+    A critical point is one of the zeros where it is a rational point and the form vanishes there, or where it is one of
+    the points that are `known` to be singular.
+
+    >>> cells, undecided = singular_cells(PatchForm.of_net([[0, 2, 0], [-2, 0, -2], [0, 2, 0]]))
+    >>> [cell.crossing.value for cell in cells], undecided
+    (['two branches that cross'], [])
+    """
+    if min(form.degree) == 0:
+        return [], []
+    slopes = [form.derivative(k) for k in (0, 1)]
+    if any(f.sign is not None for f in slopes):
+        return [], []
+    degree = (max(f.degree[0] for f in slopes), max(f.degree[1] for f in slopes))
+    found = isolate(slopes[0].elevated(degree), slopes[1].elevated(degree), [form])
+    singular, undecided = list[Zero](), list(found.undecided)
+    for zero in found.zeros:
+        verdict = _vanishes(form, zero, known)
+        if verdict is None:
+            undecided.append(zero.box)
+        elif verdict and all(a > 0 and b < 1 for a, b in zero.refine(16)):
+            singular.append(zero)
+    for bits in CELL_BITS:
+        cells = _cells(form, singular, bits)
+        if cells is not None:
+            return cells, undecided
+    return [], [*undecided, *(zero.box for zero in singular)]
+
+
+def _vanishes(form: PatchForm, zero: Zero, known: Sequence[Zero]) -> bool | None:
+    if any(same(point, zero) for point in known):
+        return True
+    bits = 16
+    while bits <= BITS:
+        box = zero.refine(bits)
+        if any(b < 0 or a > 1 for a, b in box) or form.part(box).sign in (1, -1):
+            return False
+        if zero.exact is not None:
+            return form.value(*zero.exact) == 0
+        bits *= 2
+    return None
+
+
+def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> list[Cell] | None:
+    """A cell of about so many bits around each singular point; None where these do not do."""
+    margin = mpq(1, 1 << bits)
+    sides: list[list[Interval]] = []
+    for k in (0, 1):
+        own = sorted((mpq(a - margin), mpq(b + margin)) for a, b in (zero.refine(2 * bits)[k] for zero in singular))
+        merged: list[Interval] = []
+        for a, b in own:
+            if merged and a <= merged[-1][1]:
+                merged[-1] = merged[-1][0], max(b, merged[-1][1])
+            else:
+                merged.append((a, b))
+        sides.append(merged)
+    found: dict[Box, Cell] = {}
+    for zero in singular:
+        at = zero.box
+        first, second = (next(side for side in own if side[0] <= at[k][0] <= side[1]) for k, own in enumerate(sides))
+        box: Box = (first, second)
+        within = all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(box, zero.region, strict=True))
+        crossing = _kind(form, box) if within and all(a > 0 and b < 1 for a, b in box) else None
+        if crossing is None or box in found:
+            return None
+        found[box] = Cell(box, crossing)
+    return list(found.values())
+
+
+def _kind(form: PatchForm, box: Box) -> Crossing | None:
+    """What the zeros in a cell are whose only critical point is one of them.
+
+    Where the Hessian is definite all over the cell the form is convex or concave: no other zero. Where it is indefinite
+    four half branches leave the point; none can come back, since a loop would be around another critical point, so that
+    four zeros on the border are their ends, and nothing else is in the cell.
+    """
+    own = form.part(box)
+    second = {(i, j): own.derivative(i).derivative(j) for i, j in ((0, 0), (0, 1), (1, 1))}
+    (a, b), (c, d), (e, f) = (second[key].range for key in ((0, 0), (0, 1), (1, 1)))
+    products = [x * y for x in (a, b) for y in (e, f)]
+    squares = [c * c, d * d] + [c * 0] * (c <= 0 <= d)
+    if min(products) > max(squares) and (a > 0 or b < 0):
+        return Crossing.POINT
+    if max(products) < min(squares):
+        return Crossing.NODE
+    return None

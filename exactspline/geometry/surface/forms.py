@@ -1,0 +1,141 @@
+"""The forms of a surface whose signs and zeros are asked for, from the formulas of `exactspline.papers.surfaces`.
+
+Each is evaluated on the surface at hand and brought to its lowest degree; on a patch it is then a `PatchForm`, without
+the factors that vanish on a border of the patch, which poles bring with them.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from itertools import product
+from typing import NamedTuple
+
+from exactspline.errors import ShapeError
+from exactspline.exact import mpq
+from exactspline.language.formula import Formula
+from exactspline.language.vector import Vector
+from exactspline.papers import find
+from exactspline.splines.patch_forms import Borders, Box, PatchForm
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
+
+#: A patch: segment i of u and segment j of v.
+Patch = tuple[int, int]
+
+
+class Reduced(NamedTuple):
+    """A form on a patch: as it is, without factors that vanish on borders, and how often each of these divided it."""
+
+    whole: PatchForm
+    form: PatchForm
+    borders: Borders
+
+
+def formula(name: str) -> Formula:
+    """A formula about surfaces."""
+    return find(f"surfaces:{name}")
+
+
+class SurfaceForms:
+    """The forms of one surface in space, each computed once.
+
+    >>> from exactspline import example_surface
+    >>> forms = SurfaceForms(example_surface("torus"))
+    >>> forms.parabolic.degree, forms.lines[0].is_zero
+    (Degrees(s=8, t=8), True)
+    """
+
+    def __init__(self, surface: NurbsSurface) -> None:
+        if surface.dimension != 3:
+            raise ShapeError(
+                f"the curvature of a surface in R{surface.dimension}", remedy="it is defined for surfaces in space"
+            )
+        self.surface = surface
+        self._argument = surface.remembering()
+
+    def scalar(self, name: str) -> TensorSpline:
+        """The value of a formula, at its lowest degree."""
+        found = self._argument.calls(formula(name))
+        assert isinstance(found, TensorSpline)
+        return lowest(found)
+
+    def vector(self, name: str) -> Vector[TensorSpline]:
+        """The value of a formula that is a vector."""
+        found = self._argument.calls(formula(name))
+        assert isinstance(found, Vector)
+        return found.mapped(lowest)
+
+    @cached_property
+    def parabolic(self) -> TensorSpline:
+        """``w⁸ (LN − M²)``, of the sign of K."""
+        return self.scalar("parabolic_lifted")
+
+    @cached_property
+    def area(self) -> TensorSpline:
+        """``w⁶ (EG − F²)``, zero where the surface has no tangent plane."""
+        return self.scalar("area_squared_lifted")
+
+    @cached_property
+    def second(self) -> tuple[TensorSpline, TensorSpline, TensorSpline]:
+        """L, M, N up to one power of w."""
+        return self.scalar("L_lifted"), self.scalar("M_lifted"), self.scalar("N_lifted")
+
+    @cached_property
+    def minimality(self) -> TensorSpline:
+        """``w⁸ (EN − 2FM + GL)``, zero where H is."""
+        return self.scalar("minimality_lifted")
+
+    @cached_property
+    def lines(self) -> tuple[TensorSpline, TensorSpline, TensorSpline]:
+        """The coefficients of the lines of curvature ``A du² + B du dv + C dv² = 0``, up to one positive factor."""
+        return tuple(self.scalar(f"line_coefficient_{which}_lifted") for which in ("uu", "uv", "vv"))  # type: ignore[return-value]
+
+    @cached_property
+    def lengths(self) -> tuple[TensorSpline, TensorSpline]:
+        """E and G up to one positive factor."""
+        return self.scalar("E_reduced"), self.scalar("G_reduced")
+
+    @cached_property
+    def normal(self) -> Vector[TensorSpline]:
+        """The normal, up to one factor without zeros."""
+        return self.vector("normal_lifted_of_surface")
+
+    @cached_property
+    def tangents(self) -> tuple[Vector[TensorSpline], Vector[TensorSpline]]:
+        """``w² S_u`` and ``w² S_v``."""
+        return self.vector("D_u"), self.vector("D_v")
+
+    @property
+    def patches(self) -> list[Patch]:
+        """All patches, v running faster."""
+        rows, columns = self.surface.patches
+        return list(product(range(rows), range(columns)))
+
+
+def lowest(f: TensorSpline) -> TensorSpline:
+    """The same function at the lowest degrees that it has."""
+    degree, true = f.degree, f.true_degree
+    return f.reduce_degree(degree.s - max(true.s, 0), degree.t - max(true.t, 0)) if degree != true else f
+
+
+def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:
+    """A form on a patch; None where it vanishes all over it."""
+    whole = PatchForm.of(f, *patch)
+    if whole.is_zero:
+        return None
+    form, borders = whole.without_border()
+    return Reduced(whole, form, borders)
+
+
+def sides_of(surface: NurbsSurface, patch: Patch) -> Box:
+    """The rectangle of parameters of a patch."""
+    (a, b), (c, d) = (mesh.breaks[i : i + 2] for mesh, i in zip(surface.meshes, patch, strict=True))
+    return (a, b), (c, d)
+
+
+def in_parameters(box: Box, sides: Box) -> Box:
+    """A box of the unit square as one of the parameters of a patch."""
+    (a, b), (c, d) = (
+        (low + (high - low) * x, low + (high - low) * y) for (x, y), (low, high) in zip(box, sides, strict=True)
+    )
+    return (mpq(a), mpq(b)), (mpq(c), mpq(d))

@@ -1,0 +1,224 @@
+"""The common zeros of two polynomials on a patch, each certified: exact subdivision in Bernstein form.
+
+A box is left out where the coefficients of one of the polynomials, or of their combination by the inverse of their
+Jacobian at hand, have one strict sign. Around a simple zero the combinations G₁, G₂ are nearly ``x − x₀`` and
+``y − y₀``: where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where
+G₁ has opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in
+integers.
+
+Source: Miranda, Un'osservazione su un teorema di Brouwer, Bollettino UMI 1940; Mourrain and Pavone, Subdivision methods
+for solving polynomial equations, 2009 (the preconditioning).
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from flint import fmpz
+
+from exactspline.exact import mpq
+from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+
+#: By how much of its width a box grows on each side before it is certified.
+MARGIN = mpq(1, 4)
+#: Halvings of a box, and boxes, before what is left is told to be undecided.
+DEPTH, BOXES = 48, 20_000
+#: Bits of a box in which a simple rational zero is looked for, and the largest denominator that is tried.
+SIMPLE_BITS, SIMPLE = 60, 4096
+
+
+class Zero:
+    """A certified common zero of two forms: the only one in `region`.
+
+    Its box shrinks when it is asked to; nothing else of it changes.
+    """
+
+    __slots__ = ("_box", "_exact", "forms", "region")
+
+    def __init__(self, forms: tuple[PatchForm, PatchForm], region: Box) -> None:
+        self.forms, self.region, self._box = forms, region, region
+        self._exact: tuple[mpq, mpq] | None = None
+
+    @property
+    def box(self) -> Box:
+        """The smallest box reached."""
+        return self._box
+
+    @property
+    def exact(self) -> tuple[mpq, mpq] | None:
+        """Both coordinates where they are simple rational numbers, told by evaluating there."""
+        if self._exact is None:
+            box = self.refine(SIMPLE_BITS)
+            place = simplest(*box[0]), simplest(*box[1])
+            simple = max(x.denominator for x in place) <= SIMPLE
+            if simple and all(f.value(*place) == 0 for f in self.forms):
+                self._exact = place
+                self._box = (place[0], place[0]), (place[1], place[1])
+        return self._exact
+
+    def refine(self, bits: int) -> Box:
+        """A box with the zero whose sides are at most ``2^−bits`` long."""
+        limit = mpq(1, 1 << max(bits, 0))
+        while max(b - a for a, b in self._box) > limit:
+            self._box = self._contracted(self._box)
+        return self._box
+
+    def _contracted(self, box: Box) -> Box:
+        """The zero is in ``c − Y F(c) + (1 − Y J)(X − c)``: Krawczyk's operator with the preconditioned pair G.
+
+        On the region itself, and so on every part of it, the pair of the region contracts; that of the box, where it
+        does too, contracts quadratically.
+        """
+        pair = preconditioned(*(f.part(box) for f in self.forms))
+        if pair is None or not _at_most_one(pair):
+            pair = _preconditioned_on(self.forms, self.region, box)
+        half = mpq(1, 2)
+        sides = []
+        for k, g in enumerate(pair):
+            own, other = g.derivative(k).range, g.derivative(1 - k).range
+            scale = mpq(int(own[0] + own[1]), 2)
+            radius = (int(own[1]) - scale + int(max(-other[0], other[1]))) / scale / 2
+            middle = half - g.value(half, half) / scale
+            sides.append((max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
+        first, second = (
+            _rounded(low + (high - low) * x, low + (high - low) * y, low, high)
+            for (x, y), (low, high) in zip(sides, box, strict=True)
+        )
+        return first, second
+
+
+class Zeros(NamedTuple):
+    """Certified zeros, and boxes of which it could not be decided whether and which zeros they hold."""
+
+    zeros: list[Zero]
+    undecided: list[Box]
+
+
+def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (), box: Box = UNIT) -> Zeros:
+    """The common zeros of two forms of one degree, over one constant, that lie in a closed box or next to it, but for
+    those at which one of the others is certainly not zero.
+
+    Every zero in the box is in the region of one of the zeros or in an undecided box; a region may reach beyond.
+
+    >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
+    >>> line = PatchForm.of_net([[0, -1, -2], [1, 0, -1], [2, 1, 0]])  # 2 (x − y)
+    >>> found = isolate(circle, line)
+    >>> len(found.zeros), found.undecided, float(found.zeros[0].refine(40)[0][0])
+    (1, [], 0.70710678118...)
+    """
+    found = Zeros([], [])
+    todo = deque([Sized(box, [f.part(box) for f in (first, second, *also)], 0)])
+    boxes = 0
+    while todo:
+        part = todo.popleft()
+        if any(_inside(part.box, zero.region) for zero in found.zeros) or any(f.sign is not None for f in part.forms):
+            continue
+        boxes += 1
+        pair = preconditioned(part.forms[0], part.forms[1])
+        if pair is not None:
+            if any(g.sign is not None for g in pair):
+                continue
+            if _at_most_one(pair) and (region := _certified((first, second), part.box)):
+                _add(found.zeros, Zero((first, second), region))
+                continue
+        if part.depth >= DEPTH or boxes > BOXES:
+            found.undecided.append(part.box)
+        else:
+            todo.extend(halved(part))
+    return found
+
+
+def preconditioned(first: PatchForm, second: PatchForm) -> tuple[PatchForm, PatchForm] | None:
+    """The pair times the adjugate of its Jacobian, as the corners tell it: near a simple zero multiples of ``x − x₀``
+    and ``y − y₀``; None where that is singular.
+    """
+    (a, b), (c, d) = _slopes(first), _slopes(second)
+    determinant = a * d - b * c
+    if determinant == 0:
+        return None
+    sign = 1 if determinant > 0 else -1
+    return first.combined(d * sign, second, -b * sign), first.combined(-c * sign, second, a * sign)
+
+
+def _preconditioned_on(forms: tuple[PatchForm, PatchForm], region: Box, box: Box) -> tuple[PatchForm, PatchForm]:
+    """The pair of a region on a part of it."""
+    pair = preconditioned(*(f.part(region) for f in forms))
+    assert pair is not None, "the region was certified"
+    local = tuple(
+        (mpq((a - low) / (high - low)), mpq((b - low) / (high - low)))
+        for (a, b), (low, high) in zip(box, region, strict=True)
+    )
+    return pair[0].part((local[0], local[1])), pair[1].part((local[0], local[1]))
+
+
+def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
+    low, up, right, top = f.corners
+    return right + top - low - up, up + top - low - right
+
+
+def _at_most_one(pair: tuple[PatchForm, PatchForm]) -> bool:
+    """Whether the derivatives are strictly diagonally dominant all over the square, so that the pair is injective."""
+    for k, g in enumerate(pair):
+        own, other = g.derivative(k).range, g.derivative(1 - k).range
+        if not own[0] > max(-other[0], other[1]):
+            return False
+    return True
+
+
+def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
+    """A box around this one that holds exactly one zero; None where that is not shown."""
+    (a, b), (c, d) = ((x - (y - x) * MARGIN, y + (y - x) * MARGIN) for x, y in box)
+    region: Box = (mpq(a), mpq(b)), (mpq(c), mpq(d))
+    pair = preconditioned(*(f.part(region) for f in forms))
+    if pair is None or not _at_most_one(pair):
+        return None
+    crossed = all(max(g.edge(k, 0)) < 0 < min(g.edge(k, 1)) for k, g in enumerate(pair))
+    return region if crossed else None
+
+
+def _add(zeros: list[Zero], new: Zero) -> None:
+    """Keep a zero unless it is one of those that are known."""
+    for known in zeros:
+        bits = 8
+        while not _apart(new.box, known.box):
+            if _inside(new.box, known.region):
+                return
+            new.refine(bits)
+            known.refine(bits)
+            bits += 8
+    zeros.append(new)
+
+
+def _inside(one: Box, other: Box) -> bool:
+    return all(c <= a and b <= d for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+def _apart(one: Box, other: Box) -> bool:
+    return any(b < c or d < a for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+def _rounded(a: mpq, b: mpq, low: mpq, high: mpq) -> Interval:
+    """An interval around [a, b] with short ends, inside [low, high]; at most half as wide where nothing was gained."""
+    width = b - a
+    if width == 0:
+        return a, b
+    scale = mpq(1 << (int(64 / width).bit_length()))
+    return max(low, mpq((a * scale) // 1) / scale), min(high, mpq(-((-b * scale) // 1)) / scale)
+
+
+def simplest(low: mpq, high: mpq) -> mpq:
+    """The rational number of smallest denominator in a closed interval.
+
+    >>> simplest(mpq(31, 100), mpq(35, 100))
+    mpq(1,3)
+    """
+    whole = -((-low) // 1)
+    if whole <= high:
+        return mpq(whole)
+    base = low // 1
+    return base + 1 / simplest(1 / (high - base), 1 / (low - base))
+
+
+__all__ = ["Zero", "Zeros", "isolate", "preconditioned", "simplest"]

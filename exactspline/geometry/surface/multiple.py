@@ -1,0 +1,96 @@
+"""Multiple common zeros at rational points: shown to be alone by blowing them up.
+
+Around such a point put ``x = s, y = s m`` and ``x = s m, y = s``: each polynomial is a power of s times another one. If
+the others have no common zero for s and m between −1 and 1 the point is the only one in a square.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from flint import fmpz_mpoly
+
+from exactspline.exact import mpq
+from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
+from exactspline.geometry.surface.common_factor import as_form, as_polynomial
+from exactspline.geometry.surface.isolation import SIMPLE, simplest
+from exactspline.splines.patch_forms import Box, PatchForm, Sized, halved
+
+#: Boxes before the search for a common zero stops, and how often the square around the point is halved.
+BOXES, TRIES = 2000, 4
+#: The square of both charts.
+CHART: Box = ((mpq(-1), mpq(1)), (mpq(-1), mpq(1)))
+
+
+class Multiple(NamedTuple):
+    """A common zero, and a box around it that holds no other one."""
+
+    place: tuple[mpq, mpq]
+    box: Box
+
+    def explains(self, box: Box) -> bool:
+        """Whether another box holds no other common zero for that reason."""
+        return all(a <= c and d <= b for (a, b), (c, d) in zip(self.box, box, strict=True))
+
+
+def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple | None:
+    """A simple rational common zero near the first of the boxes, alone in a box that holds all boxes next to that one;
+    None where none is found.
+
+    >>> forms = [PatchForm.of_net([[1, -1], [-1, 1]])]  # (1 − 2x)(1 − 2y), zero on two lines
+    >>> multiple_zero(forms, [((mpq(3, 8), mpq(5, 8)), (mpq(3, 8), mpq(5, 8)))])
+    >>> forms.append(PatchForm.of_net([[0, -1, 0], [1, 0, 1], [0, -1, 0]]))  # 2x (1 − x) − 2y (1 − y)
+    >>> multiple_zero(forms, [((mpq(3, 8), mpq(5, 8)), (mpq(3, 8), mpq(5, 8)))]).place
+    (mpq(1,2), mpq(1,2))
+    """
+    hull = _hull_of_neighbours(boxes)
+    place = simplest(*hull[0]), simplest(*hull[1])
+    if max(x.denominator for x in place) > SIMPLE or any(f.value(*place) != 0 for f in forms):
+        return None
+    radius = max(mpq(1, 1 << 10), *[abs(end - x) for side, x in zip(hull, place, strict=True) for end in side])
+    for _ in range(TRIES):
+        square: Box = ((place[0] - radius, place[0] + radius), (place[1] - radius, place[1] + radius))
+        parts = [f.part(square) for f in forms]
+        if all(_without_common_zero([chart(p, k) for p in parts]) for k in (0, 1)):
+            return Multiple(place, square)
+        radius *= 2
+    return None
+
+
+def _hull_of_neighbours(boxes: Sequence[Box]) -> Box:
+    """The hull of the first box and of all that touch it, one after another."""
+    hull, rest = boxes[0], list(boxes[1:])
+    while near := [box for box in rest if all(c <= b and a <= d for (a, b), (c, d) in zip(hull, box, strict=True))]:
+        rest = [box for box in rest if box not in near]
+        first, second = (
+            (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(hull, *near, strict=True)
+        )
+        hull = (first, second)
+    return hull
+
+
+def chart(form: PatchForm, which: int) -> PatchForm:
+    """A form around the middle of its square in one of the charts, without its power of s."""
+    p = as_polynomial(form)
+    m, n = (max(int(k), 0) for k in p.degrees())
+    # x = (1 + X)/2 and y = (1 + Y)/2, times a power of 2
+    scaled = CONTEXT.from_dict({(i, j): x << int(m - i + n - j) for (i, j), x in p.terms()})
+    around: fmpz_mpoly = scaled.compose(1 + S, 1 + T)
+    blown = around.compose(S, S * T) if which == 0 else around.compose(S * T, S)
+    power = min((int(i) for (i, _), _ in blown.terms()), default=0)
+    lowered = CONTEXT.from_dict({(int(i) - power, int(j)): x for (i, j), x in blown.terms()})
+    return as_form(lowered).part(CHART)
+
+
+def _without_common_zero(forms: Sequence[PatchForm]) -> bool:
+    """Whether forms certainly have no common zero on the closed unit square."""
+    todo = deque([Sized(((mpq(0), mpq(1)), (mpq(0), mpq(1))), list(forms), 0)])
+    for _ in range(BOXES):
+        if not todo:
+            return True
+        part = todo.popleft()
+        if not any(f.sign for f in part.forms):
+            todo.extend(halved(part))
+    return False

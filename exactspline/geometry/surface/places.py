@@ -1,0 +1,79 @@
+"""Points of a surface by their certified parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from exactspline.exact import mpq
+from exactspline.geometry.surface.forms import Patch, in_parameters
+from exactspline.geometry.surface.isolation import Zero
+from exactspline.roots.root import Root
+from exactspline.splines.patch_forms import Box, Interval
+
+#: A parameter: a rational number or a certified root.
+Parameter = mpq | Root
+
+
+@dataclass(frozen=True)
+class InnerZero:
+    """A certified zero inside a patch, in the parameters of the surface."""
+
+    zero: Zero
+    sides: Box
+
+    def box(self, digits: int) -> Box:
+        """A box with the point in it, its sides at most ``10^−digits`` long."""
+        longest = max(b - a for a, b in self.sides)
+        return in_parameters(self.zero.refine(int(longest * mpq(10) ** digits + 1).bit_length()), self.sides)
+
+    @property
+    def exact(self) -> tuple[mpq, mpq] | None:
+        """Both parameters where they are simple rational numbers."""
+        found = self.zero.exact
+        if found is None:
+            return None
+        (u, _), (v, _) = in_parameters(((found[0],) * 2, (found[1],) * 2), self.sides)
+        return u, v
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point of a surface by its parameters: inside a patch (`inner`), or with one parameter at a knot (`u` and `v`).
+
+    `patches` are those on which it was found: on a border of patches there may be several.
+    """
+
+    patches: tuple[Patch, ...]
+    inner: InnerZero | None = field(default=None, repr=False)
+    u: Parameter | None = None
+    v: Parameter | None = None
+
+    @property
+    def on_border(self) -> bool:
+        """Whether it is on the border of a patch."""
+        return self.inner is None
+
+    @property
+    def exact(self) -> tuple[mpq, mpq] | None:
+        """Both parameters where they are known to be rational."""
+        if self.inner is not None:
+            return self.inner.exact
+        found = [x.exact if isinstance(x, Root) else x for x in (self.u, self.v)]
+        return None if found[0] is None or found[1] is None else (found[0], found[1])
+
+    def box(self, digits: int = 20) -> Box:
+        """A box with the point in it, its sides at most ``10^−digits`` long."""
+        if self.inner is not None:
+            return self.inner.box(digits)
+        assert self.u is not None
+        assert self.v is not None
+        return enclosing(self.u, digits), enclosing(self.v, digits)
+
+    def with_patches(self, patches: tuple[Patch, ...]) -> Place:
+        """The same point, found on more patches."""
+        return Place(tuple(sorted({*self.patches, *patches})), self.inner, self.u, self.v)
+
+
+def enclosing(t: Parameter, digits: int) -> Interval:
+    """An interval with a parameter in it, at most ``10^−digits`` long."""
+    return t.refine(digits) if isinstance(t, Root) else (t, t)

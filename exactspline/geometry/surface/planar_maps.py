@@ -1,0 +1,142 @@
+"""Maps of a rectangle into the plane: whether the determinant of the Jacobian keeps its sign, which isogeometric
+analysis asks of a parametrization.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from itertools import product
+
+from exactspline.errors import ShapeError
+from exactspline.exact import mpq
+from exactspline.geometry.surface.borders import EDGES, Edge
+from exactspline.geometry.surface.forms import Patch, formula, in_parameters, lowest, on_patch, sides_of
+from exactspline.geometry.surface.signs import Point, sign_on_patch
+from exactspline.language.rational import Rational
+from exactspline.splines.patch_forms import Box, PatchForm
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
+
+
+class MapKind(StrEnum):
+    """What is proved of the Jacobian determinant on the whole closed rectangle."""
+
+    POSITIVE = "orientation kept: det > 0"
+    NEGATIVE = "orientation reversed: det < 0"
+    FOLDED = "folded: det has both signs"
+    SINGULAR = "det has zeros"
+    DEGENERATE = "det vanishes on a whole patch"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class MapInspection:
+    """The sign of the Jacobian determinant of a planar map: its kind; parameters at which it is positive, negative,
+    zero; edges of patches along which it vanishes; boxes that are undecided.
+    """
+
+    surface: NurbsSurface
+    kind: MapKind
+    positive: Point | None = None
+    negative: Point | None = None
+    zeros: tuple[Point, ...] = ()
+    edges: tuple[tuple[Patch, Edge], ...] = ()
+    undecided: tuple[Box, ...] = ()
+
+    @property
+    def regular(self) -> bool:
+        """Whether the determinant is proved to have no zero on the closed rectangle (one-sided at knots)."""
+        return self.kind in (MapKind.POSITIVE, MapKind.NEGATIVE)
+
+
+def jacobian_sign(surface: NurbsSurface) -> MapInspection:
+    """The sign of the Jacobian determinant of a map of the plane, proved on every closed patch.
+
+    >>> from exactspline import example_surface
+    >>> jacobian_sign(example_surface("planar_map")).kind
+    <MapKind.POSITIVE: 'orientation kept: det > 0'>
+    >>> found = jacobian_sign(example_surface("folded_map"))
+    >>> found.kind.value, found.regular
+    ('folded: det has both signs', False)
+
+    Raises `ShapeError` for a surface that is not in the plane.
+    """
+    if surface.dimension != 2:
+        raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
+    determinant = _determinant(surface)
+    found = _Found()
+    rows, columns = surface.patches
+    for patch in product(range(rows), range(columns)):
+        _add_patch(found, determinant, patch, sides_of(surface, patch))
+    return MapInspection(
+        surface,
+        found.kind,
+        found.positive,
+        found.negative,
+        tuple(found.zeros),
+        tuple(found.edges),
+        tuple(found.undecided),
+    )
+
+
+@dataclass
+class _Found:
+    """What is known patch by patch."""
+
+    positive: Point | None = None
+    negative: Point | None = None
+    degenerate: bool = False
+    zeros: list[Point] = field(default_factory=list)
+    edges: list[tuple[Patch, Edge]] = field(default_factory=list)
+    undecided: list[Box] = field(default_factory=list)
+
+    @property
+    def kind(self) -> MapKind:
+        if self.positive and self.negative:
+            return MapKind.FOLDED
+        if self.degenerate:
+            return MapKind.DEGENERATE
+        if self.zeros or self.edges:
+            return MapKind.SINGULAR
+        if self.undecided:
+            return MapKind.UNDECIDED
+        return MapKind.POSITIVE if self.positive else MapKind.NEGATIVE
+
+
+def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Box) -> None:
+    own = on_patch(determinant, patch)
+    if own is None:
+        found.degenerate = True
+        return
+    signs = sign_on_patch(own.form)
+    if signs.positive:
+        found.positive = found.positive or _inside(signs.positive, own.whole, sides)
+    if signs.negative:
+        found.negative = found.negative or _inside(signs.negative, own.whole, sides)
+    found.zeros += [_placed(point, sides) for point in signs.zeros]
+    found.undecided += [in_parameters(box, sides) for box in signs.undecided]
+    found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
+
+
+def _determinant(surface: NurbsSurface) -> TensorSpline:
+    """A spline with the sign of the determinant."""
+    value = formula("jacobian")(surface)
+    if isinstance(value, Rational):
+        (a, _), (c, _) = surface.domain
+        value = value.numerator if value.denominator(a, c) > 0 else value.numerator.scaled(-1)
+    assert isinstance(value, TensorSpline)
+    return lowest(value)
+
+
+def _inside(point: Point, whole: PatchForm, sides: Box) -> Point:
+    """A point near another one at which the whole form is not zero either: a factor may vanish on the border."""
+    x, y = point
+    while whole.value(x, y) == 0:
+        x, y = (3 * x + mpq(1, 2)) / 4, (3 * y + mpq(1, 2)) / 4
+    return _placed((mpq(x), mpq(y)), sides)
+
+
+def _placed(point: Point, sides: Box) -> Point:
+    (u, _), (v, _) = in_parameters(((point[0], point[0]), (point[1], point[1])), sides)
+    return u, v

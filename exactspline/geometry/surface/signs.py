@@ -1,0 +1,96 @@
+"""The sign of a form on a whole patch, proved by Bernstein coefficients on parts that grow smaller."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import product
+
+from exactspline.exact import mpq
+from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, halved
+
+#: Boxes and halvings before what is left is told to be undecided.
+BOXES, DEPTH = 4000, 40
+
+Point = tuple[mpq, mpq]
+
+
+class Sign(StrEnum):
+    """What is known of the sign of a function on a closed patch."""
+
+    POSITIVE = "positive"
+    NEGATIVE = "negative"
+    BOTH = "both signs"
+    #: Zero at points that are told, otherwise of one sign.
+    NOT_NEGATIVE = "positive but for single zeros"
+    NOT_POSITIVE = "negative but for single zeros"
+    ZERO = "zero"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Signs:
+    """The sign of a form, points of the unit square at which it is positive and negative, those found where it is
+    zero, and boxes in which it could not be decided (of a form with both signs: none are looked for).
+    """
+
+    sign: Sign
+    positive: Point | None = None
+    negative: Point | None = None
+    zeros: tuple[Point, ...] = ()
+    undecided: tuple[Box, ...] = ()
+
+
+def sign_on_patch(form: PatchForm) -> Signs:
+    """The sign of a form on the closed unit square.
+
+    >>> sign_on_patch(PatchForm.of_net([[1, -1], [-1, 4]])).sign
+    <Sign.BOTH: 'both signs'>
+    >>> sign_on_patch(PatchForm.of_net([[1, 0, 0], [0, 0, 0], [0, 0, 1]])).zeros
+    ((mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(0,1)))
+    """
+    if form.is_zero:
+        return Signs(Sign.ZERO)
+    found: dict[int, Point] = {}
+    zeros: list[Point] = []
+    undecided: list[Box] = []
+    todo = deque([Sized(UNIT, [form], 0)])
+    boxes = 0
+    while todo:
+        part = todo.popleft()
+        boxes += 1
+        own = part.forms[0]
+        for value, place in zip(own.corners, product(*part.box), strict=True):
+            if value == 0 and place not in zeros:
+                zeros.append(place)
+            elif value:
+                found.setdefault(1 if value > 0 else -1, place)
+        if len(found) > 1:
+            return Signs(Sign.BOTH, found[1], found[-1])
+        if own.sign is not None or _only_at_corners(own):
+            continue
+        if boxes > BOXES or part.depth >= DEPTH:
+            undecided.append(part.box)
+        else:
+            todo.extend(halved(part))
+    positive, negative = found.get(1), found.get(-1)
+    if undecided:
+        return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros), tuple(undecided))
+    if zeros:
+        sign = Sign.NOT_NEGATIVE if positive else Sign.NOT_POSITIVE
+    else:
+        sign = Sign.POSITIVE if positive else Sign.NEGATIVE
+    return Signs(sign, positive, negative, tuple(sorted(zeros)))
+
+
+def _only_at_corners(form: PatchForm) -> bool:
+    """Whether the coefficients show one sign on the closed square but for corners that are zero.
+
+    Coefficients of one sign, zeros among them, give a zero in the inside only if all are zero, and one on the open
+    edge only if those of the edge are.
+    """
+    low, high = form.range
+    if low < 0 < high or low == high == 0:
+        return False
+    return all(any(form.edge(direction, end)) for direction in (0, 1) for end in (0, 1))

@@ -1,0 +1,125 @@
+"""Points at which a surface has no tangent plane: isolated and certified inside patches, told along their borders."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
+from exactspline.geometry.surface.isolation import Zero, isolate
+from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.roots.root import Root
+from exactspline.splines.patch_forms import Box, PatchForm
+
+#: Bits to which a zero is refined before it is given up to tell what it is.
+BITS = 400
+
+
+@dataclass(frozen=True)
+class SingularPoints:
+    """Where the normal of a patch vanishes: `degenerate` all over it; along whole `edges`; at `places` inside and on
+    the border; `undecided` are boxes of parameters.
+    """
+
+    degenerate: bool = False
+    edges: tuple[Edge, ...] = ()
+    places: tuple[Place, ...] = ()
+    #: The certified zeros inside, in the parameters of the patch.
+    zeros: tuple[Zero, ...] = ()
+    undecided: tuple[Box, ...] = ()
+
+    @property
+    def regular(self) -> bool:
+        """Whether there are none but along edges."""
+        return not (self.degenerate or self.places or self.undecided)
+
+
+def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
+    """The singular points of a patch."""
+    sides = sides_of(forms.surface, patch)
+    area = on_patch(forms.area, patch)
+    if area is None:
+        return SingularPoints(degenerate=True)
+    edges = tuple(edge for edge in EDGES if not any(area.whole.edge(*edge)))
+    places = [
+        Place((patch,), None, *edge.place(sides, root))
+        for edge in EDGES
+        if edge not in edges
+        for root in roots_along(along(area.whole, edge, sides), edge, sides)
+        if not any(_is_end(root, other, sides) for other in edges if other.direction != edge.direction)
+    ]
+    if sign_on_patch(area.form).sign is Sign.POSITIVE:
+        return SingularPoints(False, edges, tuple(places))
+    zeros, undecided = _inner(forms, patch, area, sides)
+    inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
+    return SingularPoints(False, edges, (*places, *inner), tuple(zeros), tuple(undecided))
+
+
+def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
+    """Whether a point of an edge is one of a neighbouring edge."""
+    return bool(root == edge.value(sides))
+
+
+def _inner(forms: SurfaceForms, patch: Patch, area: Reduced, sides: Box) -> tuple[list[Zero], list[Box]]:
+    """The zeros of the normal n inside: where two components vanish and the third one of S_u or S_v does not, n = 0."""
+    normal = [on_patch(f, patch) for f in forms.normal]
+    tangents = [[PatchForm.of(f, *patch) for f in side] for side in forms.tangents]
+    certain: list[Zero] = []
+    rest: list[list[Box]] = []
+    for k in range(3):
+        pair = [normal[i] for i in range(3) if i != k]
+        if pair[0] is None or pair[1] is None:
+            continue
+        degree = _common_degree([pair[0].form, pair[1].form])
+        third = normal[k]
+        also = [] if third is None else [third.form]
+        found = isolate(pair[0].form.elevated(degree), pair[1].form.elevated(degree), [*also, area.form])
+        left = list(found.undecided)
+        for zero in found.zeros:
+            if is_inside(zero, sides) is False:
+                continue
+            verdict = _is_singular(zero, [side[k] for side in tangents], area.form)
+            if verdict is None:
+                left.append(zero.box)
+            elif verdict and not any(same(zero, known) for known in certain):
+                certain.append(zero)
+        rest.append(left)
+        if not left:
+            return certain, []
+    return certain, min(rest, key=len, default=[])
+
+
+def _is_singular(zero: Zero, components: list[PatchForm], area: PatchForm) -> bool | None:
+    """Whether a zero of two components of the normal is one of the third."""
+    bits = 16
+    while bits <= BITS:
+        box = zero.refine(bits)
+        if any(f.part(box).sign for f in components):
+            return True
+        if area.part(box).sign:
+            return False
+        bits *= 2
+    return None
+
+
+def same(one: Zero, other: Zero) -> bool:
+    """Whether two certified points are one: the second kind of zero counts, too, once its box is in the first's region.
+
+    Both must be zeros of the forms of `other`; false is a proof as well.
+    """
+    bits = 16
+    while True:
+        a, b = one.refine(bits), other.box
+        if all(high < low for (_, high), (low, _) in zip(a, b, strict=True)):
+            return False
+        if any(p[1] < q[0] or q[1] < p[0] for p, q in zip(a, b, strict=True)):
+            return False
+        if all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(a, other.region, strict=True)):
+            return True
+        other.refine(bits)
+        bits *= 2
+
+
+def _common_degree(forms: list[PatchForm]) -> tuple[int, int]:
+    return max(f.degree[0] for f in forms), max(f.degree[1] for f in forms)

@@ -1,0 +1,224 @@
+"""Umbilics: where the two principal curvatures are equal, and every direction is one of a line of curvature.
+
+They are the common zeros of the three coefficients A, B, C of the lines of curvature where the surface has a tangent
+plane. Since ``A G − B F + C E = 0``, two of them suffice: A and B where E > 0, B and C where G > 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from exactspline.exact import mpq
+from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, is_inside, roots_along
+from exactspline.geometry.surface.common_factor import common_factor, divided
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
+from exactspline.geometry.surface.isolation import Zero, isolate
+from exactspline.geometry.surface.multiple import Multiple, multiple_zero
+from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.geometry.surface.singular import SingularPoints, same, singular_points
+from exactspline.splines.patch_forms import Box, PatchForm
+
+#: Bits to which a zero is refined before it is given up to tell whether it is an umbilic.
+BITS = 400
+
+
+class UmbilicKind(StrEnum):
+    """How the lines of curvature turn around an umbilic: by half a turn with it, or against it (a star)."""
+
+    POSITIVE = "lemon or monstar"
+    NEGATIVE = "star"
+    MULTIPLE = "multiple"
+    UNKNOWN = "of unknown kind"
+
+
+@dataclass(frozen=True)
+class Umbilic:
+    """One umbilic: where it is, and its kind: of index ½, of index −½, or a multiple zero of the equations.
+
+    `one_sided` tells that it is one only as seen from some of the patches that meet there.
+    """
+
+    place: Place
+    kind: UmbilicKind
+    one_sided: bool = False
+
+
+@dataclass(frozen=True)
+class UmbilicsOfPatch:
+    """The umbilics of one closed patch.
+
+    `everywhere`: all points of the patch; `edges`: those along which all points are umbilics or singular; `curve`: a
+    common factor of the equations, which has zeros on the patch or could not be shown to have none; `undecided`: boxes
+    of parameters in which there may be more.
+    """
+
+    umbilics: tuple[Umbilic, ...] = ()
+    everywhere: bool = False
+    edges: tuple[Edge, ...] = ()
+    curve: PatchForm | None = field(default=None, compare=False)
+    undecided: tuple[Box, ...] = ()
+
+
+def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoints | None = None) -> UmbilicsOfPatch:
+    """The umbilics of a patch, each certified.
+
+    >>> from exactspline import example_surface
+    >>> found = umbilics_of_patch(SurfaceForms(example_surface("monkey_saddle")), (0, 0))
+    >>> [(umbilic.place.exact, umbilic.kind.value) for umbilic in found.umbilics], found.undecided
+    ([((mpq(0,1), mpq(0,1)), 'star')], ())
+    """
+    singular = singular_points(forms, patch) if singular is None else singular
+    if singular.degenerate:
+        return UmbilicsOfPatch()
+    own = [on_patch(f, patch) for f in forms.lines]
+    given = [f for f in own if f is not None]
+    if not given:
+        return UmbilicsOfPatch(everywhere=True)
+    search = _Search(forms, patch, own, singular)
+    edges, on_edges = search.on_edges()
+    inside, curve, undecided = search.inside()
+    return UmbilicsOfPatch((*on_edges, *inside), False, edges, curve, undecided)
+
+
+class _Search:
+    """The equations of one patch."""
+
+    def __init__(
+        self, forms: SurfaceForms, patch: Patch, own: Sequence[Reduced | None], singular: SingularPoints
+    ) -> None:
+        self.forms, self.patch, self.own, self.singular = forms, patch, own, singular
+        self.sides = sides_of(forms.surface, patch)
+        area = on_patch(forms.area, patch)
+        assert area is not None
+        self.area = area
+        # which of the four edges have no tangent planes
+        self.poles = singular.edges
+
+    def on_edges(self) -> tuple[tuple[Edge, ...], list[Umbilic]]:
+        """Edges of umbilics, and the single ones on the other edges."""
+        given = [f.whole for f in self.own if f is not None]
+        edges, found = [], list[Umbilic]()
+        for edge in EDGES:
+            if edge in self.poles:
+                continue
+            common = common_along(given, edge, self.sides)
+            if not common:
+                edges.append(edge)
+                continue
+            area = along(self.area.whole, edge, self.sides)
+            for root in roots_along(common, edge, self.sides):
+                if root.is_root_of(area):
+                    continue
+                place = Place((self.patch,), None, *edge.place(self.sides, root))
+                if not any(same_place(place, one.place) for one in found):
+                    found.append(Umbilic(place, self._kind(place.box(30))))
+        return tuple(edges), found
+
+    def inside(self) -> tuple[list[Umbilic], PatchForm | None, tuple[Box, ...]]:
+        """The umbilics inside, a curve of zeros, and what could not be decided."""
+        given = {k: f.form for k, f in enumerate(self.own) if f is not None}
+        factor = common_factor(list(given.values()))
+        curve = None
+        if factor is not None:
+            if sign_on_patch(factor).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+                curve = factor
+            given = {k: divided(f, factor) for k, f in given.items()}
+        if any(f.sign is not None for f in given.values()):
+            return [], curve, ()
+        best: tuple[list[Umbilic], tuple[Box, ...]] | None = None
+        for pair in ((0, 1), (1, 2), (0, 2)):
+            if not given.keys() >= set(pair) or (pair == (0, 2) and 1 in given):
+                continue
+            found, left = self._with_pair(given, pair)
+            if best is None or len(left) < len(best[1]):
+                best = found, left
+            if not left:
+                break
+        assert best is not None, "one form alone is its own common factor"
+        umbilics, undecided = self._multiples(list(given.values()), best[1])
+        return [*best[0], *umbilics], curve, tuple(in_parameters(box, self.sides) for box in undecided)
+
+    def _with_pair(self, given: dict[int, PatchForm], pair: tuple[int, int]) -> tuple[list[Umbilic], tuple[Box, ...]]:
+        """The umbilics inside by two equations, and boxes of the patch that are undecided."""
+        first, second = (given[k] for k in pair)
+        degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
+        also = [f for k, f in given.items() if k not in pair]
+        found = isolate(first.elevated(degree), second.elevated(degree), also)
+        umbilics, left = [], list(found.undecided)
+        for zero in found.zeros:
+            inside = is_inside(zero, self.sides)
+            verdict = self._is_umbilic(zero, pair) if inside else inside
+            if verdict is None:
+                left.append(zero.box)
+            elif verdict:
+                place = Place((self.patch,), InnerZero(zero, self.sides))
+                umbilics.append(Umbilic(place, self._kind(in_parameters(zero.refine(40), self.sides))))
+        return umbilics, tuple(left)
+
+    def _is_umbilic(self, zero: Zero, pair: tuple[int, int]) -> bool | None:
+        """Whether a zero of two of the equations inside is one of the third, and the surface has a tangent plane."""
+        if any(same(point, zero) for point in self.singular.zeros):
+            return False
+        lengths = [PatchForm.of(f, *self.patch) for f in self.forms.lengths]
+        # the third equation follows where E > 0 (of A, B), G > 0 (of B, C); A and C are a pair only if B = 0
+        needed = {(0, 1): lengths[:1], (1, 2): lengths[1:], (0, 2): []}[pair]
+        bits = 8
+        while bits <= BITS:
+            box = zero.refine(bits)
+            if self.area.form.part(box).sign == 1 and all(f.part(box).sign == 1 for f in needed):
+                return True
+            bits *= 2
+        return None
+
+    def _kind(self, box: Box) -> UmbilicKind:
+        """Half the sign of the Jacobian of A and B is the index where E > 0; of B and C where G > 0."""
+        local = _in_patch(box, self.sides)
+        for first, second, k in ((0, 1, 0), (1, 2, 1)):
+            f, g = self.own[first], self.own[second]
+            if f is None or g is None or PatchForm.of(self.forms.lengths[k], *self.patch).part(local).sign != 1:
+                continue
+            sign = jacobian_sign(f.whole, g.whole, local)
+            if sign:
+                return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
+        return UmbilicKind.UNKNOWN
+
+    def _multiples(self, given: list[PatchForm], boxes: Sequence[Box]) -> tuple[list[Umbilic], list[Box]]:
+        """Rational multiple umbilics inside the patch that explain undecided boxes, and the boxes they do not."""
+        left, found = list(boxes), list[Umbilic]()
+        while left:
+            multiple: Multiple | None = multiple_zero(given, left)
+            if multiple is None:
+                break
+            left = [box for box in left if not multiple.explains(box)]
+            x, y = multiple.place
+            spot: Box = ((x, x), (y, y))
+            if self.area.form.part(spot).sign == 1 and 0 < x < 1 and 0 < y < 1:
+                (u, _), (v, _) = in_parameters(spot, self.sides)
+                found.append(Umbilic(Place((self.patch,), None, u, v), UmbilicKind.MULTIPLE))
+        return found, left
+
+
+def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
+    """The sign of the Jacobian determinant on a box where ranges show one, otherwise 0."""
+    (a, b), (c, d) = ([h.derivative(i).part(box).range for i in (0, 1)] for h in (f, g))
+    first = [x * y for x in a for y in d]
+    second = [x * y for x in b for y in c]
+    if min(first) > max(second):
+        return 1
+    return -1 if max(first) < min(second) else 0
+
+
+def _in_patch(box: Box, sides: Box) -> Box:
+    """A box of parameters in the unit square of a patch."""
+    (a, b), (c, d) = (
+        ((x - low) / (high - low), (y - low) / (high - low)) for (x, y), (low, high) in zip(box, sides, strict=True)
+    )
+    return (mpq(a), mpq(b)), (mpq(c), mpq(d))
+
+
+def same_place(one: Place, other: Place) -> bool:
+    """Whether two points on borders have the same parameters."""
+    return bool(one.u == other.u and one.v == other.v)

@@ -1,0 +1,299 @@
+"""The zeros of a form on a patch: their topology, exactly, by boxes in which the curve is a graph.
+
+A box is done where the form keeps its sign, or where one of its derivatives does: then the curve meets every line
+across at most once, and which of its zeros on the border of the box are joined is told by signs at rational points.
+Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross or a point is alone no such
+box exists: there the critical point is certified, and shown to be of one of the two kinds, in a cell of its own.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+from itertools import pairwise
+from math import comb
+
+from flint import fmpz_poly
+
+from exactspline.exact import mpq
+from exactspline.geometry.surface.borders import EDGES
+from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
+from exactspline.geometry.surface.isolation import Zero
+from exactspline.roots.root import Root, between
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bernstein import ONE
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+
+#: Halvings of a box, and boxes, before what is left is told to be undecided.
+DEPTH, BOXES = 30, 4000
+#: Where the square is first cut: no line that a symmetric surface would have its zeros on.
+FIRST_CUT = mpq(29, 61)
+#: Half branches that leave a point at which two branches cross.
+BRANCHES = 4
+#: Bits to which points of a curve are found that is drawn.
+DRAWN_BITS = 24
+
+
+class Shape(StrEnum):
+    """A connected part of the zeros on a closed patch."""
+
+    LOOP = "closed loop"
+    ARC = "arc from border to border"
+    CROSSED = "branches that cross"
+    POINT = "single point"
+
+
+@dataclass(frozen=True)
+class Vertex:
+    """A zero on a line of the subdivision: on the line where x (direction 0) or y is `value`, the other coordinate
+    ``index``-th of its zeros; a corner has both coordinates and the index −1; a crossing is one of the certified cells.
+    """
+
+    direction: int
+    value: mpq
+    index: int
+    other: mpq | None = None
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A piece of the curve in a box in which it is a graph over the coordinate that is not `direction`."""
+
+    first: Vertex
+    last: Vertex
+    box: Box
+    direction: int
+    low: mpq | Root
+    high: mpq | Root
+
+
+@dataclass(frozen=True)
+class Part:
+    """A connected part of the zeros: its shape, and the arcs it consists of, one joined to another."""
+
+    shape: Shape
+    arcs: tuple[Arc, ...] = ()
+    #: The certified singular points on it, as boxes.
+    cells: tuple[Box, ...] = ()
+
+
+class ZeroCurve:
+    """All zeros of a form on the closed unit square; `known` are certified points at which it is known to be singular.
+
+    >>> circle = PatchForm.of_net([[5, -3, 5], [-3, -11, -3], [5, -3, 5]])  # a circle around the middle
+    >>> [part.shape.value for part in ZeroCurve(circle).parts]
+    ['closed loop']
+    """
+
+    def __init__(self, form: PatchForm, known: Sequence[Zero] = ()) -> None:
+        self.form = form
+        #: Boxes in which the curve is not resolved.
+        self.undecided: list[Box] = []
+        self._lines: dict[tuple[int, mpq], list[Root]] = {}
+        self._vertices: set[Vertex] = set()
+        self._arcs: list[Arc] = []
+        self._crossings: list[tuple[Cell, list[Vertex]]] = []
+        self._points: list[Cell] = []
+        cells, left = singular_cells(form, known)
+        self.undecided += left
+        self._subdivide(cells)
+
+    # ---- the subdivision
+
+    def _subdivide(self, cells: Sequence[Cell]) -> None:
+        done = [cell.box for cell in cells]
+        for cell in cells:
+            ends = list(dict.fromkeys(self._on_border(cell.box)))
+            if cell.crossing is Crossing.POINT:
+                self._points.append(cell)
+            elif len(ends) == BRANCHES:
+                self._crossings.append((cell, ends))
+            else:
+                self.undecided.append(cell.box)
+        todo = deque(Sized(box, [self.form.part(box)], 0) for box in _grid(done) if box not in done)
+        boxes = 0
+        while todo:
+            part = todo.popleft()
+            own = part.forms[0]
+            if own.sign is not None:
+                continue
+            boxes += 1
+            slopes = [own.derivative(k).sign for k in (0, 1)]
+            direction = next((k for k in (0, 1) if slopes[k]), None)
+            if direction is not None:
+                self._graph(part.box, direction)
+            elif part.depth >= DEPTH or boxes > BOXES:
+                self.undecided.append(part.box)
+            else:
+                todo.extend(halved(part))
+
+    def _graph(self, box: Box, direction: int) -> None:
+        """The curve in a box in which it meets every line of the direction at most once."""
+        (a, b), (c, d) = box[direction], box[1 - direction]
+        events: dict[Vertex, mpq | Root] = {}
+        for value in (a, b):
+            events.update(self._zeros_on(direction, value, (c, d)))
+        for value in (c, d):
+            events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, (a, b))})
+        self._vertices.update(events)
+        places = sorted(events.items(), key=lambda pair: _Key(pair[1]))
+        for (first, low), (last, high) in pairwise(places):
+            middle = between(low, high)
+            ends = [self._value(direction, x, middle) for x in (a, b)]
+            if min(ends) < 0 < max(ends):
+                self._arcs.append(Arc(first, last, box, direction, low, high))
+
+    def _value(self, direction: int, x: mpq, y: mpq) -> mpq:
+        return self.form.value(x, y) if direction == 0 else self.form.value(y, x)
+
+    def _line(self, direction: int, value: mpq) -> list[Root]:
+        """The zeros on a line across the whole square, in order."""
+        key = direction, value
+        if key not in self._lines:
+            box: Box = ((value, value), UNIT[1]) if direction == 0 else (UNIT[0], (value, value))
+            edge = self.form.part(box).edge(direction, 0)
+            n = len(edge) - 1
+            c = fmpz_poly([comb(n, i) * x for i, x in enumerate(edge)])
+            spline = BSpline.from_forms(n, Mesh([mpq(0), mpq(1)]), (), [(c, ONE)])
+            self._lines[key] = [*zeros(spline)]
+        return self._lines[key]
+
+    def _zeros_on(self, direction: int, value: mpq, side: Interval) -> Iterator[tuple[Vertex, mpq | Root]]:
+        """The vertices on a part of a line, with the coordinate along it."""
+        for k, root in enumerate(self._line(direction, value)):
+            if root == side[0] or root == side[1]:
+                end = side[0] if root == side[0] else side[1]
+                x, y = (value, end) if direction == 0 else (end, value)
+                yield Vertex(0, x, -1, y), end
+            elif side[0] < root < side[1]:
+                yield Vertex(direction, value, k), root
+
+    def _on_border(self, box: Box) -> Iterator[Vertex]:
+        for direction, end in EDGES:
+            yield from (v for v, _ in self._zeros_on(direction, box[direction][end], box[1 - direction]))
+
+    # ---- the answer
+
+    @property
+    def complete(self) -> bool:
+        """Whether every zero is accounted for."""
+        return not self.undecided
+
+    @property
+    def is_of_points(self) -> bool:
+        """Whether all zeros are known and none of them is on a piece of a curve."""
+        return self.complete and not self._arcs and not self._crossings
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """The connected parts of the zeros that are resolved."""
+        if self.undecided:
+            return ()
+        joined = _Joined(self._vertices)
+        for arc in self._arcs:
+            joined.join(arc.first, arc.last)
+        for _, ends in self._crossings:
+            for vertex in ends[1:]:
+                joined.join(ends[0], vertex)
+        groups: dict[Vertex, list[Arc]] = {}
+        for vertex in joined.parents:
+            groups.setdefault(joined.root(vertex), [])
+        for arc in self._arcs:
+            groups[joined.root(arc.first)].append(arc)
+        crossings: dict[Vertex, list[Box]] = {}
+        for cell, ends in self._crossings:
+            crossings.setdefault(joined.root(ends[0]), []).append(cell.box)
+        found = [
+            Part(_shape(arcs, bool(crossings.get(group))), tuple(_in_order(arcs)), tuple(crossings.get(group, ())))
+            for group, arcs in groups.items()
+        ]
+        return (*found, *(Part(Shape.POINT, (), (cell.box,)) for cell in self._points))
+
+    def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
+        """Points near an arc, for pictures: so many steps, each found to `DRAWN_BITS` bits."""
+        low = arc.low.refine(8)[1] if isinstance(arc.low, Root) else arc.low
+        high = arc.high.refine(8)[0] if isinstance(arc.high, Root) else arc.high
+        found = []
+        for k in range(count + 1):
+            y = mpq(low + (high - low) * mpq(k, count))
+            a, b = arc.box[arc.direction]
+            start, end = (self._value(arc.direction, x, y) for x in (a, b))
+            for _ in range(DRAWN_BITS):
+                middle = (a + b) / 2
+                value = self._value(arc.direction, middle, y)
+                a, b = (middle, b) if value * (start or -end) > 0 else (a, middle)
+            x = mpq((a + b) / 2)
+            found.append((x, y) if arc.direction == 0 else (y, x))
+        return found
+
+
+class _Key:
+    """Rational numbers and roots in one order."""
+
+    def __init__(self, value: mpq | Root) -> None:
+        self.value = value
+
+    def __lt__(self, other: _Key) -> bool:
+        return bool(self.value < other.value)
+
+
+@dataclass
+class _Joined:
+    """Which vertices belong together."""
+
+    vertices: set[Vertex]
+    parents: dict[Vertex, Vertex] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.parents = {vertex: vertex for vertex in self.vertices}
+
+    def root(self, vertex: Vertex) -> Vertex:
+        """What stands for all that are joined with a vertex."""
+        self.parents.setdefault(vertex, vertex)
+        while self.parents[vertex] != vertex:
+            vertex = self.parents[vertex]
+        return vertex
+
+    def join(self, one: Vertex, other: Vertex) -> None:
+        """Let two vertices belong together."""
+        self.parents[self.root(one)] = self.root(other)
+
+
+def _grid(cells: Sequence[Box]) -> Iterator[Box]:
+    """The square cut along the borders of cells, and once more."""
+    cuts = []
+    for k in (0, 1):
+        ends = {mpq(0), mpq(1), *(end for cell in cells for end in cell[k])}
+        if not any(cell[k][0] <= FIRST_CUT <= cell[k][1] for cell in cells):
+            ends.add(FIRST_CUT)
+        cuts.append(list(pairwise(sorted(ends))))
+    return ((side, other) for side in cuts[0] for other in cuts[1])
+
+
+def _shape(arcs: Sequence[Arc], crossed: bool) -> Shape:
+    if crossed:
+        return Shape.CROSSED
+    if not arcs:
+        return Shape.POINT
+    ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
+    return Shape.LOOP if all(count == 2 for count in ends.values()) else Shape.ARC
+
+
+def _in_order(arcs: Sequence[Arc]) -> Iterator[Arc]:
+    """The arcs of a part, each beginning where one before it ends, as far as there is one way."""
+    left = list(arcs)
+    ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
+    while left:
+        start = next((i for i, arc in enumerate(left) if 1 in (ends[arc.first], ends[arc.last])), 0)
+        arc = left.pop(start)
+        at = arc.first if ends[arc.last] == 1 and ends[arc.first] != 1 else arc.last
+        yield arc
+        while (i := next((i for i, other in enumerate(left) if at in (other.first, other.last)), None)) is not None:
+            arc = left.pop(i)
+            at = arc.last if arc.first == at else arc.first
+            yield arc

@@ -1,0 +1,187 @@
+"""Surfaces: three functions of two parameters over a common denominator, S = p/w of u and v."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import MappingProxyType
+from typing import Any, Generic
+
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import COORDINATES, Operands, T, U
+from exactspline.language.choices import Parameter
+from exactspline.language.kind import Kind, Symbol
+from exactspline.language.vector import Vector
+
+#: The parameters of a surface.
+BOTH = (Parameter.U, Parameter.V)
+
+
+class Surface(Evaluated, Generic[T]):
+    """A surface as named operands of one reading, functions of u and v.
+
+    ``p`` the vector of numerators, ``w`` the denominator, ``S`` the surface itself: the `Rational` ``p/w``, or ``p``
+    when it is polynomial (then ``w`` is the constant of degree 0). Derivatives are by a parameter that is named:
+    ``S.d(1, by="u")``.
+
+    >>> from exactspline.language.vector import dot
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(SURFACE, 3, polynomial=True)
+    >>> dot(c.S.d(1, by="u"), c.S.d(1, by="v"))
+    x_u·x_v + y_u·y_v + z_u·z_v
+    """
+
+    p: Vector[T]
+    w: T
+    S: Any
+    polynomial: bool
+
+    def __init__(self, p: Vector[T], w: T, *, polynomial: bool = False) -> None:
+        self.p, self.w, self.polynomial = p, w, polynomial
+        self.S = p if polynomial else p / w
+
+    @property
+    def dimension(self) -> int:
+        """Number of coordinates."""
+        return len(self.p)
+
+    def operands(self) -> dict[str, T]:
+        """Coordinates and denominator by name."""
+        return dict(zip(COORDINATES, self.p, strict=False)) | {"w": self.w}
+
+    def copied(self) -> Surface[T]:
+        """The same operands in a surface of its own."""
+        return Surface(self.p, self.w, polynomial=self.polynomial)
+
+    def mapped(self, change: Callable[[T], U]) -> Surface[U]:
+        """The surface with every operand changed: into another reading, or onto another domain."""
+        return Surface(self.p.mapped(change), change(self.w), polynomial=self.polynomial)
+
+
+class SurfaceKind(Kind):
+    """A surface in space, or a map of the plane."""
+
+    made_of_a_curve = False
+    counted = BOTH
+
+    def __init__(self, name: str, dimension: int) -> None:
+        self.name, self.dimensions = name, (dimension,)
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """Coordinates and denominator."""
+        return tuple(Symbol(name, name, BOTH) for name in [*COORDINATES[:dimension], *([] if polynomial else ["w"])])
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Numerator, denominator, and the surface itself."""
+        return {"p": True, "w": False, "S": True}
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The surface."""
+        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
+        return Surface(
+            Vector(*[named[name] for name in COORDINATES[:dimension]]), named.get("w", one), polynomial=polynomial
+        )
+
+
+SURFACE, PLANAR_MAP = SurfaceKind("surface", 3), SurfaceKind("planar map", 2)
+
+
+class SurfaceCurve(Surface[T], Generic[T]):
+    """A curve on a surface: ``gamma`` is S at the parameters ``u`` and ``v``, two functions of the curve's parameter.
+
+    Derivatives by u and v are those of the surface, derivatives without a parameter those along the curve: the chain
+    rule holds.
+
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(CURVE_ON_SURFACE, 3, polynomial=True)
+    >>> c.gamma.d(1)[0], c.S.d(1, by="u")[0]
+    (u′·x_u + v′·x_v, x_u)
+    """
+
+    u: T
+    v: T
+
+    def __init__(self, p: Vector[T], w: T, u: T, v: T, *, polynomial: bool = False) -> None:
+        super().__init__(p, w, polynomial=polynomial)
+        self.u, self.v, self.gamma = u, v, self.S
+
+    def operands(self) -> dict[str, T]:
+        """Those of the surface, and the parameters."""
+        return super().operands() | {"u": self.u, "v": self.v}
+
+    def copied(self) -> SurfaceCurve[T]:
+        """The same operands in a curve of its own."""
+        return SurfaceCurve(self.p, self.w, self.u, self.v, polynomial=self.polynomial)
+
+    def mapped(self, change: Callable[[T], U]) -> SurfaceCurve[U]:
+        """The curve with every operand changed."""
+        w, u, v = change(self.w), change(self.u), change(self.v)
+        return SurfaceCurve(self.p.mapped(change), w, u, v, polynomial=self.polynomial)
+
+
+class SurfaceCurveKind(Kind):
+    """A surface and a curve on it."""
+
+    name = "curve on a surface"
+    dimensions = (3,)
+    made_of_a_curve = False
+    composed = MappingProxyType({Parameter.U: "u", Parameter.V: "v"})
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """Coordinates and denominator of the surface, and the parameters of the curve on it."""
+        surface = [*COORDINATES[:dimension], *([] if polynomial else ["w"])]
+        along = [Symbol(name, name, (Parameter.FIRST,), "") for name in self.composed.values()]
+        return (*along, *[Symbol(name, name, BOTH, "") for name in surface])
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Those of a surface and of a curve, and the parameters."""
+        return {"p": True, "w": False, "S": True, "gamma": True, "u": False, "v": False}
+
+    def takes(self, other: Kind, dimension: int) -> bool:
+        """Formulas of surfaces and of space curves too."""
+        return other is self or other.name in ("surface", "curve", "space")
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The curve on the surface."""
+        named = {symbol.name: operand(symbol) for symbol in self.symbols(dimension, polynomial=polynomial)}
+        p = Vector(*[named[name] for name in COORDINATES[:dimension]])
+        return SurfaceCurve(p, named.get("w", one), named["u"], named["v"], polynomial=polynomial)
+
+
+class FormsKind(Kind):
+    """The six coefficients of two quadratic forms, functions of u and v: E, F, G of the first and L, M, N of the second
+    fundamental form of a surface, whatever the surface.
+
+    What is said of them alone holds for every surface, and is short. Surfaces hand over their own:
+    ``Operands(E=…, F=…, …)``. Beside them stands a function ``w``, for forms that have a denominator.
+
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(1).argument(FORMS, 3)
+    >>> (c.E * c.G - c.F * c.F).d(1, by="u")
+    G·E_u − 2·F·F_u + E·G_u
+    """
+
+    name = "forms"
+    dimensions = (3,)
+    made_of_a_curve = False
+    counted = ()
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """The six coefficients and w; where degrees are asked for, all of one degree."""
+        return tuple(Symbol(name, name, BOTH) for name in "EFGLMNw")
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """The six coefficients and w."""
+        return dict.fromkeys("EFGLMNw", False)
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The coefficients by name."""
+        return Operands(**{symbol.name: operand(symbol) for symbol in self.symbols(dimension)})
+
+
+FORMS, CURVE_ON_SURFACE = FormsKind(), SurfaceCurveKind()

@@ -1,0 +1,160 @@
+"""Curvatures of a rational surface, as they are defined: of Gauss, mean, principal.
+
+With the normal of length ``√(EG − F²)`` the Gaussian curvature is ``(LN − M²)/(EG − F²)²``, the mean curvature
+``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``: rational is its square.
+"""
+
+from exactspline.language.arguments import Operands
+from exactspline.language.formula import formula
+from exactspline.language.vector import det, join
+from exactspline.papers.surfaces.by_forms import (
+    area_of_forms,
+    minimality_of_forms,
+    parabolic_of_forms,
+    ridges_of_forms,
+    stationary_by_u,
+    stationary_root_by_u,
+    umbilicity_of_forms,
+)
+from exactspline.papers.surfaces.fundamental_forms import (
+    E,
+    E_reduced,
+    F,
+    F_reduced,
+    G,
+    G_reduced,
+    L,
+    L_reduced,
+    M,
+    M_reduced,
+    N,
+    N_reduced,
+    S_u,
+    S_v,
+    normal,
+)
+
+
+def reduced_forms(c):
+    """``w⁴`` times the first and ``w⁷`` times the second fundamental form, from the numerators of derivatives."""
+    first = {"E": E_reduced(c), "F": F_reduced(c), "G": G_reduced(c)}
+    return Operands(**first, L=L_reduced(c), M=M_reduced(c), N=N_reduced(c))
+
+
+def forms(c):
+    """The two fundamental forms of a surface, by their coefficients."""
+    return Operands(E=E(c), F=F(c), G=G(c), L=L(c), M=M(c), N=N(c))
+
+
+@formula("first fundamental form", on="surface")
+def area_squared(c):
+    """``EG − F²``, the square of the element of area."""
+    return area_of_forms(Operands(E=E(c), F=F(c), G=G(c)))
+
+
+@formula("Gaussian curvature", on="surface")
+def parabolic(c):
+    """``LN − M²``: positive at elliptic points, negative at hyperbolic ones, zero on the parabolic curve."""
+    return parabolic_of_forms(forms(c))
+
+
+@formula("Gaussian curvature", on="surface", symbol="K")
+def gaussian_curvature(c):
+    """``(LN − M²)/(EG − F²)²``."""
+    return parabolic(c) / area_squared(c) ** 2
+
+
+@formula("mean curvature", on="surface")
+def minimality(c):
+    """``EN − 2FM + GL``: zero on minimal surfaces."""
+    return minimality_of_forms(forms(c))
+
+
+@formula("mean curvature", on="surface", symbol="H^2")
+def mean_curvature_squared(c):
+    """``(EN − 2FM + GL)²/(4 (EG − F²)³)``."""
+    return minimality(c) ** 2 / (4 * area_squared(c) ** 3)
+
+
+@formula("principal curvatures", on="surface")
+def umbilicity(c):
+    """``(EN − 2FM + GL)² − 4 (EG − F²)(LN − M²)``: never negative, zero at the umbilics."""
+    return umbilicity_of_forms(forms(c))
+
+
+@formula("reduced", on="surface")
+def area_squared_reduced(c):
+    """``w⁸ (EG − F²)``."""
+    return area_of_forms(Operands(E=E_reduced(c), F=F_reduced(c), G=G_reduced(c)))
+
+
+@formula("reduced", on="surface")
+def parabolic_reduced(c):
+    """``w¹⁴ (LN − M²)``."""
+    return parabolic_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface")
+def minimality_reduced(c):
+    """``w¹¹ (EN − 2FM + GL)``."""
+    return minimality_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface", symbol="K")
+def gaussian_curvature_reduced(c):
+    """``w² · w¹⁴ (LN − M²)/(w⁸ (EG − F²))²``."""
+    return parabolic_reduced(c) * c.w**2 / area_squared_reduced(c) ** 2
+
+
+@formula("reduced", on="surface", symbol="H^2")
+def mean_curvature_squared_reduced(c):
+    """``w² (w¹¹ (EN − 2FM + GL))²/(4 (w⁸ (EG − F²))³)``."""
+    return minimality_reduced(c) ** 2 * c.w**2 / (4 * area_squared_reduced(c) ** 3)
+
+
+@formula("F. Brioschi 1852, after C. F. Gauss, Disquisitiones generales circa superficies curvas, 11", on="surface")
+def brioschi(c):
+    """``K (EG − F²)²`` from E, F, G and their derivatives alone."""
+    e, f, g = E(c), F(c), G(c)
+    e_u, e_v, g_u, g_v = e.d(1, by="u"), e.d(1, by="v"), g.d(1, by="u"), g.d(1, by="v")
+    f_u, f_v = f.d(1, by="u"), f.d(1, by="v")
+    bent = f_u.d(1, by="v") - e_v.d(1, by="v") / 2 - g_u.d(1, by="u") / 2
+    first = det(join(bent, e_u / 2, f_u - e_v / 2), join(f_v - g_u / 2, e, f), join(g_v / 2, f, g))
+    second = det(join(0, e_v / 2, g_u / 2), join(e_v / 2, e, f), join(g_u / 2, f, g))
+    return first - second
+
+
+@formula("principal curvatures", on="surface")
+def stationary_curvature(c):
+    """What of κ_u is free of the root: ``a Δ_u − 3 Δ a_u`` with ``a = EG − F²`` and ``Δ`` zero at the umbilics."""
+    return stationary_by_u(forms(c))
+
+
+@formula("principal curvatures", on="surface")
+def stationary_mean_curvature(c):
+    """``2a h_u − 3h a_u`` with ``h = EN − 2FM + GL``: zero where H_u is."""
+    return stationary_root_by_u(forms(c))
+
+
+@formula("ridges", on="surface")
+def ridges(c):
+    """Zero where a principal curvature is extremal along its own line of curvature."""
+    return ridges_of_forms(forms(c))
+
+
+@formula("normals", on="surface")
+def gauss_map_area(c):
+    """``[n n_u n_v]``: how the Gauss map multiplies areas, up to powers of ``EG − F²``."""
+    return det(normal(c), normal(c).d(1, by="u"), normal(c).d(1, by="v"))
+
+
+@formula("normals", on="surface")
+def focal_linear_coefficient(c):
+    """``[n n_u S_v] + [n S_u n_v]``, the coefficient of t in ``[n (S + tn)_u (S + tn)_v]``."""
+    return det(normal(c), normal(c).d(1, by="u"), S_v(c)) + det(normal(c), S_u(c), normal(c).d(1, by="v"))
+
+
+@formula("normals", on="surface")
+def focal_constant_coefficient(c):
+    """``[n S_u S_v]``."""
+    return det(normal(c), S_u(c), S_v(c))

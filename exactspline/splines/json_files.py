@@ -1,0 +1,123 @@
+"""What curve files and surface files share: JSON text whose numbers are kept digit by digit, points, degrees."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, NoReturn, cast
+
+from exactspline.errors import CurveFileError, NumberError
+from exactspline.exact import Number, mpq, rational
+from exactspline.exact import text as text_of
+from exactspline.splines.control_points import Direction
+
+#: Largest file read, in bytes: room for a hundred thousand control points.
+MAX_BYTES = 8 * 1024 * 1024
+
+
+def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
+    """The text of a file, and where it is.
+
+    Raises `CurveFileError` for a file that is missing, a directory, unreadable or too large.
+    """
+    place = Path(path)
+    try:
+        status = place.stat()
+        if not stat.S_ISREG(status.st_mode):
+            kind = "a directory" if stat.S_ISDIR(status.st_mode) else "no regular file"
+            raise CurveFileError(f"is {kind}", where=str(place), remedy="name a JSON curve file")
+        if status.st_size > MAX_BYTES:
+            raise CurveFileError(f"{status.st_size} bytes", where=str(place), remedy=f"at most {MAX_BYTES} are read")
+        return place, place.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", where=str(place), remedy="a curve file is JSON") from None
+    except OSError as error:
+        raise CurveFileError(
+            f"cannot be read ({error.strerror})",
+            where=str(place),
+            remedy="name a curve file, or an example curve (see `exactspline curves`)",
+        ) from None
+
+
+def json_object(text: str, remedy: str) -> dict[str, object]:
+    """The JSON object that a text holds; `remedy` tells what to write instead of anything else."""
+    data = _parsed(text)
+    if not isinstance(data, dict):
+        raise CurveFileError("the JSON text is not an object", remedy=remedy)
+    return data
+
+
+def points_of(rows: Sequence[object], place: str = "control_points") -> list[Iterable[Number]]:
+    """Points are lists of numbers, directions are objects: ``{"vector": [x, y]}``; errors name the `place`."""
+    points: list[Iterable[Number]] = []
+    for i, row in enumerate(rows):
+        if isinstance(row, dict):
+            if set(row) != {"vector"} or not isinstance(row["vector"], list):
+                raise CurveFileError(
+                    "is not a control point",
+                    where=f"{place}[{i}]",
+                    remedy='write [x, y], or {"vector": [x, y]} for a direction',
+                )
+            try:
+                points.append(Direction(*map(number_of, row["vector"])))
+            except NumberError as error:
+                entry = error.where.removeprefix("Direction")
+                raise NumberError(error.problem, remedy=error.remedy).at(f"{place}[{i}].vector{entry}") from None
+        else:
+            points.append(list(map(number_of, row)) if isinstance(row, list) else cast("list[Number]", row))
+    return points
+
+
+def whole_degree(degree: object) -> int:
+    """A degree as it stands in JSON: an int where the number is whole, else its text, which is refused later."""
+    if not isinstance(degree, _Decimal):
+        return cast(int, degree)
+    exact = rational(str(degree))
+    return int(exact) if exact.denominator == 1 else cast(int, str(degree))
+
+
+class _Decimal(str):
+    """The digits of a JSON number, kept as they stand."""
+
+
+def number_of(value: object) -> Number:
+    """Text for a JSON number, so that no digit is lost; everything else is left to the gate to judge."""
+    return "null" if value is None else str(value) if isinstance(value, _Decimal) else cast("Number", value)
+
+
+def _parsed(text: str) -> Any:
+    try:
+        return json.loads(
+            text, parse_int=_Decimal, parse_float=_Decimal, parse_constant=_refuse, object_pairs_hook=once_each
+        )
+    except RecursionError:
+        raise CurveFileError("brackets are nested too deep", remedy="a curve needs three levels") from None
+    except json.JSONDecodeError as error:
+        raise CurveFileError(
+            f"is not JSON ({error.msg})",
+            where=f"line {error.lineno}, column {error.colno}",
+            remedy="correct the text there",
+        ) from None
+
+
+def once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
+    """The fields of an object; one that is written twice has no value that could be meant."""
+    found = dict(fields)
+    if len(found) < len(fields):
+        names = [name for name, _ in fields]
+        twice = next(name for i, name in enumerate(names) if name in names[:i])
+        raise CurveFileError(f"the field {twice!r} is written twice", remedy="keep one of them")
+    return found
+
+
+def _refuse(word: str) -> NoReturn:
+    raise CurveFileError(f"{word} is not a number", remedy="write finite numbers")
+
+
+def written_point(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
+    """A control point as it is written: coordinates as exact text, a direction as an object."""
+    coordinates = [text_of(x) for x in point]
+    return {"vector": coordinates} if isinstance(point, Direction) else coordinates

@@ -1,0 +1,354 @@
+"""The Bernstein coefficients of one patch as a matrix of integers: halves, parts, derivatives, signs.
+
+A `PatchForm` is ``Σ c_ij B_i(x) B_j(y)`` times a positive constant, over the unit square of its own parameters. Signs
+and zeros do not depend on that constant; forms that were made together from forms over one constant keep one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from math import comb
+from typing import NamedTuple
+
+from flint import fmpz, fmpz_mat
+
+from exactspline.exact import lcm, mpq, text, to_fmpz
+from exactspline.splines.tensor import TensorSpline
+
+#: An interval with rational ends, and a box.
+Interval = tuple[mpq, mpq]
+Box = tuple[Interval, Interval]
+
+#: The unit square.
+UNIT: Box = ((mpq(0), mpq(1)), (mpq(0), mpq(1)))
+
+
+class PatchForm:
+    """One polynomial on one patch by its Bernstein coefficients, up to a positive constant.
+
+    >>> f = PatchForm.of_net([[-1, 0], [0, 1]])  # x + y − 1
+    >>> f.sign, f.part(((mpq(1, 2), mpq(1)), (mpq(3, 4), mpq(1)))).sign
+    (None, 1)
+    """
+
+    __slots__ = ("_entries", "matrix")
+
+    def __init__(self, matrix: fmpz_mat) -> None:
+        self.matrix = matrix
+        self._entries: list[fmpz] | None = None
+
+    @classmethod
+    def of_net(cls, net: Sequence[Sequence[int]]) -> PatchForm:
+        """The form with these coefficients."""
+        return cls(fmpz_mat([list(row) for row in net]))
+
+    @classmethod
+    def of(cls, spline: TensorSpline, i: int, j: int) -> PatchForm:
+        """The form of a spline over segment i of its first parameter and segment j of its second one."""
+        return together([spline], i, j)[0]
+
+    @property
+    def degree(self) -> tuple[int, int]:
+        """The degrees in x and y."""
+        return int(self.matrix.nrows()) - 1, int(self.matrix.ncols()) - 1
+
+    @property
+    def entries(self) -> list[fmpz]:
+        """All coefficients, row by row."""
+        if self._entries is None:
+            self._entries = self.matrix.entries()
+        return self._entries
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it is the zero polynomial."""
+        return not any(self.entries)
+
+    @property
+    def sign(self) -> int | None:
+        """The sign on the whole closed square where the coefficients show one: 1, −1, 0 for the zero polynomial; None
+        where they do not tell.
+        """
+        low, high = self.range
+        if low > 0:
+            return 1
+        if high < 0:
+            return -1
+        return 0 if low == high == 0 else None
+
+    @property
+    def range(self) -> tuple[fmpz, fmpz]:
+        """Between the smallest and the largest coefficient lie all values on the square."""
+        return min(self.entries), max(self.entries)
+
+    @property
+    def corners(self) -> tuple[fmpz, fmpz, fmpz, fmpz]:
+        """The values at the corners: (0, 0), (0, 1), (1, 0), (1, 1)."""
+        own, (m, n) = self.entries, self.degree
+        return own[0], own[n], own[m * (n + 1)], own[-1]
+
+    def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
+        """The form on the two halves of the square (direction 0: of x), over one constant."""
+        m = self.degree[direction]
+        own, (first, second) = self.matrix, _halving(m)
+        if direction == 0:
+            return PatchForm(first * own), PatchForm(second * own)
+        return PatchForm(own * first.transpose()), PatchForm(own * second.transpose())
+
+    def part(self, box: Box) -> PatchForm:
+        """The form on a box, which may reach beyond the square; the constant depends on box and degree alone."""
+        left, right = (_restriction(n, *side) for n, side in zip(self.degree, box, strict=True))
+        return PatchForm(left * self.matrix * right.transpose())
+
+    def value(self, x: mpq, y: mpq) -> mpq:
+        """The value at a point, up to the form's constant."""
+        left, a = _weights(self.degree[0], x)
+        right, b = _weights(self.degree[1], y)
+        total = (left * self.matrix * right.transpose())[0, 0]
+        return mpq(int(total)) / (a * b)
+
+    def derivative(self, direction: int) -> PatchForm:
+        """The derivative by x (direction 0) or y, over the same constant; of a constant the zero of degree 0."""
+        n = self.degree[direction]
+        if n == 0:
+            return PatchForm(self.matrix * 0)
+        by = _differences(n)
+        return PatchForm(by * self.matrix if direction == 0 else self.matrix * by.transpose())
+
+    def edge(self, direction: int, end: int) -> list[fmpz]:
+        """The Bernstein coefficients along the edge on which x (direction 0) or y is 0 or 1."""
+        (m, n), own = self.degree, self.entries
+        if direction == 0:
+            return own[m * (n + 1) :] if end else own[: n + 1]
+        return own[n :: n + 1] if end else own[:: n + 1]
+
+    def without_border(self) -> tuple[PatchForm, Borders]:
+        """The form without its factors x, 1 − x, y and 1 − y, and how often each divides it; not for the zero form.
+
+        >>> f, times = PatchForm.of_net([[0, 0], [2, 2], [0, 0]]).without_border()  # 4 x (1 − x)
+        >>> f.degree, times
+        ((0, 0), Borders(u_low=1, u_high=1, v_low=0, v_high=0))
+        """
+        first, low, high = _without_ends(self.matrix)
+        second, left, right = _without_ends(first.transpose())
+        return PatchForm(_lowest(_lowest(second).transpose())), Borders(low, high, left, right)
+
+    def elevated(self, degree: tuple[int, int]) -> PatchForm:
+        """The same polynomial as one of higher degree, up to a constant."""
+        left, right = (_elevation(n, to) for n, to in zip(self.degree, degree, strict=True))
+        return PatchForm(left * self.matrix * right.transpose())
+
+    def combined(self, a: fmpz, other: PatchForm, b: fmpz) -> PatchForm:
+        """``a · self + b · other``, both of one degree."""
+        return PatchForm(self.matrix * a + other.matrix * b)
+
+    def primitive(self) -> PatchForm:
+        """The form without a common factor of its coefficients."""
+        common = fmpz(0)
+        for x in self.entries:
+            common = common.gcd(x)
+            if common == 1:
+                return self
+        return PatchForm(fmpz_mat(*self._shape, [x // common for x in self.entries])) if common > 1 else self
+
+    @property
+    def _shape(self) -> tuple[int, int]:
+        m, n = self.degree
+        return m + 1, n + 1
+
+
+def together(splines: Sequence[TensorSpline], i: int, j: int) -> list[PatchForm]:
+    """The forms of splines over segment i of the first and j of the second parameter, over one constant.
+
+    >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, "1/2"], [1, 2]])
+    >>> [int(x) for x in together([f, f.scaled(3)], 0, 0)[1].entries]
+    [0, 3, 6, 12]
+    """
+    nets = [f.bezier_net(i, j) if min(f.degree) >= 0 else [[mpq(0)]] for f in splines]
+    common = lcm(*[x.denominator for net in nets for row in net for x in row])
+    return [
+        PatchForm(fmpz_mat([[to_fmpz(x.numerator * (common // x.denominator)) for x in row] for row in net]))
+        for net in nets
+    ]
+
+
+class Borders(NamedTuple):
+    """Something for each of the four edges of a patch, on which x or y is 0 or 1."""
+
+    u_low: int
+    u_high: int
+    v_low: int
+    v_high: int
+
+
+class Sized(NamedTuple):
+    """A box and what the forms are on it."""
+
+    box: Box
+    forms: list[PatchForm]
+    depth: int
+
+
+def halved(part: Sized) -> tuple[Sized, Sized]:
+    """A part in two, across its longer side (of the unit square)."""
+    (a, b), (c, d) = part.box
+    direction = 0 if b - a >= d - c else 1
+    middle = mpq((a + b) / 2) if direction == 0 else mpq((c + d) / 2)
+    pairs = [f.halves(direction) for f in part.forms]
+    boxes: tuple[Box, Box] = (
+        (((a, middle), (c, d)), ((middle, b), (c, d)))
+        if direction == 0
+        else (((a, b), (c, middle)), ((a, b), (middle, d)))
+    )
+    first, second = (
+        Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs], part.depth + 1)
+        for k, box in enumerate(boxes)
+    )
+    return first, second
+
+
+def box_text(box: Box) -> str:
+    """A box, or a point, for people.
+
+    >>> box_text(((mpq(0), mpq(1)), (mpq(1, 2), mpq(1, 2))))
+    'u in [0, 1], v = 1/2'
+    """
+    parts = [
+        f"{name} = {text(a)}" if a == b else f"{name} in [{text(a)}, {text(b)}]"
+        for name, (a, b) in zip("uv", box, strict=True)
+    ]
+    return ", ".join(parts)
+
+
+# ---- the matrices of all this
+
+
+def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
+    """The coefficients without the factors x and 1 − x, x along the columns, and the powers of both."""
+    rows = matrix.table()
+    low = next(i for i, row in enumerate(rows) if any(row))
+    high = next(i for i, row in enumerate(reversed(rows)) if any(row))
+    if not low and not high:
+        return matrix, 0, 0
+    n = len(rows) - 1
+    kept = n - low - high
+    # C(n, i) b_i are the coefficients without binomials; those of the quotient are divided by its own
+    common = lcm(*[comb(kept, k) for k in range(kept + 1)])
+    found = [
+        [x * int(comb(n, low + k) * (common // comb(kept, k))) for x in row]
+        for k, row in enumerate(rows[low : n + 1 - high])
+    ]
+    return PatchForm(fmpz_mat(found)).primitive().matrix, low, high
+
+
+def _lowest(matrix: fmpz_mat) -> fmpz_mat:
+    """The coefficients at the lowest degree of x, up to a constant."""
+    n = int(matrix.nrows()) - 1
+    powers = _to_powers(n) * matrix
+    rows = powers.table()
+    degree = max((k for k, row in enumerate(rows) if any(row)), default=0)
+    return PatchForm(_from_powers(degree) * fmpz_mat(rows[: degree + 1])).primitive().matrix if degree < n else matrix
+
+
+def of_powers(rows: Sequence[Sequence[fmpz]]) -> PatchForm:
+    """The form of ``Σ rows[i][j] xⁱ yʲ``.
+
+    >>> of_powers([[-1, 1], [1, 0]]).entries == PatchForm.of_net([[-1, 0], [0, 1]]).entries
+    True
+    """
+    matrix = fmpz_mat([list(row) for row in rows])
+    left, right = _from_powers(int(matrix.nrows()) - 1), _from_powers(int(matrix.ncols()) - 1)
+    return PatchForm(left * matrix * right.transpose()).primitive()
+
+
+def powers_of(form: PatchForm) -> list[list[fmpz]]:
+    """The coefficients of ``xⁱ yʲ``, up to the form's constant.
+
+    >>> powers_of(PatchForm.of_net([[-1, 0], [0, 1]]))
+    [[-1, 1], [1, 0]]
+    """
+    m, n = form.degree
+    found: list[list[fmpz]] = (_to_powers(m) * form.matrix * _to_powers(n).transpose()).table()
+    return found
+
+
+@lru_cache(maxsize=256)
+def _to_powers(n: int) -> fmpz_mat:
+    """Coefficients of powers from Bernstein coefficients."""
+    return fmpz_mat(
+        [[(-1) ** (k - i) * comb(n, k) * comb(k, i) if i <= k else 0 for i in range(n + 1)] for k in range(n + 1)]
+    )
+
+
+@lru_cache(maxsize=256)
+def _from_powers(n: int) -> fmpz_mat:
+    """Bernstein coefficients from coefficients of powers, times the common multiple of the binomial coefficients."""
+    common = lcm(*[comb(n, k) for k in range(n + 1)])
+    return fmpz_mat(
+        [[int(comb(i, k) * (common // comb(n, k))) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
+    )
+
+
+@lru_cache(maxsize=256)
+def _halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
+    """Bernstein coefficients on the left and on the right half, times 2ⁿ."""
+    left = [[comb(i, k) << (n - i) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
+    return fmpz_mat(left), fmpz_mat([row[::-1] for row in left[::-1]])
+
+
+@lru_cache(maxsize=256)
+def _differences(n: int) -> fmpz_mat:
+    """Bernstein coefficients of the derivative."""
+    return fmpz_mat([[n if k == i + 1 else -n if k == i else 0 for k in range(n + 1)] for i in range(n)])
+
+
+@lru_cache(maxsize=1024)
+def _elevation(n: int, to: int) -> fmpz_mat:
+    """Bernstein coefficients at a higher degree, times the common multiple of its binomial coefficients."""
+    if n == to:
+        return _identity(n)
+    common = lcm(*[comb(to, i) for i in range(to + 1)])
+    rows = [
+        [comb(n, k) * comb(to - n, i - k) if 0 <= i - k <= to - n else 0 for k in range(n + 1)] for i in range(to + 1)
+    ]
+    return fmpz_mat([[int(x * (common // comb(to, i))) for x in row] for i, row in enumerate(rows)])
+
+
+def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
+    """Bernstein coefficients over [a, b], times the common denominator to the power n: blossoms at a and b."""
+    if a == 0 and b == 1:
+        return _identity(n)
+    m = lcm(a.denominator, b.denominator)
+    ia, ib = int(a * m), int(b * m)
+    at_a, at_b = _binomials(n, int(m) - ia, ia), _binomials(n, int(m) - ib, ib)
+    rows = []
+    for i in range(n + 1):
+        # the blossom at n − i times a and i times b: a product of two polynomials by which control point is chosen
+        row = [0] * (n + 1)
+        for k, x in enumerate(at_a[n - i]):
+            for h, y in enumerate(at_b[i]):
+                row[k + h] += x * y
+        rows.append(row)
+    return fmpz_mat(rows)
+
+
+@lru_cache(maxsize=64)
+def _identity(n: int) -> fmpz_mat:
+    return fmpz_mat([[int(i == k) for k in range(n + 1)] for i in range(n + 1)])
+
+
+def _binomials(n: int, first: int, second: int) -> list[list[int]]:
+    """The coefficients of ``(first + second x)^k`` for k to n."""
+    found = [[1]]
+    for _ in range(n):
+        last = found[-1]
+        found.append([first * x + second * y for x, y in zip([*last, 0], [0, *last], strict=True)])
+    return found
+
+
+def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:
+    """The Bernstein polynomials at x, over a denominator."""
+    bottom = int(x.denominator)
+    own = _binomials(n, bottom - int(x.numerator), int(x.numerator))[n]
+    return fmpz_mat([own]), mpq(bottom**n)

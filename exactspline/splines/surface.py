@@ -1,0 +1,409 @@
+"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from enum import StrEnum
+from math import comb
+
+from exactspline.errors import ExactSplineError, FormulaError, ShapeError, shown
+from exactspline.exact import Number, mpq, rational
+from exactspline.language.choices import choice
+from exactspline.language.immutable import Immutable
+from exactspline.language.rational import Rational
+from exactspline.language.surface_kind import Surface
+from exactspline.language.vector import Vector
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.common import with_common_knots
+from exactspline.splines.control_points import Point, exact_points, exact_row, exact_weights, lifted, projected
+from exactspline.splines.knots import KnotVector, Mesh
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface_weight import check_weight
+from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_net import checked_degrees, checked_knots
+
+#: Control points in rows along u.
+Net = tuple[tuple[Point, ...], ...]
+Weights = tuple[tuple[mpq, ...], ...]
+Sides = tuple[tuple[mpq, mpq], tuple[mpq, mpq]]
+
+
+class Along(StrEnum):
+    """One of the two parameters of a surface."""
+
+    U = "u"
+    V = "v"
+
+    @property
+    def direction(self) -> int:
+        """0 for u, 1 for v."""
+        return 0 if self is Along.U else 1
+
+
+class NurbsSurface(Immutable, Surface[TensorSpline]):
+    """A polynomial or rational tensor-product B-spline surface with exact data.
+
+    ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
+    as a net of the same shape, or none. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal
+    weights mean that it is polynomial: then ``w`` is the constant 1, and `polynomial` says so.
+
+    >>> saddle = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+    >>> saddle("1/2", "1/3"), saddle.partial(1, 1, 0, 0)
+    ((mpq(1,2), mpq(1,3), mpq(1,6)), (mpq(0,1), mpq(0,1), mpq(1,1)))
+
+    A surface is a value: it never changes, and ``==`` asks whether two surfaces are the same function.
+
+    >>> saddle == saddle.insert_knot("u", "1/3").elevate_degree(0, 2), saddle == saddle.transposed().transposed()
+    (True, True)
+
+    Raises `ShapeError`, `KnotError`, `NumberError` with the place at fault, and `WeightError` where the denominator has
+    a zero on the domain, with a place.
+    """
+
+    #: The degrees in u and v.
+    degree: tuple[int, int]
+    knots: tuple[KnotVector, KnotVector]
+    #: In rows along u: tuples of coordinates, or a `Direction`.
+    control_points: Net
+    weights: Weights
+    name: str
+    source: str
+    note: str
+    p: Vector[TensorSpline]
+    w: TensorSpline
+    #: ``p``, or the `Rational` ``p/w``.
+    S: Vector[TensorSpline] | Rational[TensorSpline]
+    #: Whether all weights are equal.
+    polynomial: bool
+
+    def __init__(
+        self,
+        degree: tuple[int, int],
+        knots_u: Iterable[Number],
+        knots_v: Iterable[Number],
+        control_points: Iterable[Iterable[Iterable[Number]]],
+        weights: Iterable[Iterable[Number]] | None = None,
+        *,
+        name: str = "",
+        source: str = "",
+        note: str = "",
+    ) -> None:
+        degrees = tuple(checked_degrees(degree))
+        vectors = checked_knots(knots_u, degrees[0], "knots_u"), checked_knots(knots_v, degrees[1], "knots_v")
+        rows, columns = (len(vector) - n - 1 for vector, n in zip(vectors, degrees, strict=True))
+        net = _checked_net(control_points, rows, columns)
+        scale = _checked_weights(weights, net)
+        first = scale[0][0]
+        polynomial = first != 0 and all(x == first for row in scale for x in row)
+        p, w = _splines(degrees, vectors, net, None if polynomial else scale)
+        vars(self).update(
+            vars(Surface(p, w, polynomial=polynomial)),
+            degree=degrees,
+            knots=vectors,
+            control_points=net,
+            weights=scale,
+            name=name,
+            source=source,
+            note=note,
+        )
+
+    @classmethod
+    def from_splines(
+        cls, p: Iterable[TensorSpline], w: TensorSpline | None = None, *, name: str = "", note: str = ""
+    ) -> NurbsSurface:
+        """The surface ``p/w`` (or ``p``), of splines with degrees and knots of their own.
+
+        >>> u = TensorSpline((1, 0), [0, 0, 1, 1], [0, 2], [[0], [1]])
+        >>> v = TensorSpline((0, 1), [0, 1], [0, 0, 2, 2], [[0, 2]])
+        >>> NurbsSurface.from_splines([u, v, u * v])(1, "1/2")
+        (mpq(1,1), mpq(1,2), mpq(1,2))
+        """
+        splines = with_common_knots([*p, *([] if w is None else [w])])
+        nets = [f.control_points for f in splines]
+        rows = [list(zip(*[net[i] for net in nets], strict=True)) for i in range(len(nets[0]))]
+        degree, (knots_u, knots_v) = tuple(splines[0].degree), splines[0].knots
+        weights = None
+        if w is not None:
+            weights = [[point[-1] for point in row] for row in rows]
+            rows = [[projected(point) for point in row] for row in rows]
+        return cls((degree[0], degree[1]), knots_u, knots_v, rows, weights, name=name, note=note)
+
+    # ---- a value
+
+    def __reduce__(self) -> tuple[object, ...]:
+        data = self.degree, *self.knots, self.control_points, self.weights
+        return _restored, (*data, self.name, self.source, self.note)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same function on the same rectangle, whatever their knots, degrees and weights."""
+        if not isinstance(other, NurbsSurface):
+            return NotImplemented
+        if self is other:
+            return True
+        if self.dimension != other.dimension or self.domain != other.domain:
+            return False
+        return all((x * other.w - y * self.w).is_zero for x, y in zip(self.p, other.p, strict=True))
+
+    def __hash__(self) -> int:
+        (a, b), (c, d) = self.domain
+        places = [(a + (b - a) * mpq(i, 3), c + (d - c) * mpq(j, 4)) for i in range(3) for j in range(3)]
+        return hash((self.domain, *[self(u, v) for u, v in places]))
+
+    def __repr__(self) -> str:
+        kind = "polynomial" if self.polynomial else "rational"
+        (m, n), rows, columns = self.degree, len(self.control_points), len(self.control_points[0])
+        return (
+            f"<NurbsSurface {self.name or 'surface'}: {kind}, degree {m} × {n}, {rows} × {columns} "
+            f"control points in R{self.dimension}>"
+        )
+
+    # ---- the surface
+
+    @property
+    def domain(self) -> Sides:
+        """The rectangle of parameters, as its two sides."""
+        return self.w.domain
+
+    @property
+    def meshes(self) -> tuple[Mesh, Mesh]:
+        """The distinct knots of the domain, in each parameter."""
+        return self.w.meshes
+
+    @property
+    def patches(self) -> tuple[int, int]:
+        """How many polynomial or rational patches there are along u and along v."""
+        return len(self.meshes[0]), len(self.meshes[1])
+
+    def __call__(self, u: Number, v: Number) -> tuple[mpq, ...]:
+        """The exact point; at a jump the limit from the right.
+
+        Raises `DomainError` outside the rectangle.
+        """
+        w = self.w(u, v)
+        return tuple(x(u, v) / w for x in self.p)
+
+    def at(self, u: Number, v: Number) -> tuple[mpq, ...]:
+        """The exact point, as by calling the surface."""
+        return self(u, v)
+
+    def partial(self, i: int, j: int, u: Number, v: Number) -> tuple[mpq, ...]:
+        """The derivative of order i by u and j by v at a point, exactly; at a knot the one from the right.
+
+        >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]],
+        ...                  [[1, 1], [1, 2]])
+        >>> f.partial(1, 0, 1, 1)
+        (mpq(1,2), mpq(0,1))
+
+        Raises `FormulaError` for a negative order, `DomainError` outside the rectangle.
+        """
+        if any(type(k) is not int or k < 0 for k in (i, j)):
+            raise FormulaError(f"a derivative of order {shown((i, j))}", remedy="orders are 0, 1, 2, …")
+        u, v = rational(u), rational(v)
+        places = [(k, h) for k in range(i + 1) for h in range(j + 1)]
+        weights = {(k, h): self.w.partial(k, h)(u, v) for k, h in places}
+        found: dict[tuple[int, int], list[mpq]] = {}
+        for k, h in places:
+            # (w S) differentiated by Leibniz' rule in both parameters
+            row = [x.partial(k, h)(u, v) for x in self.p]
+            for (a, b), earlier in found.items():
+                if a <= k and b <= h:
+                    factor = comb(k, a) * comb(h, b) * weights[k - a, h - b]
+                    row = [x - factor * y for x, y in zip(row, earlier, strict=True)]
+            found[k, h] = [mpq(x / weights[0, 0]) for x in row]
+        return tuple(found[i, j])
+
+    def isocurve(self, along: Along | str, at: Number) -> Nurbs:
+        """The curve on the surface that runs along one parameter, the other one held at a value.
+
+        >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
+        >>> f.isocurve("u", 1).control_points
+        ((mpq(0,1), mpq(1,2)), (mpq(1,1), mpq(1,2)))
+
+        Raises `DomainError` for a value outside the domain.
+        """
+        of_u = choice(Along, along, "parameter") is Along.U
+
+        def line(f: TensorSpline) -> BSpline:
+            return f.at_t(at) if of_u else f.at_s(at)
+
+        held = f"{Along.V if of_u else Along.U} = {rational(at)}"
+        return Nurbs.from_splines(
+            [line(x) for x in self.p], None if self.polynomial else line(self.w), name=f"{self.name} {held}".strip()
+        )
+
+    # ---- other representations, parts, images
+
+    def insert_knot(self, along: Along | str, t: Number, times: int = 1) -> NurbsSurface:
+        """The same surface with a knot more in one parameter.
+
+        Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
+        degree + 1.
+        """
+        direction = choice(Along, along, "parameter").direction
+        return self._changed(lambda f: f.insert_knot(direction, t, times))
+
+    def elevate_degree(self, by_u: int = 1, by_v: int = 1) -> NurbsSurface:
+        """The same surface, its degrees raised."""
+        return self._changed(lambda f: f.elevate_degree(by_u, by_v))
+
+    def split(self, along: Along | str, t: Number) -> tuple[NurbsSurface, NurbsSurface]:
+        """The parts before and behind an inner value of one parameter.
+
+        >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
+        >>> [part.domain[1] for part in f.split("v", 1)]
+        [(mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(2,1))]
+
+        Raises `DomainError` for a value that is not inside the domain.
+        """
+        direction = choice(Along, along, "parameter").direction
+        sides = self.domain
+        a, b = sides[direction]
+        t = rational(t)
+        if direction == 0:
+            return self.restrict((a, t), sides[1]), self.restrict((t, b), sides[1])
+        return self.restrict(sides[0], (a, t)), self.restrict(sides[0], (t, b))
+
+    def restrict(self, side_u: tuple[Number, Number], side_v: tuple[Number, Number]) -> NurbsSurface:
+        """The part over a smaller rectangle, over the same parameters.
+
+        Raises `DomainError` unless it is inside the domain and more than a line.
+        """
+        return self._changed(lambda f: f.restrict(side_u, side_v))
+
+    def transposed(self) -> NurbsSurface:
+        """The surface with its parameters exchanged."""
+        return self._changed(lambda f: f.transposed())
+
+    def transform(self, matrix: Sequence[Sequence[Number]]) -> NurbsSurface:
+        """The image under a linear, an affine or a projective map with exact entries, shaped as for `Nurbs.transform`.
+
+        >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
+        >>> f.transform([[2, 0, 5], [0, 1, 0]])(1, 1)
+        (mpq(7,1), mpq(1,1))
+
+        Raises `ShapeError` for a matrix of another shape, and `WeightError` where the image passes through infinity.
+        """
+        rows = [exact_row(row, f"matrix[{i}]") for i, row in enumerate(matrix)]
+        n = self.dimension
+        shapes = {(len(rows), len(row)) for row in rows}
+        projective, affine = shapes == {(n + 1, n + 1)}, shapes == {(n, n + 1)}
+        linear = len(shapes) == 1 and len(rows) >= 2 and len(rows[0]) == n
+        if not (projective or affine or linear):
+            raise ShapeError(
+                f"a matrix of rows of {sorted({len(row) for row in rows})} entries, {len(rows)} of them",
+                where="matrix",
+                remedy=f"in R{n}: n columns (linear), {n} × {n + 1} (affine) or {n + 1} × {n + 1} (projective)",
+            )
+        coordinates = [*self.p, *([] if linear else [self.w])]
+        image = [_combination(row, coordinates) for row in rows]
+        w = image.pop() if projective else None if self.polynomial else self.w
+        return NurbsSurface.from_splines(image, w, name=self.name)
+
+    def _changed(self, change: Callable[[TensorSpline], TensorSpline]) -> NurbsSurface:
+        """The surface of the changed splines; the change keeps constants."""
+        w = None if self.polynomial else change(self.w)
+        return NurbsSurface.from_splines(map(change, self.p), w, name=self.name)
+
+
+def _combination(factors: Sequence[mpq], splines: Sequence[TensorSpline]) -> TensorSpline:
+    first, *rest = [f.scaled(factor) for factor, f in zip(factors, splines, strict=True)]
+    for f in rest:
+        first = first + f
+    return first
+
+
+def _checked_net(given: object, rows: int, columns: int) -> Net:
+    """A net of points as given by a user: so many rows along u of so many points along v."""
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise ShapeError(
+            f"{shown(given)} is not a net", where="control_points", remedy="give rows of control points along u"
+        )
+    net: list[tuple[Point, ...]] = []
+    for i, row in enumerate(given):
+        place = f"control_points[{i}]"
+        if isinstance(row, str) or not isinstance(row, Iterable):
+            raise ShapeError(f"{shown(row)} is not a row of points", where=place, remedy="give a list of points")
+        try:
+            points = exact_points(row)
+        except ExactSplineError as error:
+            raise _moved(error, "control_points", place) from None
+        if len(points) != columns:
+            raise ShapeError(
+                f"{len(points)} control points in a row",
+                where=place,
+                remedy=f"there must be {columns} (knots − degree − 1 along v)",
+            )
+        if net and len(points[0]) != len(net[0][0]):
+            raise ShapeError(
+                f"{len(points[0])} coordinates where control_points[0] has {len(net[0][0])}",
+                where=place,
+                remedy="use one dimension",
+            )
+        net.append(points)
+    if len(net) != rows:
+        raise ShapeError(
+            f"{len(net)} rows of control points",
+            where="control_points",
+            remedy=f"there must be {rows} (knots − degree − 1 along u)",
+        )
+    return tuple(net)
+
+
+def _checked_weights(given: object, net: Net) -> Weights:
+    """A weight for each control point; without weights 1, and 0 for a direction."""
+    if given is None:
+        return tuple(exact_weights(None, row) for row in net)
+    rows = [] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
+    if len(rows) != len(net):
+        raise ShapeError(
+            f"{len(rows)} rows of weights for {len(net)} rows of control points",
+            where="weights",
+            remedy="give one weight a control point, in rows along u",
+        )
+    found = []
+    for i, (row, points) in enumerate(zip(rows, net, strict=True)):
+        place = f"weights[{i}]"
+        if isinstance(row, str) or not isinstance(row, Iterable):
+            raise ShapeError(f"{shown(row)} is not a row of weights", where=place, remedy="give a list of numbers")
+        try:
+            found.append(exact_weights(row, points))
+        except ExactSplineError as error:
+            raise _moved(error, "weights", place) from None
+    return tuple(found)
+
+
+def _moved(error: ExactSplineError, old: str, new: str) -> ExactSplineError:
+    """An error of one row, its place that in the net."""
+    return type(error)(error.problem, where=error.where.replace(old, new, 1), remedy=error.remedy, **error.data)
+
+
+def _splines(
+    degree: tuple[int, ...], knots: tuple[KnotVector, KnotVector], net: Net, weights: Weights | None
+) -> tuple[Vector[TensorSpline], TensorSpline]:
+    """Numerators and denominator; without weights the denominator is the constant 1."""
+
+    def spline(values: Iterable[Iterable[mpq]]) -> TensorSpline:
+        return TensorSpline((degree[0], degree[1]), *knots, values)
+
+    if weights is None:
+        p = [spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))]
+        return Vector(*p), p[0].constant(1)
+    scaled = [[lifted(x, w) for x, w in zip(*rows, strict=True)] for rows in zip(net, weights, strict=True)]
+    p = [spline([[point[k] for point in row] for row in scaled]) for k in range(len(net[0][0]))]
+    w = spline(weights)
+    check_weight(w)
+    return Vector(*p), w
+
+
+def _restored(
+    degree: tuple[int, int],
+    knots_u: KnotVector,
+    knots_v: KnotVector,
+    points: Net,
+    weights: Weights,
+    name: str,
+    source: str,
+    note: str,
+) -> NurbsSurface:
+    """What was pickled, checked like any other data."""
+    return NurbsSurface(degree, knots_u, knots_v, points, weights, name=name, source=source, note=note)

@@ -1,0 +1,127 @@
+"""Surface files: JSON with ``degree``, ``knots``, ``control_points``, optional ``weights``, ``name``, ``source``,
+``note``.
+
+``degree`` is ``[m, n]``, ``knots`` two lists, ``control_points`` (or ``points``) a net in rows along u, ``weights`` one
+of the same shape. Numbers and points are written as in curve files.
+"""
+
+from __future__ import annotations
+
+import os
+
+from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.exact import Number
+from exactspline.splines.curve_files import write_json
+from exactspline.splines.json_files import json_object, number_of, points_of, text_of_file, whole_degree, written_point
+from exactspline.splines.surface import NurbsSurface
+
+REQUIRED = ("degree", "knots", "control_points")
+OPTIONAL = ("weights", "name", "source", "note")
+#: Another spelling of ``control_points``.
+NET = "points"
+
+
+def read_surface(path: str | os.PathLike[str]) -> NurbsSurface:
+    """The surface in a file.
+
+    Raises `CurveFileError` (missing, a directory, unreadable, too large, not JSON, a field missing or unknown) or the
+    error of the field at fault, the file named in front.
+    """
+    place, text = text_of_file(path)
+    try:
+        return surface_from_text(text, place.stem)
+    except ExactSplineError as error:
+        raise error.at(f"{place}: ") if error.where.startswith("[") else error.at(str(place)) from None
+
+
+def surface_from_text(text: str, name: str = "") -> NurbsSurface:
+    """The surface written in JSON text; `name` where the text gives none.
+
+    >>> surface_from_text('''{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]],
+    ...     "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.1]]]}''')(1, 1)
+    (mpq(1,1), mpq(1,1), mpq(1,10))
+    """
+    data = json_object(text, 'write {"degree": [m, n], "knots": [[…], […]], "control_points": [[…], …]}')
+    if NET in data and "control_points" not in data:
+        data["control_points"] = data.pop(NET)
+    _check_fields(data)
+    degree = [whole_degree(n) for n in _list(data["degree"], "degree", 2)]
+    knots = [_list(row, f"knots[{i}]") for i, row in enumerate(_list(data["knots"], "knots", 2))]
+    net = []
+    for i, row in enumerate(_list(data["control_points"], "control_points")):
+        place = f"control_points[{i}]"
+        net.append(points_of(_list(row, place), place))
+    weights = data.get("weights")
+    return NurbsSurface(
+        (degree[0], degree[1]),
+        map(number_of, knots[0]),
+        map(number_of, knots[1]),
+        net,
+        None if weights is None else _numbers(weights),
+        name=str(data.get("name") or name),
+        source=str(data.get("source") or ""),
+        note=str(data.get("note") or ""),
+    )
+
+
+def looks_like_surface(text: str) -> bool:
+    """Whether JSON text is meant as a surface: an object whose degree is a list.
+
+    >>> looks_like_surface('{"degree": [1, 1]}'), looks_like_surface('{"degree": 2}'), looks_like_surface("{")
+    (True, False, False)
+    """
+    try:
+        return isinstance(json_object(text, "").get("degree"), list)
+    except ExactSplineError:
+        return False
+
+
+def _check_fields(data: dict[str, object]) -> None:
+    remedy = f"a surface has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
+    for field in REQUIRED:
+        if field not in data:
+            raise CurveFileError(f"the field {field!r} is missing", remedy=remedy)
+    if unknown := sorted(set(data) - {*REQUIRED, *OPTIONAL}):
+        raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=remedy)
+
+
+def _list(value: object, where: str, count: int | None = None) -> list[object]:
+    if not isinstance(value, list):
+        raise CurveFileError("is not a list", where=where, remedy="write a JSON list")
+    if count is not None and len(value) != count:
+        raise CurveFileError(f"has {len(value)} entries", where=where, remedy="one for u and one for v")
+    return value
+
+
+def _numbers(rows: object) -> list[list[Number]]:
+    return [[number_of(x) for x in _list(row, f"weights[{i}]")] for i, row in enumerate(_list(rows, "weights"))]
+
+
+def surface_data(surface: NurbsSurface) -> dict[str, object]:
+    """The data of a surface file, numbers as exact text."""
+    data: dict[str, object] = {"name": surface.name}
+    if surface.source:
+        data["source"] = surface.source
+    data |= {
+        "degree": list(surface.degree),
+        "knots": [[str(t) for t in knots] for knots in surface.knots],
+        "control_points": [[written_point(point) for point in row] for row in surface.control_points],
+    }
+    if surface.note:
+        data["note"] = surface.note
+    return data if surface.polynomial else data | {"weights": [[str(w) for w in row] for row in surface.weights]}
+
+
+def save_surface(surface: NurbsSurface, path: str | os.PathLike[str]) -> None:
+    """Write a surface as a surface file, all numbers as exact text; the file is there whole or not at all.
+
+    >>> import tempfile
+    >>> from exactspline.splines.examples import example_surface
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save_surface(example_surface("sphere"), f"{folder}/sphere.json")
+    ...     read_surface(f"{folder}/sphere.json") == example_surface("sphere")
+    True
+
+    Raises `ExactSplineError` where the file cannot be written.
+    """
+    write_json(path, surface_data(surface))

@@ -1,0 +1,100 @@
+"""What the formulas of a claim divide by, although nothing that the claim assumes keeps it from vanishing.
+
+There the statement speaks of nothing: it is one about quotients, which hold or fail where they exist. Formulas over
+the roots of a frame are left out: they divide by what the frame divides by, which their claims assume.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import fmpq_mpoly
+
+from exactspline.errors import ExactSplineError, FormulaError
+from exactspline.language.argument import Evaluated
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import Kind
+from exactspline.readings.printing.text import print_text
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.tree import Node, Operation, trace
+from exactspline.symbolic.assumptions import Assumption, assumption
+from exactspline.symbolic.factorization import jets_for
+from exactspline.verification.claim import Claim
+from exactspline.verification.coq.denominators import Evaluation, factored
+
+#: The denominators of curves and of the operands of Table 1: none has a zero.
+WEIGHTS = ("w", "W", "w1", "w2")
+#: Where the velocity vanishes on a whole segment, so does whatever is a product with it.
+WITH_VELOCITY = (
+    *("[γ′ γ″]", "γ′×γ″", "[γ′ γ″ γ‴]", "[γ′ γ−Q]", "γ′×(γ−Q)"),
+    *("(γ′×(γ−Q))₁", "(γ′×(γ−Q))₂", "(γ′×(γ−Q))₃"),
+)
+
+
+def divisors(claim: Claim) -> tuple[str, ...]:
+    """Texts of these divisors, in the order in which they are met.
+
+    >>> from exactspline.verification.claims import select
+    >>> [divisors(claim) for claim in select(["T8", "C4.1a"])]
+    [('p₂/w₂',), ()]
+    """
+    formulas = [claim.find(name) for name in claim.named]
+    found = dict.fromkeys(text for formula in formulas for n in claim.dimensions for text in _of(formula, n, claim))
+    return tuple(found)
+
+
+def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
+    if formula.kind.adjoins_roots or dimension not in formula.kind.dimensions:
+        return
+    argument, tree = jets_for([formula], dimension), trace(formula, dimension)
+    evaluation, known = Evaluation(argument), list(_known(claim, formula.kind, argument))
+    try:
+        evaluation(tree)
+    except FormulaError:  # too long to be multiplied out: then nothing is known of what it divides by
+        yield from map(print_text, _divided_by(tree))
+        return
+    for node, value in evaluation.denominators:
+        factors = [p for p, _ in factored(value).powers]
+        if not all(_divides(p, known) for p in factors):
+            known += factors
+            yield print_text(node)
+
+
+def _divided_by(tree: Node) -> Iterator[Node]:
+    seen, todo = set[int](), [tree]
+    while todo:
+        node = todo.pop()
+        if id(node) not in seen:
+            seen.add(id(node))
+            todo += node.args
+            if node.op is Operation.OVER and node.args[1].op is not Operation.NUMBER:
+                yield node.args[1]
+
+
+def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly]:
+    """What does not vanish: the weights and what is assumed."""
+    for each in argument.together():
+        for name, value in each.operands().items():
+            if name in WEIGHTS and isinstance(value, JetFraction):
+                yield value.top
+    for assumed in filter(lambda assumed: assumed.speaks_of(kind), _all(claim.assumes)):
+        try:
+            yield assumed.polynomial(argument).top
+        except ExactSplineError:
+            continue  # of more derivatives than the formula has: nothing that it divides by
+
+
+def _all(assumed: tuple[Assumption, ...]) -> Iterator[Assumption]:
+    """The assumptions and what they imply."""
+    for each in assumed:
+        yield each
+        if each.name.removesuffix(" ≢ 0") in WITH_VELOCITY:
+            yield assumption("γ′")
+        if each.name.startswith("[γ′ γ″ γ‴]"):
+            yield assumption("γ′×γ″")
+        if each.name.startswith("[γ′ γ̄′"):
+            yield from map(assumption, ("γ′", "γ̄′"))
+
+
+def _divides(polynomial: fmpq_mpoly, known: list[fmpq_mpoly]) -> bool:
+    return any(not divmod(each, polynomial)[1] for each in known)
