@@ -85,7 +85,8 @@ def library() -> Library:
             if found:
                 name = f"claims/{paper.name}_{table}"
                 theorems[name] = found
-                files[name] = claims_file(paper, found)
+                if any(not each.reason for each in found):
+                    files[name] = claims_file(paper, found)
     return Library(files, theorems)
 
 

@@ -28,7 +28,7 @@ _FUNCTIONS = (
     *(Operation.RULED, Operation.DIRECTRIX, Operation.GENERATOR),
 )
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
-_PARAMETERS = {"s": "s", "s̄": "s_bar"}
+_PARAMETERS = {"s": "s", "s̄": "s_bar", "u": "s", "v": "s_bar"}
 #: Operands that are fields of records; those of the others have functions of their own, named with ``_of``.
 _FIELDS_OF_ARGUMENTS = {"p", "w", "gamma", "point", "sigma", "rho", "gradient_f"}
 _FIELDS_OF_ARGUMENTS |= {f"{x}{i}" for x in "pwv" for i in "12"}
@@ -39,7 +39,7 @@ _LANGUAGE = (
     "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using where with Prop Set "
     "Type SProp"
 )
-_VARIABLES = "K A o c x y z X Y Z W a b e q l s s_bar"
+_VARIABLES = "K A o c x y z X Y Z W a b e q l s s_bar E N O Q R S"
 _DEFINED = re.compile(
     r"^\s*(?:#\[export\] )?(?:Definition|Fixpoint|Lemma|Theorem|Inductive|Record|Class|Instance|Ltac) (\w+)",
     re.MULTILINE,

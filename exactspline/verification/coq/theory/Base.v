@@ -143,6 +143,11 @@ Arguments Implicit {A} _ _ _ _. Arguments on_level {A} _. Arguments free {A} _.
 Arguments gradient_f {A} _. Arguments hessian_f {A} _.
 Coercion on_level : implicit >-> curve.
 
+(** A surface S(u, v), its numerators and denominator in the fields of a curve; s is u, and s_bar is v. *)
+Record patch (A : Type) := Patch { net : curve A }.
+Arguments Patch {A} _. Arguments net {A} _.
+Coercion net : patch >-> curve.
+
 Section Arguments.
 Context {A : Type} {o : operations A}.
 Local Open Scope formula_scope.
@@ -170,6 +175,15 @@ Definition fxz_of (c : implicit A) := component 2 (hessian_fx_of c).
 Definition fyy_of (c : implicit A) := component 1 (hessian_fy_of c).
 Definition fyz_of (c : implicit A) := component 2 (hessian_fy_of c).
 Definition fzz_of (c : implicit A) := component 2 (hessian_fz_of c).
+
+(** The surface itself; two quadratic forms E, F, G and L, M, N, and the function w beside them. *)
+Definition S_of (c : patch A) := gamma c.
+Definition E_of (c : accompanied A) := component 0 (beside c).
+Definition F_of (c : accompanied A) := component 1 (beside c).
+Definition G_of (c : accompanied A) := component 2 (beside c).
+Definition L_of (c : accompanied A) := component 3 (beside c).
+Definition M_of (c : accompanied A) := component 4 (beside c).
+Definition N_of (c : accompanied A) := component 5 (beside c).
 
 (** The curve [γ = p/w], with a point (empty for none). *)
 Definition rational_curve (q : parameter) (p : list A) (w : A) (point : list A) : curve A :=
@@ -347,3 +361,22 @@ Definition every_implicit_surface (P : forall K : differential_field, implicit K
   let c := Implicit (rational_curve s [x; y; z] (number 1) []) [l; m; n] [fx; fy; fz]
     [[fxx; fxy; fxz]; [fxy; fyy; fyz]; [fxz; fyz; fzz]] in
   vder s (gamma c) = cross (gradient_f c) (free c) -> chain_rule c -> P K c.
+
+(** *** Surfaces: functions of u and v, whose derivatives commute *)
+
+Definition commuting (K : differential_field) : Prop :=
+  forall a : K, derivative K s (derivative K s_bar a) = derivative K s_bar (derivative K s a).
+
+(** Every rational surface in space. *)
+Definition every_surface (P : forall K : differential_field, patch K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w : K), commuting K -> w <> zero K ->
+  P K (Patch (rational_curve s [x; y; z] w [])).
+
+(** Every rational map of the plane. *)
+Definition every_planar_map (P : forall K : differential_field, patch K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w : K), commuting K -> w <> zero K -> P K (Patch (rational_curve s [x; y] w [])).
+
+(** Every two quadratic forms. *)
+Definition every_two_forms (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
+  forall (K : differential_field) (E F G L M N w : K), commuting K ->
+  P K (Accompanied (rational_curve s [] w []) [E; F; G; L; M; N]).

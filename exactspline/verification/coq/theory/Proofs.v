@@ -150,6 +150,16 @@ Proof.
   injection V as Vx Vy Vz. injection C as Cx Cy Cz. rewrite Vx, Vy, Vz in Cx, Cy, Cz. now apply H.
 Qed.
 
+Lemma surface_by_position (P : forall K : differential_field, patch K -> Prop) :
+  (forall (K : differential_field) (x y z w : K), commuting K -> w <> zero K ->
+   P K (Patch (homogeneous s [x; y; z] w []))) -> every_surface P.
+Proof. intros H K x y z w C Hw. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
+Lemma planar_map_by_position (P : forall K : differential_field, patch K -> Prop) :
+  (forall (K : differential_field) (x y w : K), commuting K -> w <> zero K ->
+   P K (Patch (homogeneous s [x; y] w []))) -> every_planar_map P.
+Proof. intros H K x y w C Hw. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
 (** ** Roots *)
 
 Section OneRoot.
@@ -196,9 +206,28 @@ Definition constants (is : list positive) : rules := map (fun i => (i, num 0)) i
 Definition of_parameters (first second : rules) (q : parameter) : rules :=
   match q with s => first | s_bar => second end.
 
+(** The partial derivatives up to an order: row by row, in the n-th row first all by u, at last all by v. *)
+Definition partials {K : differential_field} (order : nat) (x : K) : list K :=
+  flat_map (fun n => map (fun j => ders s (n - j) (ders s_bar j x)) (seq 0 (S n))) (seq 0 (S order)).
+
+(** Their rules: to the next row, to the place below ([right = 0], by u) or to that right of it ([right = 1], by v). *)
+Definition grid (i : positive) (order right : nat) : rules :=
+  let place n j := Pos.of_nat (Pos.to_nat i + Nat.div2 (n * S n) + j) in
+  flat_map (fun n => map (fun j => (place n j, var (place (S n) (j + right)%nat))) (seq 0 (S n))) (seq 0 order).
+
+Lemma commuted (K : differential_field) (a : K) n : commuting K ->
+  derivative K s_bar (ders s n a) = ders s n (derivative K s_bar a).
+Proof.
+  intro C. induction n as [|n IH]; [reflexivity|].
+  change (ders s (S n) a) with (derivative K s (ders s n a)).
+  change (ders s (S n) (derivative K s_bar a)) with (derivative K s (ders s n (derivative K s_bar a))).
+  rewrite <- IH. symmetry. apply C.
+Qed.
+
 Ltac rules_by_computation :=
   let q := fresh in intro q; destruct q; repeat (apply Forall_cons; [first [reflexivity | match goal with
-    H : constant _ |- _ => exact (H _) | H : _ = _ |- _ => exact H end]|]); apply Forall_nil.
+    H : constant _ |- _ => exact (H _) | C : commuting _ |- _ => first
+      [exact (commuted _ _ 1 C) | exact (commuted _ _ 2 C) | exact (commuted _ _ 3 C) | exact (commuted _ _ 4 C)] | H : _ = _ |- _ => exact H end]|]); apply Forall_nil.
 
 (** ** Atoms *)
 
