@@ -18,7 +18,15 @@ PROJECT = DOCS.parent
 BUILD = PROJECT / "build" / "site"
 
 #: The pages that are written by hand, in reading order.
-WRITTEN = ("your-own-paper", "teaching", "degree-theorem", "bisectors", "conditioning", "certified-filter")
+WRITTEN = (
+    "your-own-paper",
+    "teaching",
+    "ten-claims",
+    "degree-theorem",
+    "bisectors",
+    "conditioning",
+    "certified-filter",
+)
 
 
 def main() -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import gcd, lcm
-from typing import Any
+from typing import Any, cast
 
 from flint import fmpq_mpoly
 
@@ -22,7 +22,7 @@ class Evaluation:
     `flat` makes a fraction of the ring of a value.
     """
 
-    def __init__(self, argument: Any, flat: Callable[[Any], Any] = lambda value: value) -> None:
+    def __init__(self, argument: object, flat: Callable[[object], object] = lambda value: value) -> None:
         self.argument, self.flat = argument, flat
         self.denominators: list[tuple[Node, JetFraction | mpq]] = []
         self._known: dict[int, Any] = {}
@@ -48,7 +48,7 @@ class Evaluation:
         return applied(node, values, self.argument)
 
     def _met(self, node: Node, value: Any) -> None:
-        found = mpq(value) if isinstance(value, CONSTANTS) else self.flat(value)
+        found = mpq(value) if isinstance(value, CONSTANTS) else cast(JetFraction, self.flat(value))
         if not any(type(found) is type(each) and found == each for _, each in self.denominators):
             self.denominators.append((node, found))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined
@@ -118,14 +118,14 @@ class FramedSetting(Setting):
         name, _ = self.ring.variables[i]
         return 2 * self.used.index(name) + 2 if name in ROOTS else 2 * len(self.used) + i + 1
 
-    def flat(self, value: Any) -> Any:
+    def flat(self, value: object) -> object:
         """A value in which one product of roots alone occurs as a fraction of the ring.
 
         Raises `FormulaError` for a sum in which several occur.
         """
         if not isinstance(value, Adjoined):
             return value
-        plain, rooted = self.flat(value.plain), self.flat(value.rooted)
+        plain, rooted = cast(JetFraction, self.flat(value.plain)), cast(JetFraction, self.flat(value.rooted))
         if rooted.is_zero:
             return plain
         if not plain.is_zero:
@@ -165,7 +165,7 @@ class FramedSetting(Setting):
         whole = Jet(self.ring, self.square(root).top).d().polynomial
         return self.expression(whole / 2)
 
-    def preamble(self, premises: Sequence[tuple[str, str, Any]]) -> list[str]:
+    def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
         """The roots do not vanish because their squares do not; their derivatives, by Leibniz' rule."""
         bare = replace(self, used=())
         lines = [
@@ -203,12 +203,14 @@ class FramedSetting(Setting):
             f"assert (Q : roots_hold K l roots) by exact {held}.",
         ]
 
-    def _because(self, root: str, premises: Sequence[tuple[str, str, Any]]) -> str:
+    def _because(self, root: str, premises: Sequence[tuple[str, str, object]]) -> str:
         """Why the square of a root does not vanish: it divides what does not."""
         bare, square = replace(self, used=()), self.square(root).top
         for name, term, value in premises:
+            if not isinstance(value, JetFraction) or not value.bottom.is_one():
+                continue
             rest, remainder = divmod(value.top, square)
-            if value.bottom.is_one() and not remainder:
+            if not remainder:
                 parts = [term, bare.expression(rest), bare._square_text(root, 0)]
                 e, b, a = (f"({part} : expr)%formula" for part in parts)
                 return (

@@ -111,7 +111,7 @@ class Setting:
         made = JetFraction(self.ring, one, one)
         return self.kind.argument(self.dimension, self._operand, made, polynomial=self.polynomial)
 
-    def flat(self, value: Any) -> Any:
+    def flat(self, value: object) -> object:
         """A value as a fraction of the ring."""
         return value
 
@@ -181,7 +181,7 @@ class Setting:
         first, second = (" ++ ".join(chains[parameter]) or "[]" for parameter in PARAMETERS)
         return f"of_parameters ({first}) ({second})"
 
-    def preamble(self, premises: Sequence[tuple[str, str, Any]]) -> list[str]:
+    def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
         """The steps that say what the variables of the checker are; premises are given by name, term and value."""
         return [
             f"pose (l := {self.jets}).",
