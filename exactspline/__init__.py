@@ -316,7 +316,7 @@ _HOMES = {
     "plot_ruled_surface": "display.plot.surfaces:plot_ruled_surface",
 }
 
-#: What objects offer though it lives further right than they do (see `exactspline.language.services`).
+#: Methods of objects that are implemented further right (see `exactspline.language.services`).
 _SERVICES = {
     "at": "roots.enclosure:at",
     "at_floats": "geometry.floats:at_floats",
@@ -324,7 +324,9 @@ _SERVICES = {
     "curvature_floats": "geometry.floats:curvature_floats",
     "formula_text": "readings.printing.text:print_text",
     "html": "display.notebook:html",
+    "kind": "language.kinds:kind_of",
     "latex": "display.latex:latex",
+    "paper": "papers:paper",
     "plot": "display.plot.curves:plot_curve",
     "quotient": "language.rational:Rational",
     "short": "display.notebook:short",
@@ -338,7 +340,7 @@ __all__ = [*_HOMES, "__version__"]  # noqa: PLE0604
 if not TYPE_CHECKING:
 
     def __getattr__(name):
-        """Import a public name when it is first used, so that importing the package costs next to nothing."""
+        """Import a public name when it is first used, so that importing the package is cheap."""
         if name not in _HOMES:
             raise AttributeError(f"module 'exactspline' has no attribute {name!r}")
         module, _, attribute = _HOMES[name].partition(":")

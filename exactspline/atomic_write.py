@@ -1,4 +1,4 @@
-"""Files written atomically: there whole or not at all."""
+"""Files written atomically: whole or not at all."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def write_atomically(
     """Let `write` fill a temporary file beside the path, then move it there; a link is followed, and what it points to
     replaced.
 
-    Raises `error` where nothing can be written, and where something that is no regular file (a folder, a device, a
+    Raises `error` where nothing can be written, and where something that is not a regular file (a folder, a device, a
     pipe) has that name: it is left alone.
     """
     place = Path(path)
@@ -25,7 +25,7 @@ def write_atomically(
         place = place.resolve()
         if place.exists() and not place.is_file():
             raise error(
-                "is no regular file", where=str(path), remedy="name a file; leave the name out for standard output"
+                "is not a regular file", where=str(path), remedy="name a file; leave the name out for standard output"
             )
         handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name}.")
         try:
@@ -37,7 +37,7 @@ def write_atomically(
             os.unlink(temporary)
             raise
     except (OSError, RuntimeError) as reason:
-        problem = getattr(reason, "strerror", None) or "its links go round in a circle"
+        problem = getattr(reason, "strerror", None) or "its links form a cycle"
         raise error(
             f"cannot be written ({problem})", where=str(path), remedy="name a file in a folder that can be written"
         ) from None

@@ -1,7 +1,7 @@
 """One family of exceptions, each carrying its data.
 
 Every message says what was wrong, where, and what would be right; programs read the same three from the attributes
-``problem``, ``where`` and ``remedy``, and whatever else the error knows from ``data``.
+``problem``, ``where`` and ``remedy``, and any further details from ``data``.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class ExactSplineError(ValueError):
         super().__init__((f"{where}: " if where else "") + problem + (f"; {remedy}" if remedy else ""))
 
     def at(self, place: str) -> ExactSplineError:
-        """The same error, its place prefixed: used where an outer room knows the file or the field.
+        """The same error with its place prefixed, by a caller that knows the file or the field.
 
         >>> print(NumberError("not a number", where="[2]").at("weights"))
         weights[2]: not a number
@@ -34,8 +34,8 @@ class ExactSplineError(ValueError):
 
 
 def shown(value: object, limit: int = 40) -> str:
-    """A value as an error message shows it: short, and never a failure of its own (integers of thousands of digits
-    refuse to be printed).
+    """A value as an error message shows it: short, and never itself an error (Python refuses to print integers of
+    thousands of digits).
 
     >>> shown("one"), shown(10**5000)
     ("'one'", 'an int too long to print')
@@ -61,7 +61,7 @@ def counted(n: int, what: str) -> str:
 
 
 def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
-    """What would be right instead of a name that nobody knows: the three nearest that there are, and what lists all.
+    """The remedy for an unknown name: the three nearest known names, and the command that lists all.
 
     >>> nearest("evolut", ["evolute", "torsion", "focal_curve", "f2"])
     'the nearest are evolute, torsion, focal_curve'
@@ -75,10 +75,9 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
 
 
 def _likest(name: str, known: list[str], count: int = 3) -> list[str]:
-    """The names most like a name, the likest first. Who mistypes a name mostly gets its first letter right.
-
-    How alike two names are is bounded by the letters that they share, which is cheap to count: only those are compared
-    whose bound is not below what was found.
+    """The names most similar to a name, the most similar first. A mistyped name mostly has the right first letter. The
+    similarity of two names is bounded by the letters that they share, which is cheap to count: only names whose bound
+    is not below the best found are compared.
     """
     own, found = _letters(name), list[tuple[float, int]]()
     for bound, i in sorted((_bound(name, own, each.lower()), i) for i, each in enumerate(known)):
@@ -90,7 +89,7 @@ def _likest(name: str, known: list[str], count: int = 3) -> list[str]:
 
 
 def _bound(name: str, own: Counter[str], other: str) -> float:
-    """What the likeness of two names, negated, is not below."""
+    """A lower bound of the negated similarity of two names."""
     if not name and not other:
         return -6
     theirs = _letters(other)
@@ -132,7 +131,7 @@ class FormulaError(ExactSplineError):
 
 
 class InapplicableError(FormulaError):
-    """A reading that says nothing of arguments of a kind."""
+    """A reading that does not apply to a kind of argument."""
 
 
 class ClaimError(ExactSplineError):

@@ -1,8 +1,8 @@
 """The only gate between other numbers and ``gmpy2.mpq``, and between gmpy2 and FLINT both ways.
 
-gmpy2 takes floats without a word (``mpq(0.1)`` is a 55-bit number nobody wrote, ``mpq(1, 3) + 0.5`` is an ``mpfr``), so
-every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from foreign
-data. What the package needs of gmpy2 it imports from here, so that another implementation can stand in for it.
+gmpy2 accepts floats silently (``mpq(0.1)`` is a 55-bit number that nobody wrote, ``mpq(1, 3) + 0.5`` is an ``mpfr``),
+so every number of a user passes through :func:`rational` and nothing else in the package builds an ``mpq`` from
+outside data. The package imports what it needs of gmpy2 from here, so that another implementation can take its place.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ __all__ = [
     "to_fmpz",
 ]
 
-#: What :func:`rational` takes for an exact number; of what has an index, the integers of other libraries.
+#: What :func:`rational` accepts as an exact number; ``SupportsIndex`` covers the integers of other libraries.
 Number: TypeAlias = int | str | Fraction | Decimal | mpz | mpq | flint.fmpz | flint.fmpq | SupportsIndex
 
 _TYPES = {type(mpq()), type(mpz()), int, Fraction}
@@ -75,14 +75,14 @@ def rational(value: Number) -> mpq:
     >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
     (mpq(1,10), mpq(3,4), mpq(3,16))
 
-    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy float is refused, since its decimal look
-    is not its value.
+    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy float is refused, since the decimal it
+    shows is not its value.
 
     >>> rational(0.1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     exactspline.errors.NumberError: 0.1 is a float, whose exact value is not what it shows; write "0.1" ...
     """
-    given = cast(Any, value)  # told apart by its very type: a bool, which is an int, is refused
+    given = cast(Any, value)  # compared by type: a bool, which is an int, is refused
     kind = type(given)
     if kind in _TYPES:
         return mpq(given)
@@ -141,7 +141,7 @@ def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
     [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
 
-    Raises `NumberError` with the place of what is no float.
+    Raises `NumberError` with the place of what is not a float.
     """
     given: Iterable[Any] = values
     found: list[Any] = []
@@ -155,21 +155,23 @@ def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq
 
 
 class Rounding(StrEnum):
-    """To which double a real number is rounded."""
+    """How a real number is rounded to a double."""
 
-    #: The nearest, of two equally near ones the even one.
+    #: To the nearest double; a tie goes to the even one.
     NEAREST = "nearest"
-    #: The largest that is not above the number, and the smallest that is not below it.
+    #: To the largest double not above the number, and to the smallest not below it.
     DOWN = "down"
     UP = "up"
 
 
 def checked_rounding(rounding: str) -> Rounding:
-    """The way of rounding with a name; `NumberError` with the names there are."""
+    """The rounding mode with this name. Raises `NumberError`, which lists the modes, for an unknown one."""
     try:
         return Rounding(rounding)
     except ValueError:
-        raise NumberError(f"no way of rounding is called {shown(rounding)}", remedy=f"{', '.join(Rounding)}") from None
+        raise NumberError(
+            f"there is no rounding mode called {shown(rounding)}", remedy=f"{', '.join(Rounding)}"
+        ) from None
 
 
 def double(value: mpq, rounding: str = Rounding.NEAREST) -> float:
@@ -179,7 +181,7 @@ def double(value: mpq, rounding: str = Rounding.NEAREST) -> float:
     (0.3333333333333333, True)
 
     Raises `OverflowError` for a number beyond the largest double (but not where that is what is asked for), like
-    ``float`` of an int; `NumberError` for an unknown way of rounding.
+    ``float`` of an int; `NumberError` for an unknown rounding mode.
     """
     return _finite(_rounded(value, checked_rounding(rounding)))
 
@@ -197,7 +199,7 @@ def double_between(
     True
 
     Raises what `double` raises. Source: A. Ziv, Fast evaluation of elementary mathematical functions with correctly
-    rounded last bit, ACM TOMS 1991; a number on a border is told from its neighbours exactly.
+    rounded last bit, ACM TOMS 1991; a number on a border is distinguished from its neighbours exactly.
     """
     way, digits = checked_rounding(rounding), 20
     while True:
@@ -234,7 +236,7 @@ def _rounded(value: mpq, rounding: Rounding) -> float:
 
 
 def _unrounded(value: float) -> mpq:
-    """The value of a double; an infinite one stands where the next finite one would be."""
+    """The value of a double; infinity counts as the next finite double would."""
     if isfinite(value):
         return mpq(*value.as_integer_ratio())
     return mpq(2) ** 1024 * (1 if value > 0 else -1)
@@ -283,7 +285,7 @@ def text(value: mpq) -> str:
 
 
 def short_text(value: mpq) -> str:
-    """Its exact text, or where that is long the beginning of it and how long it is: for messages.
+    """Its exact text or, where that is long, its beginning and its length: for messages.
 
     >>> short_text(mpq(3, 4)), short_text(mpq(10) ** 50)
     ('3/4', '1000000000… (51 characters)')

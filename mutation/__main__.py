@@ -24,7 +24,7 @@ from mutation.mutants import Mutant, drawn
 
 RESULTS = MAP.parent / "results.jsonl"
 SURVIVORS = ROOT / "mutation" / "survivors.toml"
-#: Verdicts that are no failure: refuted, or no change at all. A run that did not end, or broke, says nothing.
+#: Verdicts that are not failures: refuted, or no change at all. A run that did not end, or broke, says nothing.
 HARMLESS = ("killed", "equivalent")
 #: How many of the mutants of engines that nobody explained must be noticed, in per cent.
 TARGET = 95

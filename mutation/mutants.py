@@ -164,7 +164,7 @@ def live(module: str, function: str) -> FunctionType:
     value = getattr(value, "func", None) or value
     found = inspect.unwrap(value)
     if not isinstance(found, FunctionType):
-        raise ValueError(f"{module}:{function} is no function")
+        raise ValueError(f"{module}:{function} is not a function")
     return found
 
 

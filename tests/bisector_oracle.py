@@ -72,7 +72,7 @@ def planes(first, second):
 
 
 def dimension(rows):
-    """The dimension of the common points of planes (a row of zeros is no condition), −1 where there are none."""
+    """The dimension of the common points of planes (a row of zeros imposes none), −1 where there are none."""
     left = [[*normal, height] for normal, height in rows]
     rank = 0
     for column in range(3):

@@ -77,7 +77,7 @@ def entries_by_fork(source: Source) -> list[dict[str, Any]]:
     with open(ours) as pipe:
         answer = pipe.read()
     if os.waitpid(child, 0)[1]:
-        raise CurveFileError("is no archive that rhino3dm can read", remedy="repair the file")
+        raise CurveFileError("is not an archive that rhino3dm can read", remedy="repair the file")
     found: list[dict[str, Any]] = json.loads(answer)
     return found
 
@@ -122,7 +122,7 @@ def changed(data: bytes, chance: random.Random, others: list[bytes]) -> bytes:
 
 
 def said(data: bytes, name: str) -> str:
-    """What a reader says to a file, without its numbers; whatever is no answer goes through."""
+    """What a reader says to a file, without its numbers; whatever is not an answer goes through."""
     try:
         reading = read(data, name)
     except ExactSplineError as error:

@@ -1,4 +1,4 @@
-"""One curve, one analysis: what is computed is computed once, in time linear in the segments, and is no part of the
+"""One curve, one analysis: what is computed is computed once, in time linear in the segments, and is not a part of the
 curve's value.
 """
 

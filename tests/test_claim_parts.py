@@ -13,26 +13,29 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
+from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification import coq_judge, sympy_judge
+from exactspline.verification import sympy_judge
 from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.curve_check import spline_table
-from exactspline.verification.degree_tables import construction_table
+from exactspline.verification.curve_check import extra_zero, spline_table
+from exactspline.verification.degree_tables import construction_table, formula_degrees
+from exactspline.verification.divisors import _divided_by, divisors
 from exactspline.verification.errata import _unrecorded, check
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.generic_proof import factor_of
-from exactspline.verification.kinds import Contact, Count, DegreeClaim
+from exactspline.verification.generic_proof import factor_of, factor_of_numerators
+from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, IsoCurve, SquareClass
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
 from exactspline.verification.kinds.condition import _place
 from exactspline.verification.kinds.identity import Identity, Vanishing
+from exactspline.verification.kinds.invariance import _a
 from exactspline.verification.kinds.zero_set import ZeroSet
 from exactspline.verification.ledger import Proofs, checked, proved, tasks
 from exactspline.verification.questions import proof_of
@@ -194,10 +197,11 @@ def test_a_curve_with_the_name_of_an_example_is_none():
 def test_a_profile_is_taken_inside_the_domain():
     """Two curves over [0, 2] and [5, 8]: lines of either parameter are at a parameter of the other."""
     first, second = (
-        beginning(Nurbs(2, [a] * 3 + [b] * 3, [(0, 0, 0), (1, 2, 3), (4, 1, 7)], [1, 2, 5]))
+        beginning(Nurbs(3, [a] * 4 + [b] * 4, [(0, 0, 0), (1, 2, 3), (4, 1, 7), (a, 8, 1)], [1, 2, 5, 3]))
         for a, b in ((0, 2), (5, 8))
     )
     value = find("bisector_determinant_symmetric")(surface_pair(first, second))
+    assert not value.is_zero
     degrees = [c for c in all_claims() if isinstance(c, DegreeClaim) and c.of_pair]
     assert {one.parameter for one in degrees} == {"s", "s̄"}
     for one in degrees:
@@ -228,71 +232,6 @@ def test_a_text_states_an_identity():
         proof_of("f1 = nothing_known")
     assert "'nothing_known'" in str(told.value)
     assert "':nothing_known'" not in str(told.value)
-
-
-# ---- what Coq answers
-
-
-def test_what_coq_says_of_axioms():
-    assert coq_judge._told("about x\nClosed under the global context\n") == "no axioms"
-    said = "about x\nAxioms:\nfunctional_extensionality_dep : forall A,\n  (B : A)\nclassic\n  : forall P\n"
-    assert coq_judge._told(said) == "axioms functional_extensionality_dep, classic"
-
-
-def test_the_least_favourable_opinion_counts():
-    said = [coq_judge.Opinion("", each) for each in ("holds", "not stated", "fails", "not accepted", coq_judge.MISSING)]
-    assert coq_judge._together(said).says == "not accepted"
-    assert coq_judge._together(said[:3]).says == "not stated"
-    assert coq_judge._together([said[0], said[2]]).says == "holds"
-    assert coq_judge._together([said[0], said[4]]).says == coq_judge.MISSING
-    assert str(coq_judge.Opinion("t", "holds", "no axioms")) == "holds, no axioms"
-    assert str(coq_judge.Opinion("t", "holds")) == "holds"
-
-
-def test_what_coq_is_asked_to_compile(monkeypatch):
-    """A file of which no theorem is chosen is not compiled; of one that is not accepted every theorem is tried alone;
-    what others are built on is compiled anyhow.
-    """
-    asked = []
-
-    class Made:
-        files = ("Base", "None", "Good", "Bad")
-
-        def write(self, place):
-            asked.append("written")
-
-    class Theorem:
-        reason = ""
-
-        def __init__(self, name):
-            self.name = name
-
-    monkeypatch.setattr(coq_judge, "compile_file", lambda place, name: asked.append(name) or name != "Bad")
-    monkeypatch.setattr(coq_judge, "_alone", lambda place, name, each: asked.append(each.name) or each.name == "c")
-    monkeypatch.setattr(coq_judge, "assumptions", lambda place, name, names: dict.fromkeys(names, name))
-    chosen = {"None": (), "Good": (Theorem("a"),), "Bad": (Theorem("b"), Theorem("c"))}
-    found = coq_judge._compiled(Made(), chosen)
-    assert asked == ["written", "Base", "Good", "Bad", "b", "c"]
-    assert found == {"a": "Good", "c": "Bad_c"}
-
-
-def test_what_is_asked_of_theorems_and_what_is_told(monkeypatch, tmp_path):
-    asked = {}
-
-    def coqc(place, file):
-        asked[file] = (place / file).read_text(encoding="utf-8")
-        return True, "about a\nClosed under the global context\nabout b\nAxioms:\nclassic : forall P, P \\/ ~ P\n"
-
-    monkeypatch.setattr(coq_judge, "_coqc", coqc)
-    told = coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"])
-    assert told == {"a": "no axioms", "b": "axioms classic"}
-    text = asked["Ask.v"]
-    assert text.startswith(f"Require {coq_judge.ROOT}.papers.one.\n")
-    for name in "ab":
-        assert f'idtac "about {name}"' in text
-        assert f"Print Assumptions {coq_judge.ROOT}.papers.one.{name}.\n" in text
-    monkeypatch.setattr(coq_judge, "_coqc", lambda place, file: (False, "about a\nClosed under the global context"))
-    assert coq_judge.assumptions(tmp_path, "papers/one", ["a", "b"]) == {}
 
 
 def test_continuity_is_that_of_the_least_continuous_component(monkeypatch):
@@ -404,3 +343,127 @@ def test_sides_are_naive_and_reduced_where_their_degrees_differ():
         else:
             assert (roles[0], roles[-1]) == ("naive", "reduced")
             assert set(roles[1:-1]) <= {"formula"}
+
+
+# ---- formulas made for it
+
+
+def with_formula(monkeypatch, one, value, kind=CURVE):
+    made = Formula(value, "made", kind, "")
+    monkeypatch.setattr(type(one), "find", lambda self, name: made)
+    return one
+
+
+def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
+    value = lambda c: join(c.p[0], 0 * c.p[0], c.p[1])  # noqa: E731
+    one = next(c for c in all_claims() if isinstance(c, Coefficients) and c.curves != "every curve")
+    assert with_formula(monkeypatch, one, value).decide(2, polynomial=True).verdict == VERIFIED
+    zero = lambda c: join(0 * c.w, 0 * c.w)  # noqa: E731
+    assert with_formula(monkeypatch, one, zero).decide(2, polynomial=True).verdict == REFUTED
+    other = next(c for c in all_claims() if isinstance(c, Existence))
+    assert with_formula(monkeypatch, other, value).decide(2, polynomial=False).verdict == REFUTED
+    assert with_formula(monkeypatch, other, zero).decide(2, polynomial=False).verdict == UNDECIDED
+
+
+def test_names_have_their_articles():
+    assert [_a(name) for name in ("affine map", "inversion", "motion", "Möbius map")] == [
+        "an affine map",
+        "an inversion",
+        "a motion",
+        "a Möbius map",
+    ]
+
+
+def test_a_zero_beside_one_at_the_right_end_is_seen():
+    """2t² − 1 in (0, 1), where t − 1 vanishes at 1 alone."""
+    t = BSpline.identity(0, 1)
+    assert extra_zero(2 * t * t - 1, t - 1).startswith("between the parameters")
+    assert extra_zero((2 * t * t - 1) * (t - 1), t - 1).startswith("between the parameters")
+    assert extra_zero((t - 1) * (t - 1), t - 1) == ""
+    assert extra_zero(t - 1, t) == "at the parameter 1 (from the left)"
+
+
+def test_values_in_lowest_terms_are_compared_on_curves_alone():
+    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
+    one = replace(one, formulas=("f1", "f2"), assumes=("w",))
+    assert replace(one, measure="numerators").decide(2, False).verdict == PROVED
+    assert replace(one, measure="lowest terms").decide(2, False).verdict == UNDECIDED
+
+
+def test_squares_are_those_of_one_curve():
+    one = next(c for c in all_claims() if isinstance(c, SquareClass))
+    pair = {"formula": "bisector_determinant_symmetric", "right": "bisector_determinant", "of": "both"}
+    with pytest.raises(ClaimError, match="not decided"):
+        replace(one, curve="pair", **pair)
+    with pytest.raises(ClaimError, match="itself"):
+        replace(one, right=one.formula)
+
+
+def test_the_degrees_of_formulas_are_told_of_rational_and_polynomial_curves():
+    rows = [call() for call in formula_degrees([find("f0")])]
+    assert [row.curves for row in rows] == ["rational", "polynomial"]
+    polynomial = [reduction("f0", 2, world).main.generic_lowest for world in (False, True)]
+    assert [row.lowest for row in rows] == [str(degree) for degree in polynomial]
+    assert rows[0].nominal != rows[1].nominal
+
+
+def test_an_iso_curve_that_does_not_exist_on_one_segment_says_nothing():
+    """The first of two segments is one point, where γ′ = 0."""
+    one = next(c for c in all_claims() if isinstance(c, IsoCurve))
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (0, 0), (0, 0), (1, 2), (3, 1)])
+    own = Evaluation(curve)
+    assert one.examine(own.handed(one.curve), own).is_vacuous
+    whole = Evaluation(example("rational_cubic"))
+    assert one.examine(whole.handed(one.curve), whole).verdict == VERIFIED
+
+
+@pytest.mark.parametrize("power", [1, 2, 4, 6])
+def test_a_power_of_a_difference_has_contact_of_one_order_less(monkeypatch, power):
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact))
+    value = lambda c: (c.second.p[0] * c.first.w - c.first.p[0] * c.second.w) ** power  # noqa: E731
+    with_formula(monkeypatch, one, value, kind_of(one.curve))
+    dimension = one.dimensions[0]
+    for order, relation, verdict in (
+        (power - 1, "=", PROVED),
+        (power - 1, "≥", PROVED),
+        (power, "≥", REFUTED),
+        *[(power - 2, relation, verdict) for relation, verdict in (("=", REFUTED), ("≥", PROVED)) if power > 1],
+    ):
+        told = replace(one, order=order, relation=relation).decide(dimension, False)
+        assert told.verdict == verdict
+        if (order, relation) == (power, "≥"):
+            assert told.computed == (f"{power - 1}" if power else "none")
+
+
+@pytest.mark.parametrize(("left", "right"), [("f0", "f2"), ("f2", "f0"), ("f0", "f1"), ("curvature_squared", "f2")])
+def test_numerators_as_they_come_differ_by_their_factor(left, right):
+    sides = [find(left), find(right)]
+    factor = factor_of_numerators(*sides, 2)
+    if factor is None:
+        assert factor_of(*sides, 2) is None
+        return
+    argument = FactoredJetReading(factor.ring.order).argument(factor.ring.kind, 2)
+    first, second = (split(f(argument))[0][0].expanded() for f in sides)
+    top, bottom = factor.fraction()
+    assert first * bottom == second * top
+
+
+@pytest.mark.parametrize(
+    ("name", "found"),
+    [
+        ("curvature_squared", ["(‖γ′‖²)³"]),
+        ("torsion", ["‖γ′ × γ″‖²"]),
+        ("evolute", ["[γ′ γ″]"]),
+        ("f2", []),
+        ("D1_D2_D3", []),
+    ],
+)
+def test_a_tree_tells_what_it_divides_by(name, found):
+    """A quotient by a number is none."""
+    tree = trace(find(name), find(name).kind.dimensions[-1], expand=True)
+    assert [print_text(node) for node in _divided_by(tree)] == found
+
+
+def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
+    """The right side of an iso-curve is handed the curve in space."""
+    assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}

@@ -16,7 +16,7 @@ ENTRIES = [(table, source) for source in papers() for table in source.claim_tabl
 
 
 def misspelled(table):
-    """The entry with one word spelled wrongly, one after the other: names of fields, and every value that is no free
+    """The entry with one word spelled wrongly, one after the other: names of fields, and every value that is not a free
     text.
     """
     for field, value in table.entry.items():
@@ -108,9 +108,9 @@ ZERO_SET = {key: DEGREE[key] for key in ("id", "key", "status", "source", "state
         (DEGREE, {"status": "printed"}, "neither words nor an equation"),
         (DEGREE, {"status": "printed", "words": "a", "expected": "REFUTED"}, "belongs to an error"),
         (DEGREE, {"key": "X2-f2"}, "does not begin with the id"),
-        (DEGREE, {"key": "X1-f22"}, "stands nowhere else in the entry.*f2"),
-        (DEGREE, {"key": "X1-f2-lowest_terms"}, "stands nowhere else in the entry"),
-        (DEGREE, {"statement": 7}, "7 is no text"),
+        (DEGREE, {"key": "X1-f22"}, "does not occur elsewhere in the entry.*f2"),
+        (DEGREE, {"key": "X1-f2-lowest_terms"}, "does not occur elsewhere in the entry"),
+        (DEGREE, {"statement": 7}, "7 is not a text"),
         (ZERO_SET, {"formulas": ["f2"]}, "compared with itself"),
         (ZERO_SET, {"formulas": ["f2", "f2"]}, "compared with itself"),
         (ZERO_SET, {"curve": "pair", "formulas": ["bisector_determinant", "bisector"]}, "are not decided"),

@@ -173,7 +173,7 @@ def test_what_differs_is_told():
     assert Parameters((mpq(1, 2),)).check("0.5")
     assert Parameters(()).check("none")
     assert Parameters((mpq(1, 2),)).check("none").differences == ("t = 1/2 is missing",)
-    assert Parameters((mpq(1, 2),)).check("1/2, 1/3").differences == ("t = 1/3 is none of them",)
+    assert Parameters((mpq(1, 2),)).check("1/2, 1/3").differences == ("t = 1/3 is not one of them",)
     assert Circle(()).check("no")
     assert not Circle(()).check("0, 0, 1")
     assert not Circle((mpq(0), mpq(0), mpq(1))).check("no")
@@ -206,7 +206,7 @@ def test_curves_are_compared_as_functions():
     curve = example("rational_cubic")
     assert compare_curves(curve.elevate_degree().insert_knot("1/3"), curve)
     told = compare_curves(curve.reverse(), curve).differences
-    assert told[0] == "it is run through backwards"
+    assert told[0] == "it is reversed"
     assert told[1].startswith("at t = 0 it is at ")
     assert "its domain is" in compare_curves(curve.restrict(0, "1/2"), curve).differences[0]
     assert "R3" in compare_curves(curve, example("twisted_cubic")).differences[0]

@@ -1,4 +1,4 @@
-"""What the command line writes: never over its input, never half, and a full disk is no verdict."""
+"""What the command line writes: never over its input, never half, and a full disk is not a verdict."""
 
 import json
 import os

@@ -187,3 +187,15 @@ def test_quotients_of_forms_are_forms_of_the_difference_of_degrees():
     assert quotient(form(1, 1), 1, form(-1, 0, 1), 2) is None
     assert quotient(form(), 1, form(1), 1) is None
     assert quotient(form(1), 1, form(), 1) is None
+
+
+@pytest.mark.parametrize("m", [1, 2, 3, 4])
+def test_the_condition_number_of_a_multiple_zero(m):
+    """(1 − 2t)ᵐ at 1/2: Σ |bᵢ| Bᵢ = 1 and the m-th derivative is ± m! 2ᵐ, so that C = 1/2."""
+    f = BSpline.bezier([1, -1])
+    for _ in range(m - 1):
+        f = f * BSpline.bezier([1, -1])
+    (root,) = zeros(f)
+    low, high = condition_number(f.forms[0], m, root, m)
+    assert low <= mpq(1, 2) <= high
+    assert high - low <= mpq(1, 10**9)

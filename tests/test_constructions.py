@@ -22,7 +22,7 @@ DIMENSION = {"plane": 2, "space": 3}
 
 
 def generic(degree, dimension, *, polynomial):
-    """A Bézier curve with no accident in its data: random integers, the same every time."""
+    """A Bézier curve without coincidences in its data: random integers, the same every time."""
     numbers = random.Random(17 * degree + dimension)
     points = [[numbers.randint(-50, 50) for _ in range(dimension)] for _ in range(degree + 1)]
     weights = None if polynomial else [numbers.randint(1, 30) for _ in points]

@@ -56,7 +56,7 @@ def of_vanishing(c):
 
 
 def of_degree(c):
-    """A degree is one number; less is no upper bound of it, more no lower one; nominal and true degree differ."""
+    """A degree is one number; less is not an upper bound of it, more no lower one; nominal and true degree differ."""
     where = EVERYWHERE if c.measure == "nominal" else IN_GENERAL
     if c.relation == "=":
         yield replace(c, claimed=shifted(c, 1)), IN_GENERAL if c.measure != "nominal" else EVERYWHERE

@@ -88,7 +88,7 @@ def test_pieces_end_at_corners_and_where_the_curvature_jumps():
     ],
 )
 def test_what_does_not_exist_is_not_verified(name, ids):
-    """x/0 = y/0 is no success, however true after multiplication."""
+    """x/0 = y/0 is not a success, however true after multiplication."""
     rows = [row for row in audit(select(ids), [example(name)]) if row.status != "ours"]
     assert rows
     assert {row.verdict for row in rows if row.kind != "degree"} == {"UNDECIDED"}

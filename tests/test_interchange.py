@@ -366,7 +366,7 @@ def test_a_glyph_by_name_or_character(tmp_path):
     font.write_bytes(truetype())
     assert [named.name for named in read(f"{font}:both").curves] == ["both.1", "both.2"]
     assert [named.name for named in read(font, part="a").curves] == ["a.1"]
-    with pytest.raises(CurveFileError, match="no glyph is called 'nothing'"):
+    with pytest.raises(CurveFileError, match="there is no glyph called 'nothing'"):
         read(f"{font}:nothing")
 
 

@@ -113,7 +113,7 @@ def place(change, curve, t):
 
 
 def joints(curve):
-    """What is no smooth knot: kind, order, place, cosine and sine of the angle, gap."""
+    """What is not a smooth knot: kind, order, place, cosine and sine of the angle, gap."""
     found = []
     for j in analyse(curve).joints:
         if j.kind != "standing still" and (j.order is None or j.order < 3):
@@ -401,6 +401,8 @@ def test_the_bisector_of_a_point(name, way):
 # ---- bisectors of two curves
 
 PAIRS = [
+    "coaxial circles of one radius",
+    "a spline and its mirror image",
     "a cubic and its mirror image",
     "a cubic and a translated copy",
     "parabolas in one plane",

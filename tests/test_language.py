@@ -134,7 +134,7 @@ def test_wrong_dimensions_are_told():
             wrong()
 
 
-# ---- operands are no truth values, no power but by counting
+# ---- operands are not truth values, no power but by counting
 
 
 def operands():

@@ -79,3 +79,11 @@ def test_derivatives_of_a_term_are_those_of_its_powers(order):
     assert p.d(order).terms == expected
     assert p.d(order).exponents == (d - a, a)
     assert (p.d(order) - p.d(order)).is_zero
+
+
+def test_the_denominator_of_a_polynomial_curve_is_one():
+    c = BernsteinTermReading().argument(CURVE, 2, polynomial=True)
+    assert c.w.terms == {(0, 0): 1}
+    assert c.w.exponents == (0, 0)
+    assert (c.p[0] * c.w).terms == c.p[0].terms == {(0, 0): 1}
+    assert c.w.d(1).is_zero

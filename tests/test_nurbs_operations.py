@@ -239,7 +239,7 @@ def test_zero_curvature_at_an_irrational_root_is_zero_exactly():
     space = xs.Nurbs.from_splines([t, u**3, u**4])
     assert space.curvature(HALF) == 0
     flat = xs.Nurbs.from_splines([u, u**2, u**4])
-    assert flat.torsion(HALF) == 0, "digits of τ near 0 are no digits"
+    assert flat.torsion(HALF) == 0, "digits of τ near 0 are not digits"
 
 
 def test_a_singular_point_at_an_irrational_root_is_named():

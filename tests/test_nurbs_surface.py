@@ -262,7 +262,7 @@ def test_what_is_no_surface_at_all(tmp_path):
 
 
 def test_a_denominator_that_only_touches_zero_is_refused():
-    # w = (u − 1/3)² + (v − 1/3)² on the unit square: its zero is no dyadic number
+    # w = (u − 1/3)² + (v − 1/3)² on the unit square: its zero is not a dyadic number
     third = rational("1/3")
     line = [third**2, third**2 - third, (1 - third) ** 2]
     net = [[a + b for b in line] for a in line]

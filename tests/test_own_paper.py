@@ -289,7 +289,7 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"assumes": ["nothing ≠ 0"]}, "vanishes on every curve"),
         ({"assumes": ["turnign ≠ 0"]}, "the nearest are turning"),
         ({"key": "2-left"}, "does not begin with the id"),
-        ({"statement": 7}, "7 is no text"),
+        ({"statement": 7}, "7 is not a text"),
         ({"expected": "TRUE"}, "is unknown"),
         ({"statement": "\\u001b[2J"}, "cannot be printed"),
         ({"kind": "identity", "right": "turning_by_normal", "factor": "speed_squared^99999999"}, "too large"),
@@ -315,7 +315,7 @@ def test_words_that_nobody_knows(change, told, tmp_path):
     [
         ("[[claim]\n", "no TOML"),
         ("claim = 3\n", "no table of claims"),
-        ("claim = [3]\n", "a claim is no table"),
+        ("claim = [3]\n", "a claim is not a table"),
         ("formulas = ['../../x']\n", "the file"),
         ("formulas = 'x'\n", "formulas is 'x'"),
         ("colour = 1\n", "no 'colour'"),

@@ -5,19 +5,23 @@ import random
 import pytest
 
 from exactspline import BSpline, Nurbs, Vector, rational
+from exactspline.batch.bench.inputs import curve as bench_curve
 from exactspline.errors import FormulaError
 from exactspline.geometry.domain import part
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
-from exactspline.language.kinds import CurveKind, PairKind, TableKind
+from exactspline.language.kinds import PAIR, CurveKind, PairKind, TableKind
 from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import det
-from exactspline.papers import papers
+from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instructions
-from exactspline.programs.program import operands_of
+from exactspline.programs.invariants import TOGETHER, bending, slope, space_slope, tangent, turning, twisting
+from exactspline.programs.pairs import operands_of_pair, program_of_pair
+from exactspline.programs.program import operands_of, program_of
 from exactspline.splines.examples import example
+from exactspline.splines.tensor import surface_pair
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
 ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]
@@ -109,3 +113,73 @@ def test_equal_subexpressions_are_computed_once():
     once = formula("here", on="plane")(lambda c: det(c.p.d(1), c.p.d(2)) + 1)
     counts = [program_for(f, example("cubic_s")).count("mul") for f in (twice, once)]
     assert counts == [3, 2]
+
+
+@pytest.mark.parametrize("name", ["rational_cubic_spline", "cubic_s", "circle", "rational_quartic"])
+def test_the_lowest_forms_of_a_plane_curve_are_those_of_the_lifts(name):
+    """κ and κ′ by the shared program are the Wronskians of the lifts but for a positive constant; so are γ′ and D1."""
+    c = example(name)
+    given = operands_of(find("f2").kind, c)
+    found = {f: program_of(f, given.signature).on(given) for f in TOGETHER[2]}
+    assert found[tangent] == find("D1")(c)
+    for own, lifted in ((turning, "inflections_lifted"), (slope, "vertices_lifted")):
+        a, b = found[own], find(lifted)(c)
+        ratio = next((a(t) / b(t) for t in map(rational, ("1/7", "2/7", "3/7")) if b(t)), 1)  # 1 on a circle: 0 = 0
+        assert ratio > 0
+        assert a == b * ratio
+        assert own(c) == a
+        assert a.degree <= b.degree
+
+
+@pytest.mark.parametrize("name", ["rational_space_cubic_spline", "space_quartic", "twisted_cubic"])
+def test_the_lowest_forms_of_a_space_curve_are_those_of_the_lifts(name):
+    c = example(name)
+    given = operands_of(find("torsion").kind, c)
+    found = {f: program_of(f, given.signature).on(given) for f in TOGETHER[3]}
+    assert found[tangent] == find("D1")(c)
+    assert found[bending] == find("binormal_lifted")(c)
+    assert found[twisting] == find("torsion_zeros_lifted")(c)
+    a, b = found[space_slope], find("space_critical_curvature_lifted")(c)
+    assert a == b
+    assert space_slope(c) == a
+
+
+def pairs_of_curves():
+    """Rational space curves with segments of width one, of unequal degrees and numbers of segments."""
+    return [
+        (bench_curve(3, 1, 3, seed=1), bench_curve(2, 2, 3, seed=2)),
+        (bench_curve(2, 3, 3, seed=3), bench_curve(4, 1, 3, seed=4)),
+    ]
+
+
+def bits_of_patches(f):
+    return f.degree, f.continuity, f.stride, f.meshes, f.polynomials, f.denominators
+
+
+@pytest.mark.parametrize("f", [f for f in FORMULAS if f.kind is PAIR], ids=lambda f: f.name)
+def test_on_two_curves_a_program_computes_number_for_number_what_the_spline_reading_computes(f):
+    for one, two in pairs_of_curves():
+        pair = surface_pair(one, two)
+        given = operands_of_pair(f.kind, pair)
+        program = program_of_pair(f, given.signature)
+        if program is None:
+            continue
+        value, other = program.on(given), f(pair)
+        assert list(map(bits_of_patches, scalars(value))) == list(map(bits_of_patches, scalars(other)))
+        assert type(value) is type(other)
+
+
+def test_the_forms_of_the_bisector_have_programs():
+    one, two = pairs_of_curves()[0]
+    given = operands_of_pair(PAIR, surface_pair(one, two))
+    names = "bisector_symmetric", "bisector_determinant_symmetric", "bisector_numerators_symmetric", "chord"
+    assert all(program_of_pair(find(name), given.signature) for name in names)
+
+
+def test_two_curves_without_a_program_are_read_as_splines():
+    """The same curve twice, for naive semantics knows its operands again; polynomial curves; widths other than one."""
+    curve, odd = bench_curve(2, 1, 3), of_odd_widths(3)
+    for one, two in ((curve, curve), (curve, example("twisted_cubic")), (curve, odd)):
+        pair = surface_pair(one, two)
+        assert operands_of_pair(PAIR, pair) is None
+        assert evaluated(find("chord"), pair) == find("chord")(pair)

@@ -49,7 +49,7 @@ def test_refuted_statements_in_print_belong_to_errors_and_every_error_says_what_
     refuted = {claim.error for claim in PRINTED if claim.expected == "REFUTED"}
     meant = {claim.error for claim in all_claims() if claim.status == "meant"}
     assert refuted
-    # what is no error but a remark of ours: a statement that would be false if it were said of another formula
+    # what is not an error but a remark of ours: a statement that would be false if it were said of another formula
     remarks = {claim.error for claim in all_claims() if claim.status == "ours" and claim.expected == "REFUTED"} - {""}
     assert refuted <= meant <= refuted | remarks
     assert not any(claim.error for claim in PRINTED if claim.expected != "REFUTED")

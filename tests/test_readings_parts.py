@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
-from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, kind_of
+from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import FactoredJetReading, divided_out
 from exactspline.readings.generic_bezier import GenericReading
-from exactspline.readings.jet import JetReading, polynomial_text
+from exactspline.readings.jet import JetReading, JetRing, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
 from exactspline.readings.other_parameter import InOtherParameter
@@ -341,3 +341,47 @@ def test_generic_segments_multiply_and_differentiate_like_their_numbers(degree):
     polynomial = GenericReading(degree).argument(CURVE, 2, polynomial=True)
     assert polynomial.w.coefficients == [1]
     assert polynomial.p[0] * polynomial.w == polynomial.p[0]
+
+
+@pytest.mark.parametrize("order", range(12))
+def test_marks_of_derivatives(order):
+    raised = str(order).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    assert derivative_mark(("s",), (order,)) == ["", "′", "″", "‴", f"⁽{raised}⁾"][min(order, 4)]
+    assert derivative_mark(("u", "v"), (order, 0)) == ("_" + "u" * order if order else "")
+    assert derivative_mark(("u", "v"), (order, 2)) == "_" + "u" * order + "vv"
+
+
+def test_a_curve_of_numbers_has_the_coordinates_of_the_curve():
+    curve = example("rational_cubic")
+    series = numeric_curve(curve, "1/3", 2, 30)
+    assert len(series.p) == 2
+    for own, f in zip(series.p, curve.p, strict=True):
+        assert abs(own.value - own.context.mpf(int(f("1/3").numerator)) / int(f("1/3").denominator)) < 1e-28
+
+
+def test_the_variables_of_a_ring_are_derivatives_and_constants_once_each():
+    ring = JetRing(kind_of("plane with delta"), 2, 2)
+    assert sorted(ring.variables) == sorted([*[(n, (k,)) for n in ("x", "y", "w") for k in range(3)], ("delta", (0,))])
+    assert ring.constants == ("delta",)
+    hodograph = JetRing(kind_of("hodograph"), 2, 1)
+    assert len(set(hodograph.variables)) == len(hodograph.variables)
+    assert [n for n, _ in hodograph.variables if n in hodograph.rules] == list(hodograph.rules)
+
+
+@pytest.mark.parametrize("terms", [1, 3])
+def test_the_denominator_of_a_polynomial_curve_is_one_at_infinity(terms):
+    c = LeadingTermsReading(terms, 1).argument(CURVE, 2, polynomial=True)
+    ((grading, known),) = c.w.parts.items()
+    assert grading == (0, 0)
+    assert known == [1, *[0] * (terms - 1)]
+    assert (c.p[0] * c.w).parts == c.p[0].parts
+
+
+def test_derivatives_by_the_parameters_of_a_surface_are_subscripts():
+    x = TreeReading().argument(SURFACE, 3).p[0]
+    assert print_text(x.d(1, by="u")) == "p[0]_u"
+    assert print_text(x.d(2, by="u").d(1, by="v")) == "p[0]_uuv"
+    assert print_text((x.d(1, by="u") * 2).d(1, by="v")) == "(p[0]_u 2)_v"
+    curve = TreeReading().argument(PAIR, 3).first
+    assert print_text(curve.w.d(1, by="s")) == "∂_s w"
+    assert print_text(curve.w.d(1)) == "w′"

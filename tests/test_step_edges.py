@@ -36,7 +36,7 @@ def test_an_edge_on_a_circle_runs_from_vertex_to_vertex():
             assert z == 2
     assert (quarter(quarter.domain[0]), quarter(quarter.domain[1])) == ((5, 0, 2), (0, 5, 2))
     assert quarter.segments == 1
-    # the other way round the circle, run backwards: from the second vertex on
+    # the other way round the circle, reversed: from the second vertex on
     assert (rest(rest.domain[0]), rest(rest.domain[1])) == ((0, 5, 2), (5, 0, 2))
     assert rest.segments == 3
     assert whole.closed

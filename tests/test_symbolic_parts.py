@@ -6,7 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
+from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE, PAIR, SPACE
+from exactspline.language.ruled import ruled
 from exactspline.language.vector import Vector, det, norm2
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
@@ -21,6 +23,7 @@ from exactspline.symbolic.motions import MAPS
 from exactspline.symbolic.motions import _rotation as rotation
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.symbolic.substitution import substitute
+from exactspline.verification.kinds.invariance import _image as image_of
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -193,8 +196,8 @@ def test_what_lowers_degrees_is_the_same_for_symbols_and_numbers(name):
     """L = Σ i (d − i + 1) f⁽ⁱ⁻¹⁾ ∂/∂f⁽ⁱ⁾."""
     n = 3 if name == "D1_D2_D3" else 2
     jet = find(name)(JetReading(order_of(find(name), n)).argument(CURVE, n))
-    symbolic = covariants._lowered(jet.ring, covariants._with_d(jet.ring, jet.polynomial))
-    again = covariants._lowered(jet.ring, symbolic)
+    symbolic = covariants._lowered(jet.ring, covariants._with_d(jet.ring, jet.polynomial), Parameter.FIRST)
+    again = covariants._lowered(jet.ring, symbolic, Parameter.FIRST)
     gens = [jet.ring.context.gen(i) for i in range(len(jet.ring.gens))]
     for d in range(1, 9):
         at = lambda p, d=d: p.compose(jet.ring.context.constant(d), *gens, ctx=jet.ring.context)  # noqa: E731
@@ -296,3 +299,54 @@ def test_the_inversion_divides_distances_by_those_from_the_origin(n):
         z = points[0]
         u = images[0]
         assert Vector(z[0] * u[0] - z[1] * u[1], z[0] * u[1] + z[1] * u[0]) == Vector(1, 0)
+
+
+@pytest.mark.parametrize("name", ["tangent_developable", "normal_scroll", "plane_bisector", "evolute", "focal_curve"])
+def test_what_is_joined_is_every_part_over_one_denominator(name):
+    dimension = 2 if name in ("plane_bisector", "evolute") else 3
+    found = reduction(name, dimension)
+    *components, denominator = [jet.polynomial for jet in found.joined]
+    for part in found.parts:
+        top, bottom = part.lowest
+        own, components = components[: len(top)], components[len(top) :]
+        assert [x * bottom.polynomial for x in own] == [x.polynomial * denominator for x in top]
+        assert denominator % bottom.polynomial == 0
+    assert not components
+
+
+def test_parts_with_unequal_denominators_are_joined_over_their_least_multiple():
+    found = reduce(lambda c: ruled(c.p / c.w, Vector(*[x / (c.w * c.p[0]) for x in c.p.d(1)])), dimension=3)
+    c = JetReading(1).argument(SPACE, 3)
+    *components, denominator = found.joined
+    bottoms = [part.lowest[1] for part in found.parts]
+    assert any(bottom != denominator for bottom in bottoms)
+    assert c.w.polynomial.total_degree() == 1
+    for part in found.parts:
+        top, bottom = part.lowest
+        own, components = components[: len(top)], components[len(top) :]
+        assert all(x * bottom == y * denominator for x, y in zip(own, top, strict=True))
+
+
+def test_a_jet_with_fractions_for_coefficients_on_a_curve():
+    curve, c = example("rational_cubic"), JetReading(1).argument(CURVE, 2)
+    x, y, w = *c.p, c.w
+    p, q, v = *curve.p, curve.w
+    for jet, expected in (
+        (x * y * mpq(2, 3) - w * w * mpq(5, 4), p * q * mpq(2, 3) - v * v * mpq(5, 4)),
+        (x * mpq(1, 7), p * mpq(1, 7)),
+        (w.constant(mpq(3, 5)), v.constant(mpq(3, 5))),
+        (x.d(1) * mpq(1, 6) + mpq(1, 4), p.d(1) * mpq(1, 6) + mpq(1, 4)),
+        (x * 6 + y * 4, p * 6 + q * 4),
+    ):
+        assert substitute(jet, curve) == expected
+
+
+def test_points_are_moved_by_their_coordinates():
+    p = Vector(mpq(3), mpq(4))
+    assert image_of(p, MAPS["inversion"], {}, mpq(1)) == [mpq(3, 25), mpq(-4, 25)]
+    k = {"move1": mpq(1), "move2": mpq(-2)}
+    assert image_of(p, MAPS["translation"], k, mpq(1)) == [4, 2]
+    matrix = {f"m{i}{j}": mpq(3 * i + j * j) for i in (1, 2, 3) for j in (1, 2, 3)}
+    top, below = MAPS["projective map"].image(p, mpq(1), matrix)
+    assert image_of(p, MAPS["projective map"], matrix, mpq(1)) == [x / below for x in top]
+    assert below not in (0, 1)

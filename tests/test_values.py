@@ -192,7 +192,7 @@ def test_nothing_is_equal_to_zero_over_zero():
         assert not other == nothing  # noqa: SIM201
     half = xs.BSpline(0, [0, 1, 2], [0, 1])
     partly = (half * half) / half
-    assert partly != half / half.constant(1), "0/0 on one segment is no function"
+    assert partly != half / half.constant(1), "0/0 on one segment is not a function"
     assert hash(nothing) == hash(zero / zero)
 
 

@@ -1,4 +1,4 @@
-"""Files are there whole or not at all, and what is no file is left alone."""
+"""Files are there whole or not at all, and what is not a file is left alone."""
 
 import os
 import stat

@@ -6,10 +6,11 @@ import re
 import shutil
 import sys
 from pathlib import Path
+from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import page_data, pages
+from docs.site import benchmarks, page_data, pages
 from docs.site.vendor import vendor
 
 HERE = Path(__file__).parent
@@ -19,13 +20,16 @@ BUILD = PROJECT / "build" / "site"
 
 #: The pages that are written by hand, in reading order.
 WRITTEN = (
-    "your-own-paper",
+    "first-hour",
     "teaching",
+    "what-is-trusted",
     "ten-claims",
+    "your-own-paper",
     "degree-theorem",
     "bisectors",
     "conditioning",
     "certified-filter",
+    "scoreboard",
 )
 
 
@@ -43,14 +47,15 @@ def main() -> int:
     (source / "_static" / "mathjax").mkdir(parents=True)
     shutil.move(play / "vendor" / "mathjax" / "tex-svg.js", source / "_static" / "mathjax")
     shutil.rmtree(play / "vendor" / "mathjax")
-    page_data.write(play / "data")
-    _lay_out(source)
+    claims = page_data.claims()
+    page_data.write(play / "data", claims)
+    _lay_out(source, claims)
     return int(
         build_main(["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)])
     )
 
 
-def _lay_out(source: Path) -> None:
+def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     """All pages and their contents list."""
     for file in (HERE / "conf.py", *DOCS.glob("*.md")):
         shutil.copy(file, source)
@@ -61,12 +66,15 @@ def _lay_out(source: Path) -> None:
     reference = pages.reference(source / "reference")
     pages.write_glossary(source / "glossary.md")
     pages.write_errata(source / "errata.md")
+    ledgers = pages.write_ledgers(source / "ledger", claims)
+    benchmarks.write_page(source / "benchmarks.md")
     pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
     written = [page for page in WRITTEN if (source / f"{page}.md").exists()]
     house = sorted(file.stem for file in DOCS.glob("*.md") if file.stem not in WRITTEN)
     contents = {
         "Notebooks": notebooks,
-        "To read": [*written, "errata", "gallery", "glossary"],
+        "To read": [*written, "gallery", "benchmarks", "glossary"],
+        "Ledgers": ["errata", *ledgers],
         "Reference": reference,
         "The house": house,
     }

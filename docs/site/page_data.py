@@ -23,13 +23,13 @@ CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
 DEGREES = range(2, 13)
 
 
-def write(folder: Path) -> None:
+def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
     """The files of the pages, as JSON."""
     folder.mkdir(parents=True, exist_ok=True)
     shown = surfaces()
     (folder / "surfaces").mkdir(exist_ok=True)
     listed = [{key: one[key] for key in ("name", "title", "caption")} for one in shown]
-    told = {"curves": curves(), "degrees": degrees(), "claims": claims(), "surfaces": listed}
+    told = {"curves": curves(), "degrees": degrees(), "claims": ledger, "surfaces": listed}
     told |= {f"surfaces/{one['name']}": one["scenes"] for one in shown}
     for name, made in told.items():
         (folder / f"{name}.json").write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")

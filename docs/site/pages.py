@@ -5,10 +5,18 @@ from __future__ import annotations
 import inspect
 import subprocess
 import sys
+from collections import Counter
+from collections.abc import Iterable
+from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 import exactspline as xs
 from exactspline.display.glossary import glossary
+from exactspline.display.sheet import Sheet
+
+#: What stands in the place of words that the source does not have.
+STATUS = {"ours": "goes beyond the source", "meant": "as the printed statement must read"}
 
 Toctree = list[tuple[str, list[str]]]
 
@@ -51,6 +59,34 @@ def write_glossary(file: Path) -> None:
     for topic, terms in glossary().items():
         lines += [f"## {topic.capitalize()}", *(f"{term}\n: {meaning}" for term, meaning in terms.items())]
     file.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
+
+
+def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
+    """A page a source: its words beside the statement that is decided, and the verdict for all curves."""
+    folder.mkdir(parents=True, exist_ok=True)
+    by_source: dict[str, list[dict[str, Any]]] = {}
+    for claim in claims:
+        by_source.setdefault(claim["paper"], []).append(claim)
+    for name, told in by_source.items():
+        counts = Counter(claim["verdict"] for claim in told)
+        lines = [
+            f"# {told[0]['title']}",
+            ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()) + ".",
+        ]
+        lines.append(
+            "What was found for all curves; a verdict is explained in the [glossary](../glossary.md). Formulas, degrees "
+            'and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
+        )
+        for place, group in groupby(told, lambda claim: claim["source"]):
+            sheet = Sheet("claim", "the source's words", "as it is decided", "verdict", "what is true")
+            for c in group:
+                words = f"“{c['words']}” ({c['place']})" if c["words"] else STATUS.get(c["status"], "–")
+                found = "" if c["computed"] == c["claimed"] else c["computed"] or c["witness"]
+                decided = c["statement"] if c["claimed"] in c["statement"] else f"{c['statement']}: {c['claimed']}"
+                sheet.add_row(c["id"], words, decided, c["verdict"], found)
+            lines += [f"## {place}", sheet.markdown()]
+        (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
+    return [f"{folder.name}/{name}" for name in by_source]
 
 
 def write_errata(file: Path) -> None:

@@ -1,6 +1,7 @@
 """Where a sweep is computed: in this process, in processes of this machine, on a Dask or a Ray cluster.
 
-joblib does all but the first; what it is given is bounded, and its results come in the order of the curves.
+joblib does all but the first; the number of its pending tasks is bounded, and its results come in the order of the
+curves.
 """
 
 from __future__ import annotations
@@ -18,9 +19,9 @@ from exactspline.errors import ExactSplineError, nearest
 T = TypeVar("T")
 V = TypeVar("V")
 
-#: Name → the package that it needs beside joblib; the extra of the same name installs it.
+#: Name → the package that it needs besides joblib; the extra of the same name installs it.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
-#: Curves that are sent together: few enough for slow ones, enough for what sending costs.
+#: How many curves are sent together: few enough for slow ones, enough to outweigh the cost of sending.
 CHUNK = 16
 #: Chunks of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
 WINDOW = 64
@@ -33,7 +34,7 @@ class BackendError(ExactSplineError):
 def check_backend(name: str) -> None:
     """Raise `BackendError` where a backend is unknown or its package is missing."""
     if name not in BACKENDS:
-        raise BackendError(f"no backend is called {name!r}", remedy=nearest(name, BACKENDS))
+        raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
         raise BackendError(
             f"the backend {name} needs {needed}, which is not installed",
@@ -48,10 +49,10 @@ def mapped(
     jobs: int = 1,
     scheduler: str = "",
 ) -> Iterator[V]:
-    """What `call` gives for chunks of the given, one after the other in their order.
+    """The results of `call` for the chunks of the input, in order.
 
     At most `CHUNK` · `WINDOW` a process are held at a time, however many there are and however slowly the results are
-    taken. Closing the generator ends the work when the chunks that are begun are finished.
+    taken. Closing the generator ends the work when the chunks in progress are finished.
 
     >>> list(mapped(lambda chunk: [2 * x for x in chunk], [3, 1, 2]))
     [6, 2, 4]
@@ -81,8 +82,8 @@ def mapped(
 
 @contextmanager
 def _interrupts_ignored() -> Iterator[None]:
-    """Start processes that Ctrl-C does not reach, though the terminal sends it to all: it is this process that ends the
-    sweep, in order. A signal that is ignored stays so in the processes that are started meanwhile.
+    """Start processes that ignore Ctrl-C, which the terminal sends to all: this process ends the sweep in an orderly
+    way. Child processes inherit the ignored signal.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -95,8 +96,8 @@ def _interrupts_ignored() -> Iterator[None]:
 
 
 def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
-    """What is in the chunks of results. Where nobody takes them any more, those begun are waited for: processes
-    that are killed at their work complain.
+    """The results in the chunks. When the consumer stops, chunks in progress are awaited, since killed processes
+    complain.
     """
     try:
         for chunk in results:
@@ -127,7 +128,7 @@ def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManag
 
 @contextmanager
 def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
-    """A Dask cluster that is there, or one of this machine for as long as the sweep lasts."""
+    """A running Dask cluster, or a local one for as long as the sweep lasts."""
     from distributed import Client, LocalCluster
     from joblib import parallel_config
 
@@ -145,7 +146,7 @@ def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
 
 @contextmanager
 def _on_ray(jobs: int, scheduler: str) -> Iterator[None]:
-    """A Ray cluster that is there, or one of this machine for as long as the sweep lasts."""
+    """A running Ray cluster, or a local one for as long as the sweep lasts."""
     import ray
     from joblib import parallel_config
     from ray.util.joblib import register_ray

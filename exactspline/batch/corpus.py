@@ -1,4 +1,4 @@
-"""Corpora: curve files, folders, fonts, families, curves themselves, one after the other and never all at once."""
+"""Corpora: curve files, folders, fonts, families and single curves, read one after the other and never all at once."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.verdict import ContradictionError
 
-#: What a corpus is made of: curves, families, and the names of files, folders and example curves.
+#: The sources of a corpus: curves, families, and the names of files, folders and example curves.
 Source = Nurbs | Family | str
-#: What the progress counts a generated curve as, in bytes of a file.
+#: The weight of a generated curve in the progress, in bytes of a file.
 BYTES_A_CURVE = 1000
 
 
@@ -31,14 +31,16 @@ class Problem:
 
     @classmethod
     def of(cls, error: Exception) -> Problem:
-        """What an exception says. Readings that contradict each other are never the fault of the input."""
+        """The problem that an exception reports. Readings that contradict each other are never the fault of the
+        input.
+        """
         to_blame = isinstance(error, ExactSplineError) and not isinstance(error, ContradictionError)
         return cls(type(error).__name__, str(error), to_blame)
 
 
 @dataclass(frozen=True)
 class Member:
-    """A curve of a family that is made where it is needed."""
+    """A curve of a family, made when it is needed."""
 
     family: Family
     number: int
@@ -46,7 +48,7 @@ class Member:
 
 @dataclass(frozen=True)
 class Item:
-    """A curve of a corpus, or what stands where none can be read; `share` of the corpus, at most 1, is read with it."""
+    """A curve of a corpus, or the problem where none can be read; `share` of the corpus, at most 1, is read with it."""
 
     index: int
     source: str
@@ -63,9 +65,9 @@ class Item:
 
 
 def items(sources: Iterable[Source]) -> Iterator[Item]:
-    """All curves of a corpus in order. What cannot be read is an item with its problem, never an exception.
+    """All curves of a corpus in order. An unreadable one is an item with its problem, never an exception.
 
-    Sources that have a length are looked over first, so that the share that is done is known.
+    Sources with a length are scanned first, so that the share that is done is known.
 
     >>> from exactspline import example
     >>> [(item.index, item.source, item.name) for item in items(["circle", example("cusp"), Family(count=1)])]
@@ -90,8 +92,8 @@ Part = tuple[str, str, Nurbs | Member | Problem, tuple[int, int]]
 
 
 def _places(source: Source) -> list[Source]:
-    """The files of a folder in the order of their names, those with a suffix of a format that is read; anything else
-    is itself.
+    """The files of a folder in the order of their names, those with the suffix of a format that is read; any other
+    source is returned unchanged.
     """
     if not isinstance(source, str) or not os.path.isdir(source):
         return [source]
@@ -109,7 +111,7 @@ def _size(source: Source) -> int:
 
 
 def _parts(source: Source) -> Iterator[Part]:
-    """The curves of one source, and how many of how many have come with each."""
+    """The curves of one source, each with the number done and the total."""
     if isinstance(source, Nurbs):
         yield "", source.name, source, (1, 1)
     elif isinstance(source, Family):
@@ -122,7 +124,7 @@ def _parts(source: Source) -> Iterator[Part]:
 
 
 def _of_file(place: str) -> Iterator[Part]:
-    """The curves of a file and after them what was skipped in it, or the one problem that it is."""
+    """The curves of a file followed by what was skipped in it, or the problem of the whole file."""
     try:
         if place in example_names() and not os.path.exists(place):
             yield place, place, example(place), (1, 1)

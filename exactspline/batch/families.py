@@ -1,4 +1,4 @@
-"""Families of random curves: the curve of a number is made from the seed and that number alone, wherever it is made."""
+"""Families of random curves: the curve with a number depends on the seed and that number alone, wherever it is made."""
 
 from __future__ import annotations
 
@@ -10,15 +10,16 @@ from exactspline.errors import CurveFileError, nearest
 from exactspline.splines.nurbs import Nurbs
 
 Range = tuple[int, int]
-#: What may be said of a family that is no number.
+#: The parameters of a family that are not numbers.
 KINDS = ("no", "yes", "half")
-#: Above these a single random curve takes minutes; a list of control points of that length is a curve file.
+#: Beyond these a single random curve takes minutes.
 MOST = {"degree": 60, "segments": 100_000, "bits": 100_000}
 
 
 @dataclass(frozen=True)
 class Family:
-    """Random curves with simple knots 0, 1, 2, …, integer control points of so many bits and weights of 1 to 20.
+    """Random curves with simple knots 0, 1, 2, …, integer control points of a given number of bits and weights of 1 to
+    20.
 
     >>> family = Family.parsed("degree=2-5 segments=1-4 rational=half count=400 seed=1")
     >>> curve = family.curve(7)
@@ -36,7 +37,7 @@ class Family:
 
     @classmethod
     def parsed(cls, text: str | Iterable[str]) -> Family:
-        """The family that ``degree=5 count=1000 seed=1`` describes, words apart by blanks or commas.
+        """The family that ``degree=5 count=1000 seed=1`` describes, words separated by blanks or commas.
 
         Raises `CurveFileError` for an unknown word or a number out of range.
         """
@@ -70,7 +71,7 @@ class Family:
 
 
 def names() -> tuple[str, ...]:
-    """What may be said of a family."""
+    """The parameters of a family."""
     return tuple(field.name for field in fields(Family))
 
 

@@ -1,4 +1,4 @@
-"""What can be looked for on every curve of a sweep, by name."""
+"""The features that a sweep can search for, by name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
 Points = Sequence[Feature] | Sequence[Joint] | Sequence[CurvePiece]
-#: Name → what looks for it.
+#: Name → the function that finds it.
 INSPECTIONS: dict[str, Callable[[Nurbs], Points]] = {
     "inflections": features.inflections,
     "extrema": features.curvature_extrema,
@@ -25,9 +25,9 @@ INSPECTIONS: dict[str, Callable[[Nurbs], Points]] = {
     "constant_pieces": features.constant_pieces,
     "torsion_zeros": features.torsion_zeros,
 }
-#: What is looked for where nothing is said.
+#: The default inspections.
 USUAL = ("inflections", "extrema", "corners")
-#: What only curves in space have.
+#: Inspections of space curves only.
 IN_SPACE = ("torsion_zeros",)
 
 
@@ -47,7 +47,7 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def inspected(curve: Nurbs, names: Iterable[str], digits: int) -> dict[str, tuple[Found, ...]]:
-    """What is found on a curve, by name; what its dimension cannot have is left out.
+    """The features of a curve, by name; those that its dimension cannot have are skipped.
 
     >>> from exactspline import example
     >>> for each in inspected(example("six_segment_cubic"), ["inflections"], 3)["inflections"]:

@@ -1,4 +1,4 @@
-"""What a sweep says of one curve: a line, as an object and as data under a published schema."""
+"""The result of a sweep for one curve: a line, as an object and as data under a published schema."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, field
 
 from exactspline.batch.corpus import Problem
 
-#: The schema of a line grows a version when a field changes its meaning or goes.
+#: The schema of a line gets a new version when a field changes its meaning or is removed.
 VERSION = 1
 
 
@@ -16,8 +16,8 @@ class Found:
     """A point or a piece that was found: its kind, its parameter where that is rational, and where it lies.
 
     A rational parameter is `low` and `high`; an irrational one lies strictly between these two, neighbouring decimals
-    of as many digits as were asked for; a piece runs from `low` to `high`, across the seam of a closed curve by way of
-    the end of its domain.
+    with as many digits as were asked for; a piece runs from `low` to `high`, across the seam of a closed curve by way
+    of the end of its domain.
     """
 
     kind: str
@@ -38,8 +38,8 @@ class Judged:
 
 @dataclass(frozen=True)
 class Line:
-    """Everything about one curve. Lines are equal when they say the same: the processor time that a line took is
-    part of its data, not of what it says.
+    """Everything about one curve. Lines are equal when their results are: the processor time of a line is part of its
+    data, but not compared.
     """
 
     index: int
@@ -55,7 +55,7 @@ class Line:
     seconds: float = field(default=0, compare=False)
 
     def data(self) -> dict[str, object]:
-        """The line for a program, as `line_schema` says."""
+        """The line as data, as `line_schema` describes it."""
         return asdict(self) | {
             "found": {name: [asdict(each) for each in points] for name, points in self.found.items()},
             "claims": [asdict(each) for each in self.claims],
@@ -69,7 +69,7 @@ class Line:
         >>> Line.from_data(line.data()) == line
         True
 
-        Raises `KeyError` or `TypeError` for what is no line.
+        Raises `KeyError` or `TypeError` for what is not a line.
         """
         given: dict[str, object] = dict(data)
         found, claims, error = (given.pop(name) for name in ("found", "claims", "error"))
@@ -78,7 +78,7 @@ class Line:
         given["found"] = {name: tuple(Found(**each) for each in points) for name, points in found.items()}
         given["claims"] = tuple(Judged(**each) for each in claims)
         given["error"] = Problem(**error) if isinstance(error, dict) else None
-        return cls(**given)  # type: ignore[arg-type]  # data just parsed: what it holds is checked by the schema
+        return cls(**given)  # type: ignore[arg-type]  # data just parsed, whose contents the schema checks
 
 
 def line_schema() -> dict[str, object]:

@@ -1,6 +1,6 @@
 """The exact oracle: questions about a curve, answered exactly, in certified intervals and as correctly rounded doubles.
 
-A question is text: a name, an argument behind a colon, parameters behind an @. ``value@1/2``, ``derivative:2@0,1/3``,
+A question is text: a name, an argument after a colon, parameters after an @. ``value@1/2``, ``derivative:2@0,1/3``,
 ``curvature@inflections``, ``elevate:2``, ``inflections``.
 """
 
@@ -22,7 +22,7 @@ def question_of(asked: str) -> Question:
     name, _, argument = head.partition(":")
     if name not in QUESTIONS:
         remedy = nearest(name, QUESTIONS, listed_by="exactspline oracle --list")
-        raise QuestionError(f"no question is called {name!r}", remedy=remedy)
+        raise QuestionError(f"there is no question called {name!r}", remedy=remedy)
     return Question(asked.strip(), name, argument, tuple(tail.split(",")) if at else ())
 
 
@@ -36,8 +36,8 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
     6.283185307179587
 
-    Raises `QuestionError` for what is no question, and the `ExactSplineError` of a question that the curve has no
-    answer to.
+    Raises `QuestionError` for an unknown question, and another `ExactSplineError` where the question has no answer for
+    the curve.
     """
     question = question_of(asked)
     items, certificates = QUESTIONS[question.name].answer(curve, question)

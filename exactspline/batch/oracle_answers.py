@@ -1,4 +1,4 @@
-"""Questions to the oracle and what its answers consist of; answers as data for programs."""
+"""Questions to the oracle and their answers; answers as data."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surd import Surd
 
-#: Digits behind the point to which an interval is told.
+#: Digits after the point of an interval.
 DIGITS = 30
 
 
@@ -24,7 +24,7 @@ class QuestionError(ExactSplineError):
 
 @dataclass(frozen=True)
 class Item:
-    """One thing that was found: what it is, its numbers by name, and what else is known of it."""
+    """One result: what it is, its numbers by name, and further facts."""
 
     what: str
     values: Mapping[str, Real]
@@ -33,7 +33,7 @@ class Item:
 
 @dataclass(frozen=True)
 class Answer:
-    """The answer to a question: items in order, and the certificates of the zero sets that it rests on."""
+    """The answer to a question: items in order, and the certificates of the zero sets on which it relies."""
 
     question: str
     items: tuple[Item, ...]
@@ -55,7 +55,7 @@ class Question:
             return int(self.argument)
         if otherwise is not None and not self.argument:
             return otherwise
-        raise QuestionError(f"{self.text!r} needs a whole number up to 999 behind the colon", remedy=f"{self.name}:2")
+        raise QuestionError(f"{self.text!r} needs a whole number up to 999 after the colon", remedy=f"{self.name}:2")
 
     def parameters(self, curve: Nurbs) -> list[mpq | Root]:
         """The parameters: exact numbers, or the features of the curve by their name."""
@@ -85,7 +85,7 @@ def _parameters(curve: Nurbs, place: str) -> list[mpq | Root]:
 
 
 def answer_data(answer: Answer, digits: int = DIGITS) -> dict[str, object]:
-    """An answer as data for programs (see ``exactspline schema oracle``)."""
+    """An answer as data (see ``exactspline schema oracle``)."""
     return {
         "question": answer.question,
         "items": [
@@ -102,7 +102,7 @@ def answer_data(answer: Answer, digits: int = DIGITS) -> dict[str, object]:
 
 def number_data(value: Real, digits: int = DIGITS) -> dict[str, object]:
     """A number: exactly where it is rational or ``a√b`` and known to be, in a certified interval, and as the correctly
-    rounded double (null where it is too large, or its ball leaves that open).
+    rounded double (null where it is too large, or where its ball does not determine it).
 
     >>> number_data(Real.of(mpq(1, 3)))
     {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}

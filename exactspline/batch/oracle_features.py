@@ -1,4 +1,4 @@
-"""Where the oracle finds something: inflections, extrema, cusps, corners, joints, and the box around a curve."""
+"""Features for the oracle: inflections, extrema, cusps, corners, joints, and the bounding box of a curve."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def singular(curve: Nurbs, question: Question) -> Found:
 
 
 def cusps(curve: Nurbs, question: Question) -> Found:
-    """The singular points at which the direction is turned round."""
+    """The singular points at which the direction is reversed."""
     facts = analyse(curve)
     return _points(curve, [f for f in facts.singular_points if f.kind is FeatureKind.CUSP], facts.speed.zeros)
 
@@ -91,7 +91,7 @@ def _joint(joint: Joint) -> Item:
 
 
 def turns(curve: Nurbs, question: Question) -> Found:
-    """Where a coordinate turns."""
+    """The extrema of a coordinate."""
     axis = question.number(0)
     if axis >= curve.dimension:
         raise QuestionError(f"the coordinate {axis} of a curve in R{curve.dimension}", remedy="0 is x, 1 is y, 2 is z")

@@ -18,7 +18,7 @@ Found: TypeAlias = tuple[Iterable[Item], Iterable[dict[str, object]]]
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of question: how it is asked, what it asks, and what answers it."""
+    """A kind of question: its syntax, its meaning, and the function that answers it."""
 
     asked: str
     meaning: str
@@ -30,27 +30,27 @@ QUESTIONS: dict[str, Kind] = {
     kind.asked.partition("@")[0].partition(":")[0]: kind
     for kind in (
         Kind("value@T", "the point", values.value),
-        Kind("derivative:K@T", "the derivative of order K (1 where none is said)", values.derivative),
+        Kind("derivative:K@T", "the derivative of order K (by default 1)", values.derivative),
         Kind("curvature@T", "the curvature: signed in the plane, not negative in space", values.curvature),
         Kind("torsion@T", "the torsion of a space curve", values.torsion),
         Kind("frame@T", "unit tangent and normal, in space also the binormal", values.frame),
-        Kind("insert:M@T", "the control points with the knot T M times more (once where none is said)", shapes.insert),
-        Kind("remove:M@T", "the control points with the knot T M times less", shapes.remove),
-        Kind("elevate:K", "the control points with the degree raised by K (1 where none is said)", shapes.elevate),
-        Kind("split@T", "the control points of the parts before and behind T", shapes.split),
+        Kind("insert:M@T", "the control points with the knot T inserted M times (by default once)", shapes.insert),
+        Kind("remove:M@T", "the control points with the knot T removed M times", shapes.remove),
+        Kind("elevate:K", "the control points with the degree raised by K (by default 1)", shapes.elevate),
+        Kind("split@T", "the control points of the parts before and after T", shapes.split),
         Kind("product:IJ", "the control points of the product of the coordinates I and J (0 is x)", shapes.product),
         Kind("evolute", "the control points of the evolute, piece by piece", shapes.evolute),
         Kind("inflections", "the zeros of the curvature at regular points", features.inflections),
         Kind("extrema", "the extrema of the curvature", features.extrema),
         Kind("torsion_zeros", "the zeros of the torsion", features.torsion_zeros),
-        Kind("cusps", "the points with γ′ = 0 where the direction is turned round", features.cusps),
+        Kind("cusps", "the points with γ′ = 0 where the direction is reversed", features.cusps),
         Kind("singular", "all points with γ′ = 0", features.singular),
         Kind("corners", "the joints at which the tangent turns, with the angle", features.corners),
         Kind("joints", "all joints: kind, order of geometric continuity, angle, gap", features.joints),
-        Kind("turns:I", "where the coordinate I goes from up to down or back", features.turns),
+        Kind("turns:I", "where the coordinate I changes from increasing to decreasing or back", features.turns),
         Kind("bounding_box", "the smallest and largest value of every coordinate", features.bounding_box),
         Kind("area", "the signed area inside a closed polynomial plane curve", shapes.area),
-        Kind("moments:K", "its moments ∬ xⁱ yʲ with i + j ≤ K (2 where none is said)", shapes.moments),
+        Kind("moments:K", "its moments ∬ xⁱ yʲ with i + j ≤ K (by default 2)", shapes.moments),
         Kind("length", "the arc length", shapes.length),
     )
 }

@@ -1,4 +1,4 @@
-"""What the oracle makes of a curve: other control points, products, evolutes, area and moments, arc length."""
+"""Shapes for the oracle: other control points, products, evolutes, area and moments, arc length."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def insert(curve: Nurbs, question: Question) -> Found:
 
 
 def remove(curve: Nurbs, question: Question) -> Found:
-    """A knot removed; `ReductionError` where the function changes with it."""
+    """A knot removed; `ReductionError` where that changes the function."""
     t, times = question.single(curve), question.number(1)
     return control_points(changed(curve, lambda f: f.remove_knot(t, times))), ()
 
@@ -107,7 +107,7 @@ def _closed(curve: Nurbs) -> Nurbs:
     if curve.dimension != 2 or not curve.polynomial or not curve.closed:
         raise ShapeError(
             "the area of a curve that is not closed, polynomial and in the plane",
-            remedy="of a rational curve the area is no rational number in general",
+            remedy="of a rational curve the area is not a rational number in general",
         )
     if any(joint.kind is JointKind.GAP for joint in analyse(curve).joints):
         raise ShapeError("the area of a curve with a gap", remedy="close the gap")

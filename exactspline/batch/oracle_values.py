@@ -1,4 +1,4 @@
-"""What the oracle tells at a parameter: point, derivatives, curvature, torsion, frame."""
+"""Values for the oracle at a parameter: point, derivatives, curvature, torsion, frame."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def axes(curve: Nurbs) -> list[str]:
 
 
 def _told(curve: Nurbs, question: Question, what: str, values: Callable[[mpq | Root], dict[str, Real]]) -> Found:
-    """An item a parameter."""
+    """One item per parameter."""
     places = question.parameters(curve)
     return [Item(what, {"parameter": Real.of(t)} | values(t)) for t in places], ()
 

@@ -1,4 +1,4 @@
-"""Results as Parquet (the extra `parquet`): a folder of parts, each there whole or not at all."""
+"""Results as Parquet (the extra `parquet`): a folder of parts, each written whole or not at all."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from exactspline.batch.results import Results, ResultsError, Settings, locked
 if TYPE_CHECKING:
     import pyarrow
 
-#: A part has at most so many rows, and is written after so many seconds: what a kill costs at most.
+#: A part has at most so many rows, and is written after so many seconds: which bounds the loss by a kill.
 ROWS, SECONDS = 10_000, 60
 
 
 class Parquet(Results):
     """A folder of parts ``part-000000000.parquet``, each named by the index of its first row.
 
-    A column for everything that was looked for, a list of ``{kind, parameter, low, high}`` each; readers of folders
-    (pyarrow, pandas, DuckDB, polars) take the parts together and pass over the settings.
+    A column for every feature that was searched for, a list of ``{kind, parameter, low, high}`` each; readers of
+    folders (pyarrow, pandas, DuckDB, polars) combine the parts and ignore the settings.
     """
 
     def __init__(self, place: Path, settings: Settings) -> None:
@@ -85,7 +85,7 @@ class Parquet(Results):
             self._write()
 
     def close(self) -> None:
-        """Write the part that is begun."""
+        """Write the unfinished part."""
         try:
             self._write()
         finally:

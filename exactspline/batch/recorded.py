@@ -1,4 +1,4 @@
-"""A sweep with its results on disk: what is there is read and held against the corpus, what is missing is computed."""
+"""A sweep with its results on disk: existing lines are read and compared with the corpus, missing ones are computed."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Where:
 
 
 def settings(sources: Sequence[Source], work: Work) -> dict[str, object]:
-    """What results depend on: only where all of it is the same may they be gone on with."""
+    """The settings on which results depend: a sweep may only be continued with the same ones."""
     return {
         "schema": "exactspline/sweep_line",
         "version": VERSION,
@@ -49,9 +49,9 @@ def recorded(
 ) -> None:
     """Sweep a corpus into a file (`opened`), or nowhere, and count all of its lines.
 
-    Where the file is there already, its lines are counted and the sweep goes on behind them. `tick` is called with the
-    share of the corpus that is done, the line, and whether it was there already. Once `stopped` says so no curve is
-    begun any more; those that are begun are finished.
+    If the file exists, its lines are counted and the sweep continues after them. `tick` is called with the
+    share of the corpus that is done, the line, and whether it existed before. Once `stopped` returns true, no further
+    curve is started; those in progress are finished.
 
     Raises `ResultsError` where the results cannot be written or are of another corpus.
     """
@@ -66,7 +66,7 @@ def recorded(
                 return
             if item is None or (item.source, item.name) != (line.source, line.curve):
                 raise ResultsError(
-                    f"line {line.index + 1} is about {line.source or line.curve}, which the corpus has not there",
+                    f"line {line.index + 1} is about {line.source or line.curve}, which is not there in the corpus",
                     where=output,
                     remedy="the corpus has changed: write to another file",
                 )
@@ -76,7 +76,7 @@ def recorded(
 
 
 def opened(place: str, settings: Settings) -> Results:
-    """Results at a place, begun or gone on with: Parquet for ``*.parquet``, JSON Lines otherwise.
+    """Results at a place, new or continued: Parquet for ``*.parquet``, JSON Lines otherwise.
 
     Raises `ResultsError`, also where pyarrow is needed and missing.
     """

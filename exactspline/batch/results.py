@@ -1,7 +1,7 @@
 """Results on disk that survive a kill: JSON Lines in one file, or Parquet in a folder of parts.
 
-The same sweep begun again goes on behind the last line that is whole. Beside the results lie the settings they were
-made with; results of other settings are refused, never mixed.
+When the same sweep is started again, it continues after the last complete line. The settings of a sweep are stored
+beside its results; results of other settings are refused, never mixed.
 """
 
 from __future__ import annotations
@@ -27,22 +27,22 @@ class ResultsError(ExactSplineError):
 
 
 class Results(ABC):
-    """Lines that are there already, and lines that are added; nobody else writes meanwhile."""
+    """Existing lines, and lines that are added; other writers are locked out."""
 
     def __init__(self, place: Path, settings: Settings) -> None:
         self.place, self.settings = place, json.loads(json.dumps(settings))
 
     @abstractmethod
     def existing(self) -> Iterator[Line]:
-        """The lines that are there, in order; to be read before any is added. Raises `ResultsError`."""
+        """The existing lines, in order; to be read before any is added. Raises `ResultsError`."""
 
     @abstractmethod
     def add(self, line: Line) -> None:
-        """One more line; JSON Lines are handed to the operating system at once."""
+        """One more line; JSON Lines are passed to the operating system at once."""
 
     @abstractmethod
     def close(self) -> None:
-        """Write what is kept back, and let others write."""
+        """Write what is buffered, and release the lock."""
 
     def __enter__(self) -> Self:
         return self
@@ -53,7 +53,7 @@ class Results(ABC):
         self.close()
 
     def check_settings(self, place: Path, *, new: bool) -> None:
-        """Write the settings beside new results, or hold them against those that are there."""
+        """Write the settings beside new results, or compare them with the existing ones."""
         if new:
             text = json.dumps(self.settings, ensure_ascii=False, indent=1) + "\n"
             write_atomically(place, lambda stream: stream.write(text.encode()), ResultsError)
@@ -62,7 +62,7 @@ class Results(ABC):
             known = json.loads(place.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             raise ResultsError(
-                "exists, and is no result of a sweep", where=str(self.place), remedy="write to another file"
+                "exists, and is not a result of a sweep", where=str(self.place), remedy="write to another file"
             ) from None
         if differing := [name for name in self.settings if known.get(name) != self.settings[name]]:
             raise ResultsError(
@@ -73,7 +73,7 @@ class Results(ABC):
 
 
 class JsonLines(Results):
-    """One JSON object a line, appended."""
+    """One JSON object per line, appended."""
 
     def __init__(self, place: Path, settings: Settings) -> None:
         super().__init__(place, settings)
@@ -89,7 +89,7 @@ class JsonLines(Results):
             raise
 
     def existing(self) -> Iterator[Line]:
-        """The lines of the file; the last one, torn by a kill, is gone already."""
+        """The lines of the file; a last one torn by a kill has been removed."""
         with open(self.place, "rb") as stream:
             for index, text in enumerate(stream):
                 try:
@@ -121,7 +121,7 @@ def line_text(line: Line) -> str:
 
 
 def _repair(stream: IO[bytes]) -> None:
-    """Cut off what stands behind the last line break: a line torn by a kill."""
+    """Cut off everything after the last line break: a line torn by a kill."""
     end = stream.seek(0, os.SEEK_END)
     keep = end
     while keep:
@@ -137,7 +137,8 @@ def _repair(stream: IO[bytes]) -> None:
 
 
 def locked(handle: int, place: Path) -> None:
-    """Keep others from writing to the same results until the file is closed or the process ends, where the system can.
+    """Keep others from writing to the same results until the file is closed or the process ends, where the system
+    supports it.
 
     Raises `ResultsError` where another process writes.
     """

@@ -1,4 +1,4 @@
-"""What a sweep says all together, gathered line by line in constant memory."""
+"""The summary of a sweep, gathered line by line in constant memory."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from heapq import heappush, heappushpop
 
 from exactspline.batch.lines import Line
 
-#: The kind of problem of what a file holds besides curves.
+#: The kind of problem for contents of a file that are not curves.
 SKIPPED = "Skipped"
 #: How many of the slowest curves, and of the verdicts that are not on record, are named.
 NAMED = 5
@@ -17,7 +17,7 @@ NAMED = 5
 
 @dataclass(frozen=True)
 class Entry:
-    """A line of the summary: what is counted, of which name, and the processor time where that is what it tells."""
+    """A line of the summary: what is counted, with its name, and the processor time where that is what is counted."""
 
     what: str
     name: str = ""
@@ -45,7 +45,7 @@ class Summary:
     found: Counter[tuple[str, str]] = field(default_factory=Counter)
     verdicts: Counter[tuple[str, str]] = field(default_factory=Counter)
     differing: int = 0
-    #: What failed though the input is good: a defect of this program.
+    #: Failures on good input: defects of this program.
     alarms: int = 0
     examples: list[str] = field(default_factory=list)
     _slowest: list[tuple[float, int, str]] = field(default_factory=list)
@@ -78,12 +78,12 @@ class Summary:
 
     @property
     def as_expected(self) -> bool:
-        """Whether every verdict is as recorded and nothing failed but for bad input."""
+        """Whether every verdict is as recorded and nothing failed except on bad input."""
         return not self.differing and not self.alarms
 
     @property
     def all_read(self) -> bool:
-        """Whether every curve has a result; what is no curve of a format that is read is skipped by right."""
+        """Whether every curve has a result; entities that are not curves are rightly skipped."""
         return set(self.errors) <= {SKIPPED}
 
     def entries(self) -> Iterator[Entry]:

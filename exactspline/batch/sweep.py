@@ -1,4 +1,4 @@
-"""The sweep: a corpus in, a line a curve out, in order."""
+"""The sweep: for every curve of a corpus one line, in order."""
 
 from __future__ import annotations
 
@@ -22,18 +22,17 @@ def sweep(
     backend: str = "processes",
     scheduler: str = "",
 ) -> Iterator[Line]:
-    """What is found on each of many curves, a line a curve in their order, one at a time.
-
-    A curve is given itself, or by the name of a file, a folder, a font or an example; a `Family` is as many random ones
-    as it says. `find` names what is looked for (`INSPECTIONS`), `claims` the claims to be checked, by id; `backend` is
-    one of `BACKENDS`. A curve that is broken is a line with its error.
+    """The features of each of many curves, one line per curve, in order, one at a time. A source is a curve, the name
+    of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the features to search for
+    (`INSPECTIONS`), `claims` the claims to be checked, by id; `backend` is one of `BACKENDS`. A curve that is broken is
+    a line with its error.
 
     >>> for line in sweep(["circle", "six_segment_cubic"], find=["inflections"]):
     ...     print(line.curve, [each.low for each in line.found["inflections"]])
     circle []
     six_segment_cubic ['2.8047601064', '3.2708817832']
 
-    Raises `FormulaError`, `ClaimError` or `BackendError` for what is not there, before anything is computed.
+    Raises `FormulaError`, `ClaimError` or `BackendError` for unknown names, before anything is computed.
     """
     if jobs < 1:
         raise ShapeError(f"{jobs} processes", remedy="at least one")

@@ -1,4 +1,4 @@
-"""What is done to each curve of a sweep: picklable, so that it can be done anywhere, and the same everywhere."""
+"""The work on each curve of a sweep: picklable, so that it can be done in any process."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from exactspline.verification.claim import Claim
     from exactspline.verification.ledger import Proofs
 
-#: Digits of irrational parameters where nothing is said, and the most.
+#: The default and the largest number of digits of irrational parameters.
 DIGITS, MOST_DIGITS = 10, 10_000
 
 
 @dataclass(frozen=True)
 class Work:
-    """What is looked for on each curve, by the names of `INSPECTIONS`; the claims that are checked on it, by paper and
-    key; and the digits of irrational parameters.
+    """The features to search for on each curve, by the names of `INSPECTIONS`; the claims that are checked on it, by
+    paper and key; and the digits of irrational parameters.
 
     >>> from exactspline.batch.corpus import items
     >>> line = Work.of().line(next(items(["six_segment_cubic"])))
@@ -51,7 +51,7 @@ class Work:
         return cls(checked_names(usual if find is None else find), located, digits)
 
     def line(self, item: Item) -> Line:
-        """The line of one curve. Whatever goes wrong with it is in its line, so that the others go on."""
+        """The line of one curve. Its line holds any error, so that the others are not affected."""
         start = process_time()
         if isinstance(item.given, Problem):
             return Line(item.index, item.source, item.name, error=item.given)
@@ -61,7 +61,7 @@ class Work:
             shape = (curve.degree, curve.dimension, curve.segments, curve.polynomial)
             found = inspected(curve, self.find, self.digits)
             judged = self._judged(curve)
-        # one curve must not end a sweep of a million: what is no error of the input is told by its kind
+        # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
         except Exception as error:
             told = Problem.of(error)
             return Line(item.index, item.source, item.name, *shape, error=told, seconds=process_time() - start)
@@ -104,7 +104,7 @@ def _claims(keys: tuple[tuple[str, str], ...]) -> tuple[Claim, ...]:
 
 @cache
 def _proofs() -> Proofs:
-    """The proofs of this process, each made once: they are asked for where a claim is refuted on a curve."""
+    """The proofs of this process, each made once: they are needed where a claim is refuted on a curve."""
     from exactspline.verification.ledger import Proofs
 
     return Proofs()

@@ -106,7 +106,7 @@ def insertion(rng: Random) -> Drawn:
         points_of(curve),
         ". Insert the knot ",
         Math("t", (t,)),
-        ": which are all its control points then?",
+        ": what are all its control points then?",
     )
     return task, Points(finer), ("Over the knots ", knots_of(finer), " by Boehm's algorithm: ", triangle)
 
@@ -121,7 +121,7 @@ def elevation(rng: Random) -> Drawn:
     task = (
         f"A Bézier curve of degree {curve.degree} has the control points ",
         points_of(curve),
-        f". Write it as a Bézier curve of degree {curve.degree + 1}: which are its control points?",
+        f". Write it as a Bézier curve of degree {curve.degree + 1}: what are its control points?",
     )
     (triangle,) = elevation_triangles(curve)
     return task, Points(curve.elevate_degree()), ("Neighbours are combined: ", triangle)
@@ -141,7 +141,7 @@ def subdivision(rng: Random) -> Drawn:
         points_of(curve),
         ". It is cut at ",
         Math("t", (t,)),
-        ". Which are the control points of its first part?",
+        ". What are the control points of its first part?",
     )
     return task, Points(first), ("The upper edge of de Casteljau's triangle: ", de_boor_triangle(curve, t))
 

@@ -1,4 +1,4 @@
-"""Right answers, each of a kind that reads what a student wrote and tells where it differs."""
+"""Right answers; each kind reads what a student wrote and says where it differs."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class Numbers(Answer):
         return ", ".join(map(text, self.values))
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every number that is another one, or their count."""
+        """Every wrong number, or the wrong count."""
         found = numbers(answer)
         if len(found) != len(self.values):
             yield f"{counted(len(self.values), 'number')} wanted, not {len(found)}"
@@ -137,19 +137,19 @@ class Parameters(Answer):
         return ", ".join(map(text, self.values)) or "none"
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every parameter that is missing or too much."""
+        """Every parameter that is missing or wrong."""
         found = () if cleaned(answer).lower() == "none" else numbers(answer)
         for t in self.values:
             if t not in found:
                 yield f"t = {text(t)} is missing"
         for t in dict.fromkeys(found):
             if t not in self.values:
-                yield f"t = {text(t)} is none of them"
+                yield f"t = {text(t)} is not one of them"
 
 
 @dataclass(frozen=True)
 class Points(Answer):
-    """The control points of a curve or of a function over knots that the exercise names; there is one right answer."""
+    """The control points of a curve or of a function over the knots of the exercise; there is one right answer."""
 
     reference: Nurbs | BSpline
 
@@ -178,7 +178,7 @@ class Points(Answer):
         return ", ".join(map(shown, self.rows))
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every control point that is another one; then a parameter and both values there."""
+        """Every wrong control point; then a parameter and both values there."""
         rows, dimension = self.rows, len(self.rows[0])
         found = points(answer, dimension)
         if any(len(point) != dimension for point in found):
@@ -198,7 +198,7 @@ class Points(Answer):
         return value if isinstance(value, tuple) else (value,)
 
     def _of(self, rows: tuple[Point, ...]) -> Callable[[mpq], Point]:
-        """What the points of a student give at a parameter."""
+        """The function of a student's control points."""
         degree, knots = self.reference.degree, self.reference.knots
         splines = [BSpline(degree, knots, column) for column in zip(*rows, strict=True)]
         return lambda t: tuple(f(t) for f in splines)
@@ -229,7 +229,7 @@ class Polynomials(Answer):
         )
 
     def differences(self, answer: str) -> Iterator[str]:
-        """Every coefficient that is another one; then a parameter and both values there."""
+        """Every wrong coefficient; then a parameter and both values there."""
         found = polynomials(answer)
         if len(found) != len(self.values):
             yield f"{counted(len(self.values), 'polynomial')} wanted, not {len(found)}"
@@ -247,7 +247,7 @@ class Polynomials(Answer):
 class Circle(Answer):
     """Whether it is a circle: ``no``, or its centre and the square of its radius."""
 
-    #: Centre and squared radius; empty where it is none.
+    #: Centre and squared radius; empty where it is not a circle.
     values: Point
 
     @property
@@ -269,14 +269,14 @@ class Circle(Answer):
         return ", ".join(map(text, self.values)) or "no"
 
     def differences(self, answer: str) -> Iterator[str]:
-        """That it is one or is none, or which number is another one."""
+        """Whether it is a circle, or which number is wrong."""
         said_no = cleaned(answer).lower() == "no"
         if said_no or not self.values:
             if said_no and self.values:
                 yield "it is a circle"
             elif not said_no:
                 numbers(answer)
-                yield "it is no circle"
+                yield "it is not a circle"
             return
         yield from Numbers(("centre x", "centre y", "radius squared"), self.values).differences(answer)
 

@@ -1,4 +1,4 @@
-"""A student's curve or formula beside the reference: the same, or where they differ."""
+"""A student's curve or formula compared with the reference: the same, or where they differ."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
         return Finding((f"its domain is [{here}], not [{there}]",))
     if given == reference:
         return Finding(())
-    told = ["it is run through backwards"] if given == reference.reverse() else _points(given, reference)
+    told = ["it is reversed"] if given == reference.reverse() else _points(given, reference)
     a, b = given.domain
     t = next(t for t in simple_parameters(a, b) if given(t) != reference(t))
     return Finding((*told, f"at t = {text(t)} it is at {shown(given(t))}, not at {shown(reference(t))}"))
@@ -54,7 +54,7 @@ def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> F
     >>> compare_formulas(find("f1"), find("f2")).differences[0]
     'not f1 = f2 in R2: the quotient is w'
 
-    Raises `FormulaError` for formulas that have nothing in common.
+    Raises `FormulaError` for formulas that cannot be compared.
     """
     proof = prove(given, reference, factor)
     if proof:
@@ -64,7 +64,9 @@ def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> F
 
 
 def _witness(given: Formula, reference: Formula, factor: str, dimension: int) -> str:
-    """Values of both sides where they differ on an example curve; empty where the formulas are of no single curve."""
+    """Values of both sides where they differ on an example curve; empty where the formulas do not take a single
+    curve.
+    """
     for name in example_names():
         curve = example(name)
         if curve.dimension != dimension:

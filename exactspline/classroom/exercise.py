@@ -1,4 +1,4 @@
-"""One exercise: its task, its answer, the way to it; and how the topics draw theirs from a seed."""
+"""One exercise: its task, its answer and its solution; and how topics draw exercises from a seed."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from exactspline.exact import lcm, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
-#: Largest number in a task or an answer, but for squares of radii.
+#: The largest number in a task or an answer, except for squares of radii.
 LARGEST = 30
 
 
 @dataclass(frozen=True)
 class Exercise:
-    """What is asked, the right answer, and the way to it."""
+    """The question, the right answer, and the solution."""
 
     topic: str
     seed: int
@@ -28,7 +28,7 @@ class Exercise:
     solution: tuple[Part, ...]
 
 
-#: What a topic draws: task, answer and solution; None where the numbers are not nice, and it draws again.
+#: What a topic draws: task, answer and solution; None where the numbers are not simple enough; then it draws again.
 Drawn = tuple[tuple[Part, ...], Answer, tuple[Part, ...]] | None
 Topic = Callable[[Random], Drawn]
 

@@ -25,7 +25,7 @@ Value: TypeAlias = mpq | Point | Polynomial
 @dataclass(frozen=True)
 class Math:
     """``name = value``, or the values in a row with commas between them; without values the name alone, without a name
-    the values alone. What stands behind an underscore in a name is its index.
+    the values alone. The part of a name after an underscore is its index.
     """
 
     name: str = ""

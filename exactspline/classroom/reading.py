@@ -13,7 +13,7 @@ from exactspline.exact import mpq, rational, to_fmpq
 
 #: Longest answer and highest degree that are read.
 MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
-#: Longest coefficient on the way.
+#: The longest intermediate coefficient.
 MAX_BITS = 20_000
 _GROUP = re.compile(r"\(([^()]*)\)")
 _SIGNS = str.maketrans({"−": "-", "[": "(", "]": ")", ";": ",", '"': " ", "'": " ", "\ufeff": " "})
@@ -46,7 +46,7 @@ def numbers(answer: str) -> Point:
 
 
 def points(answer: str, dimension: int) -> tuple[Point, ...]:
-    """Points in brackets, or a point a line; numbers alone where the dimension is 1.
+    """Points in brackets, or one point per line; numbers alone where the dimension is 1.
 
     >>> points("(0, 1) (1/2, 2)", 2) == points("0 1\\n1/2 2", 2) == points('[[0, 1], ["1/2", 2]]', 2)
     True
@@ -94,7 +94,7 @@ def _number(word: str) -> mpq:
         return rational(word)
     except ExactSplineError:
         raise AnswerError(
-            f"{shown(word)} is no number", where="answer", remedy="write 3, -1/2 or 0.25, nothing else"
+            f"{shown(word)} is not a number", where="answer", remedy="write 3, -1/2 or 0.25, nothing else"
         ) from None
 
 
@@ -103,7 +103,7 @@ def _polynomial(formula: str) -> Polynomial:
     code = raised.replace("·", "*").replace("**", "^").replace("^", "**")
     # a number, t or a bracket before t or a bracket is a product
     code = re.sub(r"(?<=[\dt)])\s*(?=[t(])", "*", "".join(code.split()))
-    problem = AnswerError(f"{shown(formula.strip())} is no polynomial in t", where="answer", remedy="1 - 3t + 2t^2")
+    problem = AnswerError(f"{shown(formula.strip())} is not a polynomial in t", where="answer", remedy="1 - 3t + 2t^2")
     if len(code) > MAX_FORMULA or not re.fullmatch(r"[0-9t+\-*/().]+", code):
         raise problem
     try:

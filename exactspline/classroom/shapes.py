@@ -1,4 +1,4 @@
-"""Exercises on what control points mean for the shape: support, hull, inflections, curvature, circles, weights."""
+"""Exercises on how control points determine the shape: support, hull, inflections, curvature, circles, weights."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _function(rng: Random) -> BSpline:
 
 
 def support(rng: Random) -> Drawn:
-    """Where a control point counts."""
+    """Where a control point has influence."""
     f = _function(rng)
     i = rng.randrange(len(f.control_points))
     basis = BSpline(f.degree, f.knots, [int(k == i) for k in range(len(f.control_points))])
@@ -47,7 +47,7 @@ def support(rng: Random) -> Drawn:
 
 
 def hull(rng: Random) -> Drawn:
-    """Between which bounds control points keep a function."""
+    """The bounds that control points imply for a function."""
     f = _function(rng)
     k = rng.randrange(len(f.breakpoints) - 1)
     a, b = f.breakpoints[k : k + 2]
@@ -59,7 +59,7 @@ def hull(rng: Random) -> Drawn:
         knots_of(f),
         " and the control points ",
         points_of(f),
-        f". Between which bounds do the control points keep it on [{text(a)}, {text(b)}]? Give the best lower and "
+        f". Between which bounds do its control points keep it on [{text(a)}, {text(b)}]? Give the best lower and "
         "upper bound that they tell.",
     )
     solution = (
@@ -84,7 +84,7 @@ def inflections(rng: Random) -> Drawn:
     task = (
         "A cubic Bézier curve over [0, 1] has the control points ",
         points_of(curve),
-        ". At which parameters inside (0, 1) has it an inflection, where the curvature changes its sign?",
+        ". At which parameters inside (0, 1) does it have an inflection, where the curvature changes its sign?",
     )
     values = tuple(Math(f"f({text(t)})", (bend(t),)) for t in parameters)
     reduced = bend.reduce_degree(bend.degree - bend.true_degree)

@@ -26,16 +26,16 @@ TOPICS: dict[str, Topic] = {
     "circle": shapes.circle,
     "weight": shapes.weight,
 }
-#: So often numbers are drawn for one exercise; a topic that needs a hundredth of it is slow.
+#: How often numbers are drawn for one exercise at most; a topic that needs a hundredth of that is slow.
 MOST_DRAWS = 100_000
 
 
 class TopicError(ExactSplineError):
-    """A topic that does not exist, or a seed that is none."""
+    """An unknown topic or an invalid seed."""
 
 
 def about(topic: str) -> str:
-    """What a topic asks, in a few words."""
+    """The subject of a topic, in a few words."""
     return str(TOPICS[topic].__doc__).rstrip(".")
 
 
@@ -46,23 +46,23 @@ def exercise(topic: str, seed: int) -> Exercise:
     >>> made == exercise("evaluation", 1), bool(made.answer.check(made.answer.written))
     (True, True)
 
-    Raises `TopicError` for an unknown topic, with the nearest ones, and for a seed that is none.
+    Raises `TopicError` for an unknown topic, with the nearest ones, and for an invalid seed.
     """
     if topic not in TOPICS:
         raise TopicError(
-            f"no topic is called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
+            f"there is no topic called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
         )
     if type(seed) is not int or seed < 0:
-        raise TopicError(f"{shown(seed)} is no seed", where="seed", remedy="an integer ≥ 0")
+        raise TopicError(f"{shown(seed)} is not a seed", where="seed", remedy="an integer ≥ 0")
     rng = Random(f"{topic} {seed}")
     for _ in range(MOST_DRAWS):
         if drawn := TOPICS[topic](rng):
             return Exercise(topic, seed, *drawn)
-    raise AssertionError(f"{topic} {seed}: no draw was nice")
+    raise AssertionError(f"{topic} {seed}: no draw had simple numbers")
 
 
 def exercises(topic: str, seed: int, count: int) -> list[Exercise]:
-    """So many exercises, those of the seeds from `seed` on.
+    """The given number of exercises, with consecutive seeds from `seed` on.
 
     >>> [each.seed for each in exercises("elevation", 3, 2)]
     [3, 4]

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 #: So many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
 YOUNG = 100_000
 EXIT_STATUS = "Exit status: 0 success; 1 a verdict differs from the record; 2 bad input."
-#: What status 1 of a command says; the others have none.
+#: What exit status 1 of a command means; the other commands do not use it.
 STATUS_1 = {
     prove.prove: "a verdict differs from the record, or an --identity does not hold",
     show.show: "a verdict differs from the record",
@@ -52,7 +52,7 @@ STATUS_1 = {
     sweep.sweep: "a verdict differs from the record, or the program failed on a curve",
     bench.bench: "a target is missed",
 }
-#: What else a status says.
+#: Further meanings of status 2.
 STATUS_2 = {sweep.sweep: "bad input, or a curve that cannot be read; 130 interrupted"}
 app = typer.Typer(
     help="B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'.",
@@ -74,8 +74,8 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     show.show: ("Spell out one claim.", "show", 'show "eq. (12)"', "show C4.2 --latex"),
     errata.errata: ("List the errors of the paper.", "errata", "errata C4.2b"),
     degrees.degrees: ("Degrees and control points.", "degrees --generic", "degrees evolute --curve my.json"),
-    new_paper.new_paper: ("Begin a paper of yours.", "new-paper my-paper"),
-    reduce.reduce: ("Factor a formula, yours too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
+    new_paper.new_paper: ("Begin a paper of your own.", "new-paper my-paper"),
+    reduce.reduce: ("Factor a formula, your own too.", "reduce rectifying_developable", "reduce my_formulas.py:pedal"),
     derive.derive: ("Evolutes, focal curves, … exactly.", "derive", "derive evolute my.json -o evolute.json"),
     inspect.inspect: (
         "Features of curves, certified.",
@@ -84,13 +84,13 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
         "inspect font.ttf:ampersand --plot glyph.svg",
     ),
     oracle.oracle: (
-        "Exact answers for kernels in doubles.",
+        "Exact answers for kernels that compute in doubles.",
         "oracle circle --ask value@1/3 --ask length",
         "oracle drawing.svg --ask inflections --ask bounding_box --json",
         "oracle --list",
     ),
     grade.grade: (
-        "Libraries held against exact answers.",
+        "Libraries compared with exact answers.",
         "grade scipy geomdl --cases 20",
         "grade --cache truths.jsonl.gz --page scoreboard.md",
     ),
@@ -121,12 +121,17 @@ COMMANDS: dict[Callable[..., None], tuple[str, ...]] = {
     figures.figures: ("Draw the figures of the paper.", "figures --out pictures", "figures --out pictures --figure 2"),
     curves.curves: ("List the example curves.", "curves", "curves --json"),
     sweep.sweep: (
-        "Many curves, a line each.",
+        "Many curves, one line each.",
         "sweep fonts/ drawings/*.dxf -o lines.jsonl --jobs 2",
         "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
         "sweep curves/ --claim C4.1 -o verdicts.parquet",
     ),
-    bench.bench: ("Times, beside other libraries.", "bench", "bench forms roots --plot bench.svg", "bench --json"),
+    bench.bench: (
+        "Times, compared with other libraries.",
+        "bench",
+        "bench forms roots --plot bench.svg",
+        "bench --json",
+    ),
     convert.convert: (
         "Convert files of curves.",
         "convert drawing.dxf curves.json",

@@ -1,4 +1,4 @@
-"""``exactspline bench``: how long it takes, here and with others."""
+"""``exactspline bench``: times, of this library and of others."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="SECTION",
-            help="features, forms, roots, splines, growth, linear, commands, sweep, memory; all without any.",
+            help="features, forms, roots, splines, growth, linear, commands, sweep, memory; all if none is named.",
             autocompletion=_sections,
         ),
     ] = None,
@@ -43,9 +43,8 @@ def bench(
         str, typer.Option("--curves", metavar="FOLDER", help="Curve files to inspect. [default: the example curves]")
     ] = "",
 ) -> None:
-    """Measure everything that speed is promised of, here and with other libraries, in one run on the same input.
-
-    A library that is not installed is told (the extra bench installs them). Times are processor time, the best of
+    """Measure every operation with a promised speed, here and in other libraries, in one run on the same input.
+    Libraries that are not installed are listed (the extra bench installs them). Times are processor time, the best of
     several runs; ratios are ours divided by theirs.
     """
     from exactspline.batch.bench.row import Options
@@ -63,7 +62,7 @@ def bench(
 
 
 def _told(measured: Iterable[Row]) -> list[Row]:
-    """The rows, the case that was measured last on a terminal meanwhile."""
+    """The rows; a terminal shows the case that was measured last."""
     if is_quiet() or not sys.stderr.isatty():
         return list(measured)
     from rich.console import Console

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
     from exactspline.splines.nurbs import Nurbs
 
-#: An equation longer than this is told by its degree.
+#: A longer equation is shown by its degree alone.
 LONGEST = 40
 
 
@@ -31,7 +31,7 @@ class Row(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """What was found: for programs, for people, and how it is drawn."""
+    """The result: as data, as tables, and as a drawing."""
 
     data: dict[str, Any]
     rows: list[Row]
@@ -65,7 +65,7 @@ def bisector(
         str, typer.Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
     ] = "",
     plot: Annotated[
-        str, typer.Option("--plot", metavar="FILE", help="Draw it: a file that ends in .svg or .png.")
+        str, typer.Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")
     ] = "",
 ) -> None:
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles beside it), of a point
@@ -136,7 +136,7 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
 
 
 def _grouped(rows: Iterable[Row]) -> list[Row]:
-    """Rows that differ in their patch alone as one: what is before the colon is the same."""
+    """Rows that differ only in their patch merged into one: the text before the colon is the same."""
     found: dict[tuple[str, ...], Row] = {}
     for i, row in enumerate(rows):
         equation, colon, where = row.where.partition(": ")
@@ -188,7 +188,7 @@ def _pole_row(pole: PoleCurve) -> Row:
 
 
 def _pairs(equation: PairEquation | None, sides: Any, where: str) -> str:
-    """The pairs of an equation on a patch, for people."""
+    """The pairs of an equation on a patch, as text."""
     from exactspline.display.bisector_data import sides_text
 
     if equation is None:

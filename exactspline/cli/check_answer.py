@@ -1,4 +1,4 @@
-"""``check-answer``: what a student wrote, proved right or shown where it differs."""
+"""``check-answer``: a student's answer, proved right, or shown where it differs."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def check_answer(
 ) -> None:
     """Prove an answer right, or show where it differs; exit status 1 where it is wrong."""
     if bool(topic) == bool(reference):
-        raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is held against")
+        raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is compared with")
     if bool(text) == bool(answer) or (text and reference):
         raise OptionsError("one answer is needed", remedy="name a file, or write --topic TOPIC --text ANSWER")
     found, against = (

@@ -1,4 +1,4 @@
-"""What the subcommands share: options, reading curves, progress."""
+"""Shared by the subcommands: options, reading curves, progress."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ __all__ = [
 V = TypeVar("V")
 
 CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
-#: Bytes from which the kind of a JSON file is told.
+#: How many bytes are read to recognize the kind of a JSON file.
 MAX_HEAD = 65_536
 _BLANK = b"\xef\xbb\xbf \t\r\n"
-#: What several curves in one JSON file begin with, ours or geomdl's.
+#: How a JSON file with several curves begins, ours or geomdl's.
 _SEVERAL = re.compile(rb'^\s*\{\s*"(curves|shape)"')
 CurveFiles = Annotated[
     list[str] | None, typer.Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")
@@ -70,7 +70,7 @@ Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in ful
 
 
 def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
-    """The claims of papers named by their names or folders; of those that are meant where none is named."""
+    """The claims of papers, given by name or folder; of the default papers where none is given."""
     from exactspline.papers import named_papers
     from exactspline.verification.claims import claims_in
 
@@ -91,7 +91,7 @@ def load_curve(name: str) -> Nurbs:
 
 
 def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
-    """The curves that can be read, and whether all could: one bad curve is reported and the rest goes on."""
+    """The curves that can be read, and whether all could: a bad curve is reported, and the rest are read."""
     from exactspline.display.console import show_error
 
     curves, good = [], True
@@ -105,8 +105,8 @@ def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
 
 
 def curves_in(name: str) -> list[Nurbs]:
-    """An example curve by its name, or the curves of a file in whatever format (``font.ttf:ampersand``; ``-`` for
-    standard input); what is not read is named on standard error.
+    """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
+    input); whatever is skipped is named on standard error.
     """
     from exactspline.splines.examples import curve_from_text, load
 
@@ -118,7 +118,7 @@ def curves_in(name: str) -> list[Nurbs]:
     if text is not None and len(text) < MAX_HEAD and not text.strip(_BLANK):
         raise CurveFileError("is empty", where=name, remedy="name a file of curves")
     if text is not None and _is_one_curve(text, name):
-        # what `derive` wrote is read here, and more is told of what is wrong
+        # this reader takes what `derive` wrote, and its errors say more
         return [load(name)] if given is None else [_at_standard_input(lambda: curve_from_text(_text(given), "stdin"))]
     from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
 
@@ -154,7 +154,7 @@ def _at_standard_input(reader: Callable[[], V]) -> V:
 
 
 def _head(name: str) -> bytes | None:
-    """The beginning of a file; None for a part of one; a brace where `load` is to tell what is wrong."""
+    """The beginning of a file; None for a part of one; a brace where `load` is to report what is wrong."""
     try:
         with open(name, "rb") as stream:
             return stream.read(MAX_HEAD)
@@ -173,13 +173,13 @@ def _is_one_curve(head: bytes, name: str) -> bool:
 
 
 def tell_skipped(reading: Reading) -> None:
-    """What a reader skipped and what it noted, on standard error."""
+    """Print what a reader skipped, and its notes, on standard error."""
     for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
         sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
 
 
 def tell_how_surfaces_are_drawn() -> None:
-    """On standard error, where nothing is at hand that draws them with depth."""
+    """A note on standard error where no renderer with depth is installed."""
     from exactspline.display.plot.depth import REMARK, knows_depth
 
     if not knows_depth() and not is_quiet():
@@ -204,14 +204,14 @@ def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
 
 
 def quiet_fonts() -> None:
-    """Let fontTools keep to itself what it thinks of the dates in a font: nothing of it concerns outlines."""
+    """Silence fontTools' remarks on dates in fonts: they do not concern outlines."""
     import logging
 
     logging.getLogger("fontTools").setLevel(logging.ERROR)
 
 
 def described(c: Nurbs) -> str:
-    """A curve in one line; equal weights are told to be polynomial."""
+    """A curve in one line; a curve with equal weights is called polynomial."""
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
     segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")

@@ -1,4 +1,4 @@
-"""``conditioning``: the forms of a zero set compared by condition number and by what double precision makes of them."""
+"""``conditioning``: the forms of a zero set compared by condition number and by their errors in double precision."""
 
 from __future__ import annotations
 
@@ -13,14 +13,16 @@ from exactspline.cli.output import Output, printing
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
 
-#: What is shown when nothing is asked for: a witness either way.
+#: The default: a witness for each direction.
 WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")
 
 
 @printing
 def conditioning(
     out: Output,
-    curve: Annotated[list[str] | None, typer.Argument(help=f"{CURVE_HELP} Without any, a witness either way.")] = None,
+    curve: Annotated[
+        list[str] | None, typer.Argument(help=f"{CURVE_HELP} Without any, a witness for each direction.")
+    ] = None,
     construction: Annotated[
         str, typer.Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
     ] = "critical_curvature",
@@ -28,7 +30,7 @@ def conditioning(
         int, typer.Option("--search", metavar="N", min=0, max=10_000, help="Search N random curves of each family too.")
     ] = 0,
     seed: Annotated[
-        int, typer.Option("--seed", metavar="N", help="What the search begins with: one seed, one result.")
+        int, typer.Option("--seed", metavar="N", help="The seed of the search: the same seed gives the same result.")
     ] = 0,
 ) -> None:
     """Condition numbers of every zero in every form: naive, paper, minimal; and the error of double precision in

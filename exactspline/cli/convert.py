@@ -21,10 +21,10 @@ def convert(
     source: Annotated[str, typer.Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")],
     target: Annotated[str, typer.Argument(metavar="OUT", help="A file, or - for standard output.")],
     from_format: Annotated[
-        str, typer.Option("--from", metavar="FORMAT", help="The format of IN; by default told by its content.")
+        str, typer.Option("--from", metavar="FORMAT", help="The format of IN; recognized by its content by default.")
     ] = "",
     to_format: Annotated[
-        str, typer.Option("--to", metavar="FORMAT", help="The format of OUT; by default told by its suffix.")
+        str, typer.Option("--to", metavar="FORMAT", help="The format of OUT; recognized by its suffix by default.")
     ] = "",
     rounding: Annotated[
         bool, typer.Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")
@@ -39,7 +39,7 @@ def convert(
         str, typer.Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
     ] = "",
 ) -> None:
-    """Convert curves between formats without rounding; what is not read is named on standard error."""
+    """Convert curves between formats without rounding; whatever is skipped is named on standard error."""
     from exactspline.errors import CurveFileError, counted
     from exactspline.interchange.files import encoded, read, write
 
@@ -91,7 +91,7 @@ def _sheet(rows: list[dict[str, object]]) -> Sheet:
 
 
 def _told(out: Output, notes: list[str], summary: str) -> None:
-    """The outcome on standard error: standard output may be the curves."""
+    """The outcome, on standard error, since standard output may hold the curves."""
     if not out.quiet:
         sys.stderr.writelines(f"note: {note}\n" for note in notes)
         sys.stderr.write(f"{summary}\n")

@@ -24,11 +24,15 @@ def degrees(
         bool, typer.Option("--formulas", help="Every formula of the library instead of the constructions.")
     ] = False,
     generic: Annotated[
-        bool, typer.Option("--generic", help="For all curves: what is proved of the generic curve of degree d.")
+        bool, typer.Option("--generic", help="For all curves: what is proved for the generic curve of degree d.")
     ] = False,
     certify: Annotated[
         bool, typer.Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
     ] = False,
+    patch: Annotated[
+        str,
+        typer.Option("--patch", metavar="M,N", help="With --paper: formulas of surfaces on patches of degrees M, N."),
+    ] = "",
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
@@ -38,6 +42,9 @@ def degrees(
     from exactspline.display.degrees import degree_sheet
     from exactspline.verification.degree_tables import construction_table, formula_table
 
+    if patch:
+        _on_patches(out, paper or [], trust, name or [], patch)
+        return
     if paper:
         _of_papers(out, paper, trust, name or [], curve, generic)
         return
@@ -106,8 +113,32 @@ def _of_papers(
         raise typer.Exit(2)
 
 
+def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], patch: str) -> None:
+    """The formulas of surfaces on patches of given degrees: counted, proved and attained."""
+    from exactspline.display.degrees import patch_sheet
+    from exactspline.papers import named_papers
+    from exactspline.verification.patch_degrees import patch_table
+
+    parts = [part.strip() for part in patch.split(",")]
+    if len(parts) != 2 or not all(part.isdecimal() and len(part) < 3 for part in parts):
+        raise FormulaError(f"the degrees {patch!r}", where="--patch", remedy="write for example --patch 3,3")
+    if not paper:
+        raise FormulaError("no paper", where="--patch", remedy="name one with formulas of surfaces: --paper surfaces")
+    formulas = [f for source in named_papers(paper, trust=trust) for f in source.formulas.values()]
+    _check_names(names, [f.name for f in formulas])
+    degrees = int(parts[0]), int(parts[1])
+    rows = tracked(patch_table([f for f in formulas if not names or f.name in names], degrees), "degrees")
+    out.give(
+        "patch degrees",
+        lambda: [{"key": f"{row.formula} ({row.patches})"} | vars(row) | {"agrees": row.agrees} for row in rows],
+        lambda: [patch_sheet(rows, degrees)],
+    )
+    if not all(row.agrees for row in rows):
+        raise typer.Exit(1)
+
+
 def _is_one_of(title: str, names: list[str]) -> bool:
-    """Whether a row is wanted: all are where no name is given."""
+    """Whether a row is selected: all are where no name is given."""
     return not names or any(_plain(title).startswith(_plain(name)) for name in names)
 
 

@@ -78,7 +78,7 @@ def _chosen(entries: list[Erratum], wanted: list[str]) -> list[Erratum]:
     for name in wanted:
         if name.lower() not in known:
             remedy = nearest(name, names, listed_by="exactspline errata")
-            raise ClaimError(f"no error is called {name!r}", remedy=remedy)
+            raise ClaimError(f"there is no error called {name!r}", remedy=remedy)
     keep = [known[name.lower()] for name in wanted]
     return [entry for entry in entries if not wanted or entry in keep]
 

@@ -18,7 +18,9 @@ def exercise(
     out: Output,
     topic: Annotated[str, typer.Argument(help="A topic, or all; without it the topics are listed.")] = "",
     seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
-    count: Annotated[int, typer.Option("--count", metavar="K", min=1, max=500, help="So many a topic.")] = 1,
+    count: Annotated[
+        int, typer.Option("--count", metavar="K", min=1, max=500, help="So many exercises per topic.")
+    ] = 1,
     solutions: Annotated[bool, typer.Option("--solutions", help="With a sheet of solutions.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Print a LaTeX document.")] = False,
     html: Annotated[bool, typer.Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
@@ -53,7 +55,7 @@ def exercise(
         from exactspline.display import console
         from exactspline.display.exercises import text_lines
 
-        # in a pipe, too, these are paragraphs
+        # these are paragraphs in a pipe, too
         width = min(console.width(), 80)
         sys.stdout.write("\n".join(text_lines(made, width, solutions=solutions)) + "\n")
         if not (solutions or out.quiet):

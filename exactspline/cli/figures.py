@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 def figures(
     out: Output,
     folder: Annotated[
-        str, typer.Option("--out", metavar="FOLDER", help="The folder to write into; it is made when it is not there.")
+        str, typer.Option("--out", metavar="FOLDER", help="The folder to write into; it is created if necessary.")
     ],
     figure: Annotated[
         list[int] | None,
         typer.Option("--figure", metavar="N", help="The number of a figure; may be repeated. All of them without it."),
     ] = None,
 ) -> None:
-    """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions come out of the
-    objects.
+    """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions are computed
+    from the objects.
     """
     from exactspline.display.figures import FIGURES, make
     from exactspline.display.figures import folder as made_folder

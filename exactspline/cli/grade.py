@@ -1,4 +1,4 @@
-"""``grade``: other people's libraries held against exact answers."""
+"""``grade``: other people's libraries compared with exact answers."""
 
 from __future__ import annotations
 
@@ -59,7 +59,9 @@ def _known(names: list[str], libraries: dict[str, str]) -> list[str]:
 
     for name in names:
         if name not in libraries:
-            raise OptionsError(f"no library is called {name!r}", remedy=nearest(name, libraries, listed_by="grade"))
+            raise OptionsError(
+                f"there is no library called {name!r}", remedy=nearest(name, libraries, listed_by="grade")
+            )
     return names
 
 

@@ -15,7 +15,7 @@ from exactspline.language.choices import choice
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
 
-#: What stands for every approach, side by side.
+#: The word for all approaches, side by side.
 ALL = "all"
 
 
@@ -43,7 +43,8 @@ def inspect(
         ),
     ] = "",
     coordinates: Annotated[
-        bool, typer.Option("--coordinates", help="Also where a coordinate is largest or smallest (type design).")
+        bool,
+        typer.Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design)."),
     ] = False,
     certificate: Annotated[
         str,
@@ -82,7 +83,7 @@ def inspect(
     if approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(curve) > 1:
-        raise OptionsError("--emit-coq and several curves", remedy="write one file a curve")
+        raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     given, good = loaded(curve)
     if emit_coq and given:
         _emit(given[0], emit_coq)
@@ -138,7 +139,7 @@ def _inspected(c: Any, approach: str, digits: int, coordinates: bool) -> tuple[A
 
 
 def _ticking(count: int) -> Any:
-    """A progress bar on a terminal, advanced by calling what it gives."""
+    """A progress bar on a terminal, advanced by calling the function that it yields."""
     import sys
     from contextlib import contextmanager
 
@@ -225,7 +226,7 @@ def _intervals(parts: list[list[str]]) -> str:
 
 
 def _turn(angle: dict[str, str] | None) -> str:
-    """By how much the tangent turns, for people."""
+    """By how much the tangent turns, as text."""
     if angle is None:
         return ""
     exactly = f" (cos = {angle['cosine']}, sin = {angle['sine']})" if _short(angle["cosine"], angle["sine"]) else ""
@@ -238,7 +239,7 @@ def _short(*exact: str) -> bool:
 
 
 def _remark(joint: dict[str, Any]) -> str:
-    """What is known of a joint, for people."""
+    """What is known of a joint, as text."""
     order = joint["geometric_continuity"]
     parts = [
         "at the seam" if joint["at_seam"] else "at a knot",
@@ -251,9 +252,9 @@ def _remark(joint: dict[str, Any]) -> str:
 
 
 def _continuity(joints: list[dict[str, Any]]) -> str:
-    """How many joints have which order of geometric continuity."""
+    """The numbers of joints by order of geometric continuity."""
     orders = [joint["geometric_continuity"] for joint in joints]
-    names = {-1: "with a gap", 0: "G0", 1: "G1", 2: "G2", 3: "G3 or higher", None: "singular, of no order"}
+    names = {-1: "with a gap", 0: "G0", 1: "G1", 2: "G2", 3: "G3 or higher", None: "singular, without an order"}
     counted = [f"{orders.count(order)} {name}" for order, name in names.items() if order in orders]
     return f"joints: {', '.join(counted)}"
 
@@ -269,7 +270,7 @@ def _approaches(rows: list[dict[str, Any]]) -> Any:
 
 
 def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
-    """The certificates of all that was solved."""
+    """The certificates of every form that was solved."""
     from exactspline.geometry.inspection import solved
 
     return [
@@ -279,13 +280,13 @@ def _proofs(c: Any, found: Any) -> list[dict[str, object]]:
 
 
 def _draw(inspected: list[tuple[Any, Any, dict[str, Any]]], given: list[Any], path: str, title: str) -> None:
-    """One curve beside the functions that were solved, several in one picture."""
+    """One curve next to the functions that were solved, or several curves in one picture."""
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.comparisons import features_figure, inspect_figure
     from exactspline.geometry.inspection import solved
 
     if len({c.dimension for c in given}) > 1:
-        raise OptionsError("--plot and curves of the plane and of space", remedy="draw them one by one")
+        raise OptionsError("--plot and curves of the plane and of space", remedy="draw them separately")
     if len(given) > 1:
         # curves of a file that lie in a coordinate plane are drawn there
         flat = [c for c, _, _ in inspected if c.dimension == 2]

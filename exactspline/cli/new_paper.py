@@ -1,4 +1,4 @@
-"""``exactspline new-paper``: a folder with a small paper that works, to be changed."""
+"""``exactspline new-paper``: a folder with a small working paper, to be edited."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import typer
 def new_paper(
     folder: Annotated[str, typer.Argument(help="The folder to write; it must not exist, or be empty.")],
 ) -> None:
-    """Write a small paper that works: formulas.py, claims.toml, curves/ and README.md, commented, to be changed."""
+    """Write a small working paper: formulas.py, claims.toml, curves/ and README.md, with comments, to be edited."""
     from exactspline.display import console
     from exactspline.papers.new import write_new_paper
 

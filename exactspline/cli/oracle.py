@@ -61,7 +61,7 @@ def _answered(c: Nurbs, asked: str, digits: int, certificates: bool) -> dict[str
 
 
 def _sheet(row: dict[str, Any], digits: int) -> Sheet:
-    """An answer, one number a row."""
+    """An answer, one number per row."""
     from exactspline.display.sheet import Sheet
 
     made = Sheet("what", "name", "value", "double", title=row["key"], name=row["key"], prose=["value"])

@@ -1,5 +1,5 @@
-"""What a command prints: tables for people, JSON, CSV or Markdown for programs; and where standard output goes when
-nobody reads it any more.
+"""What a command prints: tables for people, JSON, CSV or Markdown for programs; and what happens to standard output
+when its reader has gone.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from exactspline.display.sheet import Sheet
 
-#: The version of every JSON document; it grows when a field changes its meaning or goes.
+#: The version of every JSON document; it increases when a field changes its meaning or is removed.
 VERSION = 1
 
 
@@ -37,7 +37,7 @@ class _State:
 
 
 def is_quiet() -> bool:
-    """Whether nothing but the result is wanted."""
+    """Whether only the result is to be printed."""
     return _State.quiet
 
 
@@ -61,8 +61,8 @@ class Output:
         people: Callable[[], None] | None = None,
         by: str = "",
     ) -> None:
-        """Print the result: `rows` as JSON, `sheets` as CSV or Markdown (`by` heads the column of their names), or what
-        `people` read, which is the sheets with their legend where nothing else is said.
+        """Print the result: `rows` as JSON, `sheets` as CSV or Markdown (`by` heads the column of their names), or call
+        `people` for a person; by default the sheets with their legend are printed.
         """
         if self.format == "json":
             print_json(document(schema, rows()))
@@ -78,7 +78,7 @@ class Output:
             self.show(sheets())
 
     def show(self, sheets: Sequence[Sheet], *more: str) -> None:
-        """Tables one below the other and then the meaning of their columns, and of `more` words."""
+        """Tables one below the other, then the meaning of their columns and of `more` words."""
         from exactspline.display import console
 
         out = console.console()
@@ -136,12 +136,12 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
 
 
 class Guarded(io.FileIO):
-    """Standard output that may be closed by its reader (``| head``): what nobody reads is dropped, and the command ends
-    with the status that it has earned.
+    """Standard output that may be closed by its reader (``| head``): the rest is dropped, and the command ends with its
+    usual status.
     """
 
     def write(self, data: Buffer, /) -> int:
-        """Write, unless nobody reads."""
+        """Write, unless the reader has gone."""
         try:
             return super().write(data) or 0
         except BrokenPipeError:
@@ -149,7 +149,7 @@ class Guarded(io.FileIO):
 
 
 def guard_output() -> None:
-    """Let standard output survive a reader that leaves, and a terminal that lacks a letter."""
+    """Let standard output survive a reader that leaves and a terminal whose encoding lacks a character."""
     old = sys.stdout
     if isinstance(old, io.TextIOWrapper):
         old.flush()

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from exactspline.verification.questions import Proof
     from exactspline.verification.verdict import Row
 
-#: So many claims are listed one by one, more are summed up.
+#: Up to so many claims are listed one by one; more are summarized.
 FEW = 12
 
 Claims = Annotated[
@@ -54,7 +54,7 @@ Judge = Annotated[
     typer.Option(
         "--judge",
         metavar="JUDGE",
-        help="Who decides the identities once more, for all curves: sympy, or the kernel of coq (in a column).",
+        help="A second judge of the identities, for all curves: sympy, or the kernel of coq (in a column).",
     ),
 ]
 EmitCoq = Annotated[
@@ -146,7 +146,7 @@ def _named(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
 
 
 def _identity(out: Output, text: str, trust: bool) -> None:
-    """One identity between formulas of anybody; status 1 where it does not hold."""
+    """One identity between any formulas; status 1 where it does not hold."""
     from exactspline.verification.questions import proof_of
 
     found = proof_of(text, trust=trust)
@@ -170,13 +170,13 @@ def _told(text: str) -> None:
 
 
 def _judge(name: str) -> Callable[[Sequence[Claim]], list[Callable[[], Row]]]:
-    """What gives the calls of another judge."""
+    """The function that gives the calls of another judge."""
     if name == "coq":
         from exactspline.verification import ledger
 
         return ledger.tasks
     if name != "sympy":
-        raise ClaimError(f"no judge is called {name!r}", remedy="there are sympy and coq")
+        raise ClaimError(f"there is no judge called {name!r}", remedy="choose sympy or coq")
     from exactspline.verification import sympy_judge
 
     return sympy_judge.tasks
@@ -190,7 +190,7 @@ def _kernel(claims: Sequence[Claim]) -> dict[tuple[str, str], str]:
 
 
 def _emit(directory: str) -> None:
-    """Write the theorems, and say how many there are and what has none."""
+    """Write the theorems, and print their number and which claims have none."""
     from pathlib import Path
 
     from exactspline.display import console
@@ -207,7 +207,7 @@ def _emit(directory: str) -> None:
 def _word(name: str, known: Sequence[str]) -> str:
     if name.upper() not in known:
         raise ClaimError(
-            f"no verdict is called {name!r}", remedy=nearest(name, known, listed_by="exactspline glossary")
+            f"there is no verdict called {name!r}", remedy=nearest(name, known, listed_by="exactspline glossary")
         )
     return name.upper()
 
@@ -218,7 +218,7 @@ def _of_sections(claims: Sequence[Claim], wanted: Sequence[str]) -> list[Claim]:
     known = list(dict.fromkeys(map(section, claims)))
     for name in wanted:
         if not any(_within(each, name) for each in known):
-            raise ClaimError(f"no section is called {name!r}", remedy=nearest(name, known))
+            raise ClaimError(f"there is no section called {name!r}", remedy=nearest(name, known))
     return [claim for claim in claims if not wanted or any(_within(section(claim), name) for name in wanted)]
 
 
@@ -229,7 +229,7 @@ def _within(section: str, wanted: str) -> bool:
 
 
 class _Ledger:
-    """The rows of a run, for programs and for people."""
+    """The rows of a run, as data and as tables."""
 
     def __init__(
         self,
@@ -251,7 +251,7 @@ class _Ledger:
         return any(own_curves(claim.source_paper) for claim in self.claims)
 
     def data(self) -> list[dict[str, object]]:
-        """Every row, with a key of its own."""
+        """Every row, with a unique key."""
         from exactspline.display.ledger import keyed
 
         return [
@@ -278,7 +278,7 @@ class _Ledger:
         return shown
 
     def print(self, out: Output, found: Sequence[Row], *, listed: bool, everything: bool) -> None:
-        """What people read: the answer first, the rows where they are asked for."""
+        """The text output: the answer first, and the rows where they are asked for."""
         from exactspline.display import console
         from exactspline.display.ledger import closing
 

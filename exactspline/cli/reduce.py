@@ -1,4 +1,4 @@
-"""``reduce``: the reduction of a formula of the library or of the user, found by factoring."""
+"""``reduce``: the reduction of a formula of the library or of the user, found by factorization."""
 
 from __future__ import annotations
 
@@ -30,7 +30,9 @@ def reduce(
     ] = "",
     dimension: Annotated[
         int | None,
-        typer.Option("--dimension", metavar="N", min=2, max=7, help="Of the curve; without it what the formula says."),
+        typer.Option(
+            "--dimension", metavar="N", min=2, max=7, help="Dimension of the curve; by default that of the formula."
+        ),
     ] = None,
     polynomial: Annotated[bool, typer.Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
     everything: Annotated[bool, typer.Option("--all", help="Every formula of the library.")] = False,
@@ -82,7 +84,7 @@ def _formula(name: str, trust: bool) -> Any:
 
 
 def _guarded(name: str, call: Any) -> Any:
-    """Whatever goes wrong in code of the user is bad input: one line."""
+    """Any exception in code of the user is bad input: one line."""
     try:
         return call()
     except ExactSplineError:

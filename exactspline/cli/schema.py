@@ -1,4 +1,4 @@
-"""``schema``: what the JSON of a command looks like."""
+"""``schema``: the format of the JSON of a command."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import typer
 from exactspline.cli.output import VERSION, print_json
 from exactspline.errors import ExactSplineError, nearest
 
-#: The schema of a line of `exactspline sweep`, which is no document of rows.
+#: The schema of a line of `exactspline sweep`, which is not a document of rows.
 LINE = "sweep_line"
 
 
@@ -50,7 +50,7 @@ def schema_of(name: str) -> dict[str, object]:
     known = schemas()
     if name not in known:
         raise SchemaError(
-            f"no schema is called {name!r}", remedy=nearest(name, [*known, LINE], listed_by="exactspline schema")
+            f"there is no schema called {name!r}", remedy=nearest(name, [*known, LINE], listed_by="exactspline schema")
         )
     fields = known[name]
     row = {

@@ -102,7 +102,7 @@ def _print(out: Output, found: list[Statement], latex: bool) -> None:
         for what, text in fields(s, latex):
             style = COLOURS.get(text.split(" ")[0], "") if what == "verdict" else ""
             if latex and "\\" in text:
-                # LaTeX is for copying: no line of it is broken
+                # LaTeX is for copying, so that its lines are not broken
                 shown.print(Text(f"  {what}: {text}", no_wrap=True, overflow="ignore"), soft_wrap=True)
             else:
                 console.lines(shown, f"{what}: {text}", indent=4, first=2, style=style)

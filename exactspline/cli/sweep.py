@@ -27,7 +27,7 @@ Tick = Callable[[float, "Line", bool], None]
 
 
 def _completed(given: str) -> list[str]:
-    """Names of examples that begin so; the shell completes files by itself."""
+    """The example curves whose names begin like this; the shell itself completes files."""
     from exactspline.splines.examples import example_names
 
     return [name for name in example_names() if name.startswith(given)]
@@ -87,7 +87,7 @@ OutputFile = Annotated[
         "-o",
         metavar="FILE",
         help="Where the lines go: JSON Lines, or Parquet for *.parquet (a folder of parts); - for standard output, "
-        "then without a summary. Where FILE is there, the sweep goes on behind its last whole line.",
+        "then without a summary. Where FILE is there, the sweep continues after its last complete line.",
     ),
 ]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
@@ -118,9 +118,8 @@ def sweep(
     backend: Backend = "processes",
     scheduler: Scheduler = "",
 ) -> None:
-    """Features, and verdicts of claims, of many curves: a line each, in order, and a summary.
-
-    A curve that is broken is a line with its error. Killed or interrupted, the same command goes on where it was.
+    """Features of many curves, and verdicts of claims on them: one line each, in order, and a summary. A broken curve
+    gives a line with its error. After a kill or an interruption, the same command continues where it stopped.
     """
     from exactspline.batch.backends import check_backend
     from exactspline.batch.recorded import Where, recorded
@@ -138,7 +137,7 @@ def sweep(
             recorded(sources, work, where, "" if to_stdout else output, summary, told, stopped)
         interrupted = stopped()
     if interrupted:
-        goes_on = f"; the same command goes on behind them in {output}" if output and not to_stdout else ""
+        goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""
         sys.stderr.write(f"interrupted after {summary.lines} curves{goes_on}\n")
         raise typer.Exit(INTERRUPTED)
     if not to_stdout:
@@ -151,12 +150,14 @@ def sweep(
 
 
 def _sources(corpus: Sequence[str], random: Sequence[str]) -> list[Source]:
-    """What is swept. Words of a family that stand apart (``--random degree=5 count=100``) reach us among the files."""
+    """The curves to sweep. Words of a family that are separate (``--random degree=5 count=100``) arrive among the
+    files.
+    """
     from exactspline.batch.families import Family, is_word
 
     words = [word for word in corpus if random and is_word(word) and not Path(word).exists()]
     if words and len(random) > 1:
-        raise CurveFileError(f"to which --random {words[0]} belongs is unknown", remedy="join its words by commas")
+        raise CurveFileError(f"it is unclear to which --random {words[0]} belongs", remedy="join its words by commas")
     families = [Family.parsed([*text.replace(",", " ").split(), *words]) for text in random]
     sources: list[Source] = [*[word for word in corpus if word not in words], *families]
     if not sources:
@@ -177,8 +178,8 @@ def _printing(tick: Tick) -> Tick:
 
 @contextmanager
 def _interruptible() -> Iterator[Callable[[], bool]]:
-    """Ctrl-C once: the curves that are begun are finished and written; twice: they are dropped, and computed when the
-    sweep goes on.
+    """Ctrl-C once: the curves in progress are finished and written; twice: they are dropped, and computed when the
+    sweep continues.
     """
     presses = 0
 
@@ -187,7 +188,7 @@ def _interruptible() -> Iterator[Callable[[], bool]]:
         presses += 1
         if presses > 1:
             raise KeyboardInterrupt
-        sys.stderr.write("\nfinishing the curves that are begun; Ctrl-C again drops them\n")
+        sys.stderr.write("\nfinishing the curves in progress; press Ctrl-C again to drop them\n")
 
     try:
         before = signal.signal(signal.SIGINT, pressed)
@@ -197,7 +198,7 @@ def _interruptible() -> Iterator[Callable[[], bool]]:
     try:
         yield lambda: presses > 0
     except KeyboardInterrupt:
-        sys.stderr.write("interrupted; what is written stays\n")
+        sys.stderr.write("interrupted; what has been written is kept\n")
         raise typer.Exit(INTERRUPTED) from None
     finally:
         signal.signal(signal.SIGINT, before)

@@ -69,5 +69,5 @@ def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
     known = dict(zip("xyz", curve.p, strict=False)) | {"w": curve.w}
     wanted = [name.strip() for name in names.split(",")]
     if len(wanted) != 2 or any(name not in known for name in wanted):
-        raise OptionsError(f"{names!r} names no two functions", remedy=f"write two of {', '.join(known)}: x,y")
+        raise OptionsError(f"{names!r} does not name two functions", remedy=f"write two of {', '.join(known)}: x,y")
     return known[wanted[0]], known[wanted[1]]

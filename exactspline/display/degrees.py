@@ -1,4 +1,4 @@
-"""Degree tables for people: what vanishes or does not exist says so, and no number stands for it."""
+"""Degree tables: an object that vanishes or does not exist is marked as such, not by a number."""
 
 from __future__ import annotations
 
@@ -7,12 +7,13 @@ from collections.abc import Iterable
 from exactspline.display.sheet import Sheet
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.degree_tables import DegreeRow, FormulaDegrees, GenericRow
+from exactspline.verification.patch_degrees import PatchRow
 
 NOTHING, ZERO = "–", "zero"
 
 
 def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
-    """What the constructions or formulas cost on a curve.
+    """The cost of constructions or formulas on a curve.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.verification.degree_tables import construction_table
@@ -43,13 +44,27 @@ def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sh
 
 
 def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
-    """What is proved of formulas on the generic curve of degree d."""
+    """The degrees of formulas that are proved for the generic curve of degree d."""
     numbers = ("nominal", "reduced", "in lowest terms")
     title = "Formulas on the generic curve of degree d"
     made = Sheet("formula", "curves", "nominal", "cancelled", *numbers[1:], title=title, numbers=numbers, heads=2)
     for row in rows:
         made.add_row(row.formula, row.curves, row.nominal, row.cancelled, row.reduced, row.lowest)
     return made
+
+
+def patch_sheet(rows: Iterable[PatchRow], degrees: tuple[int, int]) -> Sheet:
+    """Formulas of surfaces on patches of one bidegree."""
+    numbers = ("nominal", "reduced", "attained")
+    title = f"Formulas on patches of degree {degrees[0]} × {degrees[1]}"
+    made = Sheet("formula", "patches", *numbers, title=title, numbers=numbers, heads=2)
+    for row in rows:
+        made.add_row(row.formula, row.patches, _pair(row.naive), _pair(row.true), _pair(row.attained))
+    return made
+
+
+def _pair(degrees: tuple[int, int] | None) -> str:
+    return ZERO if degrees is None else f"{degrees[0]} × {degrees[1]}"
 
 
 def _degree(row: DegreeRow) -> str:
@@ -67,7 +82,7 @@ def _points(row: DegreeRow) -> str:
 
 
 def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
-    """What is proved of the generic curve of degree d."""
+    """The degrees that are proved for the generic curve of degree d."""
     numbers = ("naive", "paper", "k", "m", "kd − m", "j", "true")
     made = Sheet(
         "construction",

@@ -1,4 +1,4 @@
-"""The ledger as one page with filters that asks nothing of the network."""
+"""The ledger as one self-contained page with filters."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def page(rows: Sequence[Row]) -> str:
 
 
 def write_page(path: str, rows: Sequence[Row]) -> None:
-    """Write the page: the file is there whole or not at all."""
+    """Write the page: the file is written whole or not at all."""
     text = page(rows).encode()
     write_atomically(path, lambda stream: stream.write(text))
 

@@ -1,4 +1,4 @@
-"""What a surface has, as data for programs and as a table for people."""
+"""The features of a surface, as data and as a table."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from exactspline.splines.surface import Along, NurbsSurface
 
 #: The index of an umbilic by its kind.
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
-#: What is said of a patch of a kind.
+#: The description of a patch of a kind.
 CURVATURE = {
     PatchKind.ELLIPTIC: "K > 0",
     PatchKind.HYPERBOLIC: "K < 0",
@@ -49,7 +49,7 @@ def described_surface(surface: NurbsSurface) -> str:
 
 
 def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, object]:
-    """All of it as data for programs: numbers as exact text, irrational ones as intervals and to so many digits."""
+    """The whole inspection as data: numbers as exact text, irrational ones as intervals and to so many digits."""
     surface = found.surface
     return {
         "surface": surface.name,
@@ -76,6 +76,10 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
             for one in found.patches
             for part in one.parabolic
         ],
+        "parabolic_points": [
+            {"u": text(u), "v": text(v)}
+            for u, v in dict.fromkeys(point for one in found.patches for point in one.parabolic_points)
+        ],
         "singular_points": [_place_data(place, digits) for place in found.singular_points],
         "poles": [
             {
@@ -99,6 +103,7 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
         "minimal": one.minimal,
         "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
         "umbilic_everywhere": one.umbilics.everywhere,
+        "singular_curve": one.singular.factor is not None,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
         "undecided": [_hull_data(box) for box in boxes],
     }
@@ -178,7 +183,7 @@ def _extent(one: PatchInspection, part: Part) -> Box:
 
 
 def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
-    """What a surface has, one thing a row."""
+    """The features of a surface, one per row."""
     surface = found.surface
     closed = f", closed in {' and '.join(along.value for along in found.closed)}" if found.closed else ""
     title = f"{surface.name}: {described_surface(surface)}{closed}"
@@ -190,6 +195,8 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
     for one in found.patches:
         for part in one.parabolic:
             made.add_row("parabolic curve", *(_near(side) for side in _extent(one, part)), part.shape.value)
+    for spot in dict.fromkeys(point for one in found.patches for point in one.parabolic_points):
+        made.add_row("parabolic point", *(text(x) for x in spot), "K = 0 there alone")
     for umbilic in found.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
     for place in found.singular_points:
@@ -232,7 +239,7 @@ def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
 
 
 def _of_patch(one: PatchInspection) -> str:
-    """What is said of a patch."""
+    """The description of a patch."""
     told = [CURVATURE.get(one.kind, "")]
     if one.radius_squared is not None:
         told = [f"K = {text(1 / one.radius_squared)}", "every point is an umbilic"]
@@ -240,6 +247,8 @@ def _of_patch(one: PatchInspection) -> str:
         told.append("H = 0")
     if one.umbilics.curve is not None or one.umbilics.edges:
         told.append("umbilics along a curve")
+    if one.singular.factor is not None:
+        told.append("no tangent planes along a curve")
     return ", ".join(filter(None, told))
 
 
@@ -289,7 +298,7 @@ def _near(side: Interval) -> str:
 
 
 def map_data(found: MapInspection) -> dict[str, object]:
-    """The sign of a Jacobian determinant as data for programs."""
+    """The sign of a Jacobian determinant as data."""
 
     def point(place: tuple[mpq, mpq] | None) -> list[str] | None:
         return None if place is None else [text(x) for x in place]

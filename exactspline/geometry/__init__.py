@@ -1,1 +1,1 @@
-"""What the curve at hand has: constructions, features, ruled surfaces, bisectors."""
+"""The geometry of a curve: constructions, features, ruled surfaces, bisectors."""

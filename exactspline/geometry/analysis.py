@@ -1,8 +1,6 @@
-"""One curve, one analysis: everything that is told of a curve is read from one lazy object that belongs to it.
-
-`analyse` makes it at the first call and keeps it with the curve. Each fact is computed when it is first asked for and
-then kept; it may be asked for from several threads. An analysis is not part of the curve's value: it is not copied,
-pickled or compared.
+"""One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
+it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
+threads may share it. An analysis is not part of the curve's value: it is not copied, pickled or compared.
 """
 
 from __future__ import annotations
@@ -23,8 +21,8 @@ _LOCK = Lock()
 
 
 class Analysis(SpaceFacts):
-    """What can be told of one curve in the plane or in space (see `exactspline.geometry.features` for what each list
-    holds).
+    """Everything that can be computed of one curve in the plane or in space (see `exactspline.geometry.features` for
+    what each list holds).
 
     >>> from exactspline.splines.examples import example
     >>> found = analyse(example("ellipse"))
@@ -87,12 +85,12 @@ class Analysis(SpaceFacts):
     @Fact
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
-        return tuple(planar_pieces(self.curve)) if self.in_space else ()
+        return tuple(planar_pieces(self.curve)) if self.in_space and not self._twists_everywhere else ()
 
     @Fact
     def plane(self) -> Plane | None:
         """The plane of a space curve that has one."""
-        return plane_of(self.curve) if self.in_space else None
+        return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
 
 
 def analyse(curve: Nurbs) -> Analysis:

@@ -1,8 +1,8 @@
 """The constructions of the paper and the forms each can be computed in.
 
 A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it,
-others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by
-whatever the curve at hand allows: the naive variant in lowest terms.
+others by their own names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by all
+common factors on the given curve: the naive variant in lowest terms.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Variant(StrEnum):
     #: As the paper reduces it, and in a reduced form that the paper does not print.
     PAPER = "paper"
     REDUCED = "reduced"
-    #: From the lifts of the curve, and then divided by whatever the curve at hand allows.
+    #: From the lifts of the curve, and then divided by all common factors on the given curve.
     LIFTED = "lifted"
     MINIMAL = "minimal"
 
@@ -56,8 +56,8 @@ class Construction:
     """A derived object: its name, its variants as names of formulas, and whether only its zero set matters (then a
     positive factor may go).
 
-    A ruled surface is directrix and generator side by side; what its minimal form is,
-    `exactspline.splines.lowest_terms.in_lowest_terms` says.
+    A ruled surface is directrix and generator side by side; its minimal form is defined in
+    `exactspline.splines.lowest_terms.in_lowest_terms`.
     """
 
     name: str
@@ -94,7 +94,7 @@ class Construction:
 
     @property
     def dimension(self) -> int:
-        """That of the curves it speaks of."""
+        """The kind of its curves."""
         return kind_of(self.curve).dimensions[0]
 
     def on(
@@ -179,11 +179,11 @@ def construction(name: str) -> Construction:
     >>> [f"{variant}: {formula}" for variant, formula in construction("evolute").variants.items()]
     ['naive: evolute', 'paper: evolute_reduced', 'lifted: evolute_lifted']
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` naming those that exist.
     """
     if name not in all_constructions():
         raise FormulaError(
-            f"no construction is called {name!r}",
+            f"there is no construction called {name!r}",
             remedy=nearest(name, all_constructions(), listed_by="exactspline derive"),
         )
     return all_constructions()[name]

@@ -53,9 +53,9 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     roots = [polynomial_root(part) for part in (squared.numerator, squared.denominator)]
     if None in roots:
         return CurvaturePiece(
-            interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is no Pythagorean hodograph here"
+            interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is not a Pythagorean hodograph here"
         )
-    (n, up), (m, down) = roots  # type: ignore[misc]  # None is not among them
+    (n, up), (m, down) = roots  # type: ignore[misc]  # None is excluded
     if _vanishes(m):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
@@ -71,7 +71,7 @@ def _inner(interval: Interval, j: int) -> mpq:
 
 
 def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
-    """A spline r and a constant c with ``f = c r²``, of a spline of one segment; None where there are none.
+    """A spline r and a constant c with ``f = c r²``, for a spline f of one segment; None where there are none.
 
     >>> polynomial_root(BSpline.bezier([2, -4, 8]))
     (BSpline(1, [0, 0, 1, 1], [-1, 2]), mpq(2,1))

@@ -1,5 +1,4 @@
-"""What a user calls: the derived objects of a curve, in whatever variant, with the places where they do not exist
-named.
+"""The user's interface to the derived objects of a curve, in any variant; the places where they do not exist are named.
 
 Parameters and coordinates are unitless exact numbers.
 """
@@ -100,8 +99,8 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     >>> derive("evolute", example("circle"))("1/2")
     (mpq(0,1), mpq(0,1))
 
-    Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where
-    nothing is left.
+    Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where it
+    exists nowhere.
     """
     name = what if isinstance(what, str) else what.name
     if isinstance(what, str) and name in all_constructions():
@@ -139,7 +138,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
 
 
 def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
+    """The evolute of a plane curve, in lowest terms (`exactspline degrees --generic` prints the degree for all curves).
 
     >>> from exactspline.splines.examples import example
     >>> evolute(example("ellipse_skew")).pieces[0].value.degree
@@ -151,7 +150,7 @@ def evolute(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
 
 
 def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` tells
+    """The centres of the osculating spheres of a space curve, in lowest terms (`exactspline degrees --generic` prints
     the degree for all curves).
 
     >>> from exactspline.splines.examples import example
@@ -164,7 +163,7 @@ def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Deriv
 
 
 def torsion(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` tells the degree for all curves).
+    """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` prints the degree for all curves).
 
     >>> from exactspline.splines.examples import example
     >>> torsion(example("twisted_cubic")).pieces[0].value.degree
@@ -176,7 +175,7 @@ def torsion(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
 
 
 def circle_centres(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` tells
+    """The centres of the osculating circles of a space curve, in lowest terms (`exactspline degrees --generic` prints
     the degree for all curves).
 
     >>> from exactspline.splines.examples import example

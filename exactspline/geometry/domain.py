@@ -26,7 +26,7 @@ def part(curve: Nurbs, a: mpq, b: mpq) -> Curve[BSpline]:
         curve.w if whole else curve.w.restrict(a, b),
         polynomial=curve.polynomial,
     )
-    restricted.domain = (a, b)  # type: ignore[attr-defined]  # a plain curve is told its domain, a Nurbs knows it
+    restricted.domain = (a, b)  # type: ignore[attr-defined]  # a plain curve is given its domain, a Nurbs has one
     return restricted
 
 

@@ -1,6 +1,6 @@
 """Curvature and torsion at a root to so many significant digits, as mpmath numbers.
 
-Whether a value is exactly zero is decided first; what is not zero is enclosed until its own digits are certain, however
+Whether a value is exactly zero is decided first; otherwise it is enclosed until its leading digits are certain, however
 small it is.
 """
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def curvature_sign(curve: Nurbs, root: Root, side: Side | str = Side.RIGHT) -> int:
-    """The sign of κ at a root of whatever form, exactly: in space 1, or 0 where κ = 0."""
+    """The sign of κ at a root of any form, exactly: in space 1, or 0 where κ = 0."""
     analysis = analyse(curve)
     if not analysis.in_space:
         return analysis.sign_of("zero_curvature", root, side)
@@ -58,7 +58,7 @@ def torsion_value(curve: Nurbs, root: Root, digits: int, side: Side | str = Side
 
 
 def _certain(value: Callable[[int], mpq | Surd | Enclosure], digits: int) -> Any:
-    """A quantity, asked for to more and more digits behind the point, until so many significant ones are certain."""
+    """A quantity computed to more and more digits after the point until the required significant ones are certain."""
     wanted = digits + 2
     while True:
         found = value(wanted)

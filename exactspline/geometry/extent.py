@@ -1,8 +1,9 @@
-"""How far a curve reaches: where its coordinates turn, and the box around it."""
+"""The extent of a curve: the extrema of its coordinates, and its bounding box."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from exactspline.exact import mpq
 from exactspline.geometry.facts import located
@@ -27,8 +28,8 @@ def slope_zeros(curve: Nurbs, axis: int) -> ZeroSet:
 
 
 def turning_points(curve: Nurbs, axis: int) -> list[Feature]:
-    """Where a coordinate goes from up to down (``maximum``) or back (``minimum``), at a single parameter: where type
-    designers put points. Intervals on which it stays the same are not among them.
+    """Where a coordinate changes from increasing to decreasing (``maximum``) or back (``minimum``), at a single
+    parameter: where type designers place points. Intervals on which it is constant are not included.
 
     >>> from exactspline import example
     >>> [(f.kind.value, f.root.exact) for f in turning_points(example("circle"), 1)]
@@ -44,7 +45,7 @@ def turning_points(curve: Nurbs, axis: int) -> list[Feature]:
 
 
 def coordinate_extrema(curve: Nurbs) -> list[Feature]:
-    """Where any of the coordinates turns, in the order of the parameter.
+    """The extrema of all coordinates, in the order of the parameter.
 
     >>> from exactspline import example
     >>> len(coordinate_extrema(example("circle")))
@@ -73,15 +74,21 @@ def _value(curve: Nurbs, axis: int, place: mpq | Root) -> Real:
 
 
 def _extreme(values: Sequence[Real], side: int) -> Real:
-    """The largest (side 1) or smallest (−1) of several numbers, without asking which of them it is."""
+    """The largest (side 1) or smallest (−1) of several numbers, without deciding which of them it is."""
     choose = max if side > 0 else min
     best = choose(v.exact for v in values if isinstance(v.exact, type(mpq())))
     rest = [v for v in values if v.exact is None and v.sign_above(best) == side]
     if not rest:
         return Real.of(best)
 
-    def enclosed(digits: int) -> tuple[mpq, mpq]:
-        ends = [v.enclosed(digits) for v in rest]
-        return choose(low for low, _ in ends), choose(high for _, high in ends)
+    given = (tuple(rest), choose)
+    return Real(None, partial(_extreme_enclosed, *given), partial(_extreme_compared, *given))
 
-    return Real(None, enclosed, lambda t: choose(v.sign_above(t) for v in rest))
+
+def _extreme_enclosed(values: Sequence[Real], choose: Callable[..., mpq], digits: int) -> tuple[mpq, mpq]:
+    ends = [v.enclosed(digits) for v in values]
+    return choose(low for low, _ in ends), choose(high for _, high in ends)
+
+
+def _extreme_compared(values: Sequence[Real], choose: Callable[..., int], t: mpq) -> int:
+    return choose(v.sign_above(t) for v in values)

@@ -1,8 +1,8 @@
-"""What is known of one curve, each fact computed once and when it is first asked for: the forms whose zeros its
+"""The facts of one curve, each computed once, when it is first needed: the forms whose zeros its
 features are, these zeros, its joints and its singular points.
 
-Nothing here is recomputed, and everything takes time linear in the segments (sorting apart). Which parameter a form
-depends on is no business of this module: it asks the zero sets.
+Nothing here is recomputed, and everything takes time linear in the segments (sorting apart). This module does not
+depend on the parameter of a form: it uses the zero sets.
 """
 
 from __future__ import annotations
@@ -73,14 +73,14 @@ class Fact(Generic[F, T]):
 
 @dataclass(frozen=True)
 class ZeroForm:
-    """A form on a curve, its zeros, and the seconds that it took to find them."""
+    """A form on a curve, its zeros, and the time that it took to find them, in seconds."""
 
     form: BSpline
     zeros: ZeroSet
     seconds: float
 
     def sign_at(self, root: Root, side: Side | str = Side.RIGHT) -> int:
-        """The sign of the form at a root of whatever form (at a knot the limit from a side): from the certified zeros
+        """The sign of the form at a root of any form (at a knot the limit from a side): from the certified zeros
         alone, nothing is evaluated.
         """
         breaks = self.form.mesh.breaks
@@ -106,7 +106,7 @@ class ZeroForm:
         return 0 if before == root else before.signs[1] or 0
 
     def _inside(self, segment: int, count: int) -> Sequence[Root]:
-        """The roots strictly inside a segment, so many."""
+        """The number of roots strictly inside a segment."""
         if not count:
             return ()
         found, start = self.zeros.roots, self.form.mesh.breaks[segment]
@@ -153,7 +153,7 @@ class Facts:
         self.breaks: tuple[mpq, ...] = curve.breakpoints
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """What is kept under a key, computed by the first who asks."""
+        """The value kept under a key, computed at the first request."""
         if key not in self._known:
             with self._lock:
                 if key not in self._known:
@@ -201,7 +201,7 @@ class Facts:
         return ZeroForm(f, zeros(f, periodic=self.closed), perf_counter() - start)
 
     def sign_of(self, name: str, root: Root, side: Side | str = Side.RIGHT) -> int:
-        """The sign of a zero-set construction at a root of whatever form, exactly: apart from what form answers it."""
+        """The sign of a zero-set construction at a root of any form, exactly, whichever form decides it."""
         return self.zero_form(name).sign_at(root, side)
 
     @Fact
@@ -228,14 +228,14 @@ class Facts:
     # ---- knots
 
     def sides(self, t: mpq) -> tuple[mpq, mpq]:
-        """The parameters whose left and right limits meet at a knot: the same one, but for the seam."""
+        """The parameters whose left and right limits meet at a knot: equal except at the seam."""
         a, b = self.curve.domain
         return (b, a) if self.closed and t in (a, b) else (t, t)
 
     @Fact
     def standing(self) -> tuple[bool, ...]:
         """Segment by segment whether the curve stands still."""
-        return tuple([not any(parts) for parts in zip(*[x.polynomials for x in self.velocity], strict=True)])
+        return tuple([not any(parts) for parts in zip(*[x._polynomials for x in self.velocity], strict=True)])
 
     @Fact
     def ends(self) -> Ends:
@@ -280,7 +280,7 @@ class Facts:
         return Joint(t, self._smooth_kind(t, left, right, order), order, seam, curvatures=curvatures)
 
     def _smooth_kind(self, t: mpq, left: Jet, right: Jet, order: int) -> JointKind:
-        """The kind of a joint with one tangent."""
+        """The kind of a joint with a common tangent."""
         if self.curve.dimension == 3:
             a, b = bend_of(left), bend_of(right)
             if not any(a) or not any(b):
@@ -302,7 +302,7 @@ class Facts:
 
     @Fact
     def singular_points(self) -> tuple[Feature, ...]:
-        """The parameters where γ′ = 0; of an interval on which the curve stands still its ends."""
+        """The parameters where γ′ = 0; of an interval on which γ′ vanishes identically its ends."""
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
             for root in (() if self._moves_between_knots else self.speed.zeros)
@@ -319,18 +319,18 @@ class Facts:
 
     @property
     def _moves_between_knots(self) -> bool:
-        """Whether it is quickly seen that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
-        there, or two without a common factor; False says nothing.
+        """A quick test that γ′ ≠ 0 strictly between knots: a component whose coefficients have one sign
+        there, or two without a common factor; False proves nothing.
         """
         return all(
             any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
-            for parts in zip(*[x.polynomials for x in self.velocity], strict=True)
+            for parts in zip(*[x._polynomials for x in self.velocity], strict=True)
         )
 
     @property
     def _knots_at_rest(self) -> list[int]:
         """The breakpoints at which γ′ = 0 on one side at least, that of a closed curve's seam among them."""
-        ends = [(x.polynomials, x.degree) for x in self.velocity]
+        ends = [(x._polynomials, x.degree) for x in self.velocity]
         count = len(self.breaks) - 1
         return [
             i
@@ -358,7 +358,7 @@ class Facts:
         return self.regular_pairs(located(found))
 
     def regular_pairs(self, found: list[tuple[Root, bool]]) -> list[tuple[Root, bool]]:
-        """What is not a singular point, out of roots in order."""
+        """The roots, in order, that are not singular points."""
         singular = among([root for root, _ in found], self._singular_roots)
         return [pair for pair, here in zip(found, singular, strict=True) if not here]
 

@@ -1,4 +1,4 @@
-"""Points and pieces of interest of a curve, in the plane or in space: what a user calls. The curve is asked for its
+"""Points and pieces of interest of a curve, in the plane or in space: the user's interface. The curve is asked for its
 dimension; everything is read from its analysis, so that nothing is computed twice.
 
 All parameters are certified roots. A point where γ′ = 0 is a singular point and nothing else. On a closed curve the
@@ -30,7 +30,7 @@ __all__ = [
 def inflections(curve: Nurbs) -> list[Feature]:
     """The zeros of the curvature at regular points.
 
-    ``inflection``: its sign changes, in space the direction of κN is turned round; ``undulation``: it is kept; ``flat
+    ``inflection``: its sign changes, in space the direction of κN is reversed; ``undulation``: it is kept; ``flat
     end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes of the two sides
     differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`). Straight pieces are not
     listed here.
@@ -47,8 +47,8 @@ def inflections(curve: Nurbs) -> list[Feature]:
 
 
 def curvature_extrema(curve: Nurbs) -> list[Feature]:
-    """The extrema of the curvature (in space but for κ = 0): inside segments, and at knots where κ is continuous and κ′
-    changes its sign, with or without a jump.
+    """The extrema of the curvature (in space except those with κ = 0): inside segments, and at knots where κ is
+    continuous and κ′ changes its sign, with or without a jump.
 
     >>> from exactspline.splines.examples import example
     >>> found = curvature_extrema(example("six_segment_cubic"))
@@ -76,7 +76,7 @@ def critical_points(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> l
 def singular_points(curve: Nurbs) -> list[Feature]:
     """The points where γ′ = 0.
 
-    ``cusp``, ``stop`` or ``corner``: the direction of the curve is turned round, kept, or turned by another angle;
+    ``cusp``, ``stop`` or ``corner``: the direction of the curve is reversed, kept, or turned by another angle;
     ``rest``: an end of an interval on which the curve stands still; ``singular end``: the domain ends there.
 
     >>> from exactspline.splines.examples import example
@@ -87,7 +87,7 @@ def singular_points(curve: Nurbs) -> list[Feature]:
 
 
 def cusps(curve: Nurbs) -> list[Feature]:
-    """The singular points at which the direction of the curve is turned round.
+    """The singular points at which the direction of the curve is reversed.
 
     >>> from exactspline.splines.examples import example
     >>> len(cusps(example("cusp"))), len(cusps(example("cubic_s")))
@@ -97,8 +97,8 @@ def cusps(curve: Nurbs) -> list[Feature]:
 
 
 def joints(curve: Nurbs) -> list[Joint]:
-    """How the curve goes on at every knot inside its domain and at the seam of a closed curve: kind, order of geometric
-    continuity, the angle of a corner, the width of a gap, the curvatures of both sides where they differ.
+    """How the curve continues at every knot inside its domain and at the seam of a closed curve: kind, order of
+    geometric continuity, the angle of a corner, the width of a gap, the curvatures of both sides where they differ.
 
     >>> from exactspline.splines.examples import example
     >>> [(joint.parameter, joint.order) for joint in joints(example("straight_between_arcs"))]
@@ -134,8 +134,8 @@ def torsion_zeros(curve: Nurbs) -> list[Feature]:
 
 
 def straight_pieces(curve: Nurbs) -> list[CurvePiece]:
-    """The pieces on which the curve is straight: cut at corners and where it stands still, going on across the seam of
-    a closed curve where that is smooth.
+    """The pieces on which the curve is straight: cut at corners and where it stands still, continuing across the seam
+    of a closed curve where that is smooth.
 
     >>> from exactspline.splines.examples import example
     >>> [str(piece) for piece in straight_pieces(example("straight_between_arcs"))]
@@ -145,7 +145,7 @@ def straight_pieces(curve: Nurbs) -> list[CurvePiece]:
 
 
 def constant_pieces(curve: Nurbs) -> list[CurvePiece]:
-    """The pieces on which the curvature is constant: circular arcs and straight pieces, in space whatever else has it;
+    """The pieces on which the curvature is constant: circular arcs and straight pieces, in space also other curves;
     cut where the curvature or the tangent jumps.
 
     >>> from exactspline.splines.examples import example

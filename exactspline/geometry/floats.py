@@ -1,6 +1,5 @@
-"""Correctly rounded doubles of what is known exactly: one number, or rows of them in one call.
-
-What `exactspline.Nurbs.at_floats`, `curvature_floats` and `torsion_floats` call.
+"""Correctly rounded doubles of exact values: one number, or rows of them in one call; behind
+`exactspline.Nurbs.at_floats`, `curvature_floats` and `torsion_floats`.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from exactspline.splines.surd import Surd
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
-#: What has a correctly rounded double: a feature stands for its parameter.
+#: Values with a correctly rounded double; a feature stands for its parameter.
 Exact: TypeAlias = Number | Surd | Root | Real | Feature
 
 
@@ -42,7 +41,7 @@ def floats(
     >>> floats(inflections(curve)), floats(curve.control_points[1]), floats(mpq(1, 10), "up") - 0.1
     ([0.5], [1.0, 2.0], 0.0)
 
-    Raises `NumberError` for what is not an exact number, `OverflowError` beyond the largest double.
+    Raises `NumberError` for anything that is not an exact number, `OverflowError` beyond the largest double.
     """
     if isinstance(values, Feature):
         return Real.of(values.root).double(rounding)
@@ -80,5 +79,5 @@ def torsion_floats(
 
 
 def place_of(t: float | Number | Root) -> mpq | Root:
-    """A parameter, the float among them with its binary value."""
+    """A parameter; a float counts with its binary value."""
     return from_float(t) if is_float(t) else exact_place(cast(Number | Root, t))

@@ -1,4 +1,6 @@
-"""Everything `inspect` tells of a curve, read from its analysis; the approaches to critical curvature side by side."""
+"""Everything that `inspect` shows of a curve, read from its analysis; and a comparison of the approaches to critical
+curvature.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,7 @@ class Approach(StrEnum):
     MINIMAL = "minimal"
 
     def variant(self, curve: Nurbs) -> Variant:
-        """The form that it solves on a curve: in space the paper reduces none."""
+        """The form that it solves on a curve: in space the paper has no reduced form."""
         if self is Approach.REDUCED and curve.dimension == 2:
             return Variant.PAPER
         return Variant(self.value)
@@ -83,7 +85,7 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
 
 
 def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
-    """What an inspection solves: names, titles, functions and their zeros.
+    """The functions that an inspection solves: names, titles, functions and their zeros.
 
     >>> from exactspline.splines.examples import example
     >>> [name for name, *_ in solved(example("twisted_cubic"), "minimal")]
@@ -102,7 +104,7 @@ def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpli
 
 @dataclass(frozen=True)
 class ApproachResult:
-    """What one approach to critical curvature costs and finds.
+    """The cost and the result of one approach to critical curvature.
 
     `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (the inflections of a plane curve
     that squaring adds, and singular points); `missing` are critical points at which it finds nothing.
@@ -118,7 +120,7 @@ class ApproachResult:
 
 
 def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
-    """All approaches on one curve, what they find held exactly against the minimal form.
+    """All approaches on one curve, their results compared exactly with the minimal form.
 
     >>> from exactspline.splines.examples import example
     >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]

@@ -2,8 +2,8 @@
 geometric continuity.
 
 The order is decided without arc length: two sides agree to order r where a change of parameter with rational
-derivatives β₁ > 0, β₂, β₃ takes the derivatives of the left side to those of the right one. So it is exact, and the
-same in every dimension.
+derivatives β₁ > 0, β₂, β₃ takes the derivatives of the left side to those of the right one. The decision is therefore
+exact, and the same in every dimension.
 
 Source: Barsky and DeRose, Geometric continuity of parametric curves, IEEE CG&A 1989.
 """
@@ -27,7 +27,7 @@ Point = tuple[mpq, ...]
 #: A point of the curve and its first three derivatives by the parameter, from one side.
 Jet = tuple[Point, Point, Point, Point]
 
-#: Derivatives that a jet holds, and the highest order of continuity that is told.
+#: Derivatives in a jet, and the highest order of continuity that is reported.
 ORDER = 3
 
 
@@ -71,7 +71,7 @@ class Ends:
         self._w = [] if curve.polynomial else [curve.w.d(k) for k in range(ORDER + 1)]
 
     def jet(self, segment: int, side: Side | str) -> Jet:
-        """The jet at the right end of a segment (``left``: what a knot has on its left) or at its left end."""
+        """The jet at the right end of a segment (``left``: on the left of a knot) or at its left end."""
         rows = [[_end(f, segment, side) for f in x] for x in self._p]
         if self._w:
             below = [_end(f, segment, side) for f in self._w]
@@ -84,7 +84,7 @@ def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
     """The value of a spline at an end of a segment."""
     if f.degree < 0:
         return mpq(0)
-    return ratio(f.polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
+    return ratio(f._polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
 
 
 def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -111,7 +111,7 @@ def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:
-    """The direction in which a vector points just beside a parameter; zeros where it vanishes all along that side.
+    """The direction of a vector just beside a parameter; zeros where it vanishes on all of that side.
 
     >>> s = BSpline.identity(-1, 1)
     >>> limit_direction(Vector(s, s * s), mpq(0), "left")

@@ -1,4 +1,4 @@
-"""What is told of a curve: the kinds of its features and of its joints, and the values that carry them."""
+"""The kinds of features and joints of a curve, and the values that describe them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ Interval = tuple[mpq, mpq]
 
 
 class FeatureKind(StrEnum):
-    """What a point of interest is; every member is also its name as text."""
+    """The kind of a point of interest; every member is also its name as text."""
 
-    #: γ′ = 0 and the direction of the curve is turned round, kept, or turned by another angle.
+    #: γ′ = 0 and the direction of the curve is reversed, kept, or turned by another angle.
     CUSP = "cusp"
     STOP = "stop"
     CORNER = "corner"
@@ -44,7 +44,7 @@ class FeatureKind(StrEnum):
 
 
 class JointKind(StrEnum):
-    """What happens at a knot, from bad to good."""
+    """The kinds of joints at a knot, from the worst to the smoothest."""
 
     #: The two sides end in different points.
     GAP = "gap"
@@ -64,10 +64,9 @@ class JointKind(StrEnum):
 
 @dataclass(frozen=True)
 class Feature:
-    """A point of the curve: what it is, its parameter as a certified root, and how it was found.
-
-    `by_jump` tells that a sign changes at a knot without a zero on both sides; `of_absolute` is the kind of extremum of
-    the absolute curvature, None where it has none.
+    """A point of the curve: its kind, its parameter as a certified root, and how it was found. `by_jump` says that a
+    sign changes at a knot without a zero on both sides; `of_absolute` is the kind of extremum of the absolute
+    curvature, None where it has none.
     """
 
     kind: FeatureKind
@@ -110,7 +109,7 @@ class CurvePiece:
         return len(self.parts) > 1
 
     def __contains__(self, t: object) -> bool:
-        return any(a <= t <= b for a, b in self.parts)  # type: ignore[operator]  # anything that compares with mpq
+        return any(a <= t <= b for a, b in self.parts)  # type: ignore[operator]  # any type comparable with mpq
 
     def __str__(self) -> str:
         return " ∪ ".join(f"[{text(a)}, {text(b)}]" for a, b in self.parts)

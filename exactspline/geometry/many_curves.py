@@ -1,7 +1,7 @@
 """Inflections and curvature extrema of thousands of plane Bézier curves given as arrays of doubles.
 
 The forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros isolated where that
-is certain (`exactspline.roots.doubles`), and what is not certain goes to exact arithmetic: every answer is that of
+is certain (`exactspline.roots.doubles`), and uncertain ones are left to exact arithmetic: every answer is that of
 `exactspline.analyse` on the curve with exactly these doubles for data. This module loads numpy.
 """
 
@@ -29,10 +29,10 @@ from exactspline.programs.wronskian import wronskian_of
 from exactspline.roots.doubles import Flags, Integers, Isolated, Rows, isolated, narrowed, ordinates
 from exactspline.splines.nurbs import Nurbs
 
-#: Curves that are computed at once: their numbers stay near the processor.
+#: How many curves are computed at once, so that their numbers fit into the cache.
 CHUNK = 4096
 
-#: What the kinds are called in an array.
+#: The numbers of the kinds in an array.
 KINDS = (FeatureKind.INFLECTION, FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
 
 
@@ -40,7 +40,7 @@ class ManyFeatures(NamedTuple):
     """Features of many curves: the number of the curve, what it is (the value of a `FeatureKind`), and an interval of
     [0, 1] with its parameter; `exact` are the numbers of the curves that were left to exact arithmetic.
 
-    In the order of the curves; of each curve first what happens where κ = 0, then where κ′ = 0, in the order of the
+    In the order of the curves; for each curve first the points with κ = 0, then those with κ′ = 0, in the order of the
     parameter.
     """
 
@@ -71,7 +71,7 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
 def features_in_parts(
     points: ArrayLike, weights: ArrayLike | None = None, *, at_once: int = CHUNK
 ) -> Iterator[ManyFeatures]:
-    """The same, a part of the curves at a time: whoever stops early has what was done."""
+    """The same, a part of the curves at a time, so that partial results are available."""
     p, w = _checked(points, weights)
     for start in range(0, max(len(p), 1), at_once):
         some = slice(start, start + at_once)
@@ -146,7 +146,7 @@ def _features(p: Floats, w: Floats | None) -> ManyFeatures:
 
 
 def _operands(p: Floats, w: Floats | None) -> list[Floats]:
-    """The scaled coefficients of numerators (and denominators) of curves that are made small by powers of two."""
+    """The scaled coefficients of numerators (and denominators) of curves scaled down by powers of two."""
     scale = np.array([float(comb(p.shape[1] - 1, i)) for i in range(p.shape[1])])
     x = _small(p, axis=(1, 2))
     if w is None:
@@ -163,7 +163,7 @@ def _small(a: Floats, axis: tuple[int, ...]) -> Floats:
 
 
 def _solved(program: Program, operands: list[Floats], left: Flags) -> tuple[Rows, Isolated]:
-    """The zeros of a form; curves on which they are not certain are left."""
+    """The zeros of a form; curves on which they are uncertain are skipped."""
     (form,) = in_doubles(program, operands, roundings=2)
     rows = ordinates(form.values, form.errors)
     zeros, open_ = isolated(rows)

@@ -12,8 +12,8 @@ def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]
     """The maximal runs of segments on which something holds, as ``(first, number)``.
 
     ``joined[i]`` says that a run may go on from segment i − 1 to segment i; ``joined[0]`` is about the seam, from the
-    last segment to the first (False for an open curve). A run across the seam begins before it; one that comes round to
-    itself begins at 0.
+    last segment to the first (False for an open curve). A run across the seam begins before it; one that closes up
+    begins at 0.
 
     >>> runs([True, True, False, True], [True, True, True, True])
     [(3, 3)]

@@ -90,7 +90,7 @@ def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
     count = len(rows)
     found = _planar_runs(rows)
     if curve.closed and all(last - first < count for first, last, _ in found):
-        # twice round: what begins in the second half of the first round, or with the second round, is seen whole
+        # twice around: a run that begins in the second half of the first round, or with the second, is seen completely
         found = [
             (first % count, first % count + last - first, span)
             for first, last, span in _planar_runs([*rows, *rows])
@@ -135,7 +135,7 @@ def _rows(curve: Nurbs) -> list[Rows]:
 
 
 def _span(rows: Rows) -> Rows:
-    """A basis of what the rows span, in reduced echelon form."""
+    """A basis of the span of the rows, in reduced echelon form."""
     reduced, rank = fmpq_mat([[to_fmpq(x) for x in row] for row in rows]).rref()
     return [tuple(mpq(int(x.p), int(x.q)) for x in row) for row in reduced.tolist()[:rank]]
 
@@ -184,7 +184,7 @@ def as_plane_curve(curve: Nurbs) -> Nurbs | None:
 
 
 def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:
-    """The curves, each that has a constant coordinate followed by itself as a plane curve.
+    """The curves; each one with a constant coordinate is followed by itself as a plane curve.
 
     >>> from exactspline.splines.examples import example
     >>> len(with_plane_curves([example("planar_in_space"), example("circle")]))

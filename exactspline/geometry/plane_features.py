@@ -1,8 +1,7 @@
-"""Inflections, curvature extrema and special pieces of a plane curve, out of its facts.
-
-All are zeros of a form of the curve (see `exactspline.geometry.constructions`), found by `exactspline.roots`; a zero
-where γ′ vanishes is a singular point and nothing else. On a closed curve the seam is a knot like any other and counts
-once. What users call is in `exactspline.geometry.features`.
+"""Inflections, curvature extrema and special pieces of a plane curve, from its facts. All are zeros of a form of the
+curve (see `exactspline.geometry.constructions`), found by `exactspline.roots`; a zero where γ′ vanishes is a singular
+point and nothing else. On a closed curve the seam is a knot like any other and counts once. The user's interface is
+`exactspline.geometry.features`.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``)."""
     zero_set = facts.zero_form("critical_curvature", variant).zeros
     if variant == SQUARING:
-        # squaring adds the zeros of κ, and where κ = 0 it hides how κ′ jumps: what it finds is judged by κ′ itself
+        # squaring adds the zeros of κ, and where κ = 0 it hides jumps of κ′: its zeros are judged by κ′ itself
         true = located(facts.zero_form("critical_curvature").zeros)
         solved = among([root for root, _ in true], [root for root, _ in located(zero_set)])
         found = [one for one, there in zip(true, solved, strict=True) if there]

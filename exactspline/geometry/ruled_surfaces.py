@@ -1,4 +1,4 @@
-"""What a user asks of ruled surfaces on a curve: points, degrees, developability, and whether two of them are one
+"""Questions about ruled surfaces on a curve: points, degrees, developability, and whether two of them are the same
 surface.
 
 A `RuledSurface` is ``δ(s) + ζ G(s)``: directrix δ, generator G, ruling parameter ζ. Here both are splines (vectors of
@@ -113,7 +113,7 @@ def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
 
 
 def is_developable(surface: SplineSurface) -> bool:
-    """Whether the tangent plane is one along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
+    """Whether the tangent plane is constant along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
 
     >>> from exactspline.splines.examples import example
     >>> curve = example("rational_space_cubic")
@@ -138,7 +138,9 @@ def _check_generator(surface: SplineSurface) -> None:
 
 
 def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
-    """What vanishes exactly where two ruled surfaces (in any reading) are one: ``G × Ḡ`` and ``(δ̄ − δ) × G``."""
+    """Vectors that vanish exactly where two ruled surfaces (in any reading) coincide: ``G × Ḡ`` and ``(δ̄ − δ) ×
+    G``.
+    """
     between: Any = b.directrix
     first: Any = a.generator
     second: Any = b.generator

@@ -1,9 +1,9 @@
-"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, out of its facts.
+"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, from its facts.
 
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it is smallest: these points are listed as inflections,
 undulations and flat points and not once more among the extrema. The form [D1 D2 D3] of the torsion vanishes there
 whatever τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
-else. What users call is in `exactspline.geometry.features`.
+else. The user's interface is `exactspline.geometry.features`.
 """
 
 from __future__ import annotations
@@ -12,12 +12,14 @@ from bisect import bisect_left
 
 from exactspline.exact import mpq
 from exactspline.geometry.constructions import Variant
+from exactspline.geometry.domain import space
 from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
-from exactspline.papers import find
+from exactspline.language.vector import norm2
+from exactspline.programs.invariants import twisting
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor, where_it_exists
@@ -36,7 +38,22 @@ class SpaceFacts(Facts):
     @Fact
     def reduced_torsion(self) -> Rational[BSpline]:
         """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
-        return where_it_exists(find("torsion_reduced")(self.operands))
+        w, bend = self.operands.w, norm2(self.binormal)
+        top = self._twist if self.operands.polynomial else self._twist * w * w
+        return where_it_exists(Rational(top, bend))
+
+    @Fact
+    def _twist(self) -> BSpline:
+        """``[γ′ γ″ γ‴]`` times a power of the weight function."""
+        space(self.operands)
+        found = self.value_of(twisting)
+        assert isinstance(found, BSpline)
+        return found
+
+    @property
+    def _twists_everywhere(self) -> bool:
+        """Whether the torsion vanishes on no whole segment."""
+        return all(self._twist.polynomials)
 
     @Fact
     def torsion_numerator(self) -> ZeroForm:
@@ -50,8 +67,8 @@ class SpaceFacts(Facts):
 
     def is_flat(self, root: Root) -> bool:
         """Whether γ′ × γ″ = 0 at a root (at a knot: seen from both sides)."""
-        if root.exact is not None:
-            return not any(any(self.bend(root.exact, side)) for side in Side)
+        if root.low == root.high:
+            return not any(any(self.bend(root.low, side)) for side in Side)
         found = self.bending.zeros.roots
         position = bisect_left(found, root)
         return position < len(found) and found[position] == root
@@ -65,7 +82,7 @@ class SpaceFacts(Facts):
 
 
 def flat_points(facts: SpaceFacts) -> list[Feature]:
-    """The zeros of the curvature at regular points, and where κN is turned round by a jump."""
+    """The zeros of the curvature at regular points, and where κN is reversed by a jump."""
     least = FeatureKind.MINIMUM
     features = [
         Feature(
@@ -87,7 +104,7 @@ def flat_points(facts: SpaceFacts) -> list[Feature]:
 
 
 def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
-    """The zero of the curvature at a knot with one tangent, if there is one, or its being turned round by a jump."""
+    """The zero of the curvature at a knot with one tangent, if there is one, or its reversal by a jump."""
     left, right = facts.bend(t, Side.LEFT), facts.bend(t, Side.RIGHT)
     flat = not any(left) and not any(right)
     if not any(left) or not any(right):
@@ -141,7 +158,7 @@ def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Featu
 
 
 def critical_points(facts: SpaceFacts, variant: Variant | str) -> list[Feature]:
-    """The extrema of the curvature and the points where κ′ = 0 without an extremum, but for those where κ = 0."""
+    """The extrema of the curvature and the points where κ′ = 0 without an extremum, except those where κ = 0."""
     features = []
     for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
         joint = facts.joint(root.low) if root.at_knot else None

@@ -1,6 +1,6 @@
 """Curvature and torsion at a parameter: exact values at rational parameters, enclosures at irrational roots.
 
-What `exactspline.Nurbs.curvature` and `exactspline.Nurbs.torsion` call.
+Behind `exactspline.Nurbs.curvature` and `exactspline.Nurbs.torsion`.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def curvature_at(curve: Nurbs, place: mpq | Root, side: Side | str = Side.RIGHT)
 
 
 def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline | None]:
-    """κ² on a segment, and in the plane what has the sign of κ."""
+    """κ² on a segment, and in the plane a spline with the sign of κ."""
     c = _part(curve, i)
     if curve.dimension == 3:
         return find("space_curvature_squared")(c), None

@@ -9,7 +9,7 @@ from exactspline.exact import mpq, rational
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
 
-#: π/2 to 80 digits: longer than any decimal in a file that means it.
+#: π/2 to 80 digits: longer than any such decimal in a file.
 _HALF_PI = rational("1.57079632679489661923132169163975144209858469968755291048747229615390820314310449")
 
 
@@ -19,11 +19,11 @@ def quarter_turns_of_degrees(degrees: mpq) -> int:
     >>> quarter_turns_of_degrees(mpq(270))
     3
 
-    Raises `NumberError` where it is no whole number of them.
+    Raises `NumberError` where it is not a whole number of them.
     """
     turns = degrees / 90
     if turns.denominator != 1:
-        raise NumberError("an angle that is no multiple of 90 degrees", remedy="its sine or cosine is irrational")
+        raise NumberError("an angle that is not a multiple of 90 degrees", remedy="its sine or cosine is irrational")
     return int(turns)
 
 
@@ -44,5 +44,5 @@ def quarter_turns_of_radians(text: str) -> int:
     turns = (2 * value / _HALF_PI + 1) // 2
     slack = max(last_digit, mpq(1, 2**50))
     if abs(value - turns * _HALF_PI) > slack or slack > mpq(1, 10_000):
-        raise NumberError("an angle that is no multiple of π/2", remedy="its sine or cosine is irrational")
+        raise NumberError("an angle that is not a multiple of π/2", remedy="its sine or cosine is irrational")
     return int(turns)

@@ -1,4 +1,4 @@
-"""Where readers put what they find: a curve that cannot be built is named as skipped and the rest goes on."""
+"""Collects the curves of a file: a curve that cannot be built is listed as skipped, and reading continues."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Collector:
         self._objects = 0
 
     def reading(self) -> Reading:
-        """All that was found."""
+        """Everything that was found."""
         return Reading(self.format, tuple(self.curves), tuple(self.skipped))
 
     def skip(self, what: str, where: str, why: str) -> None:
-        """Name something that is not read."""
+        """Record something that is not read."""
         self.count(1)
         self.skipped.append(Skipped(what, where, why))
 
@@ -52,8 +52,8 @@ class Collector:
         name: str = "",
         notes: Sequence[str] = (),
     ) -> None:
-        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. Where the data are no curve,
-        it is skipped with the reason.
+        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. Where the data are not a
+        curve, it is skipped with the reason.
         """
         name = name or f"{self.format} {len(self.curves) + 1}"
         try:

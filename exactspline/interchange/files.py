@@ -16,7 +16,7 @@ from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.splines.nurbs import Nurbs
 
-#: How much of a file its format is told from.
+#: How many bytes of a file are used to recognize its format.
 HEAD = 16_384
 
 
@@ -31,8 +31,8 @@ def read(
 ) -> Reading:
     """The curves of a file (``-`` for standard input, ``font.ttf:ampersand`` for a part) or of bytes.
 
-    The format is told by the content, then by the suffix, unless it is named. `degree` and `knots` are for formats that
-    hold control points alone.
+    The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
+    formats that hold control points alone.
 
     >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
     (mpq(1,10), mpq(2,1))
@@ -63,10 +63,11 @@ def write(
     *,
     rounding: bool = False,
 ) -> tuple[str, ...]:
-    """Write curves in a format (by default the one of the suffix) and return what is to be said about it.
+    """Write curves in a format (by default the one of the suffix) and return notes on what was lost.
 
     Every number is exact or the file is not written: raises `NumberError` for a number that the format cannot hold,
-    unless `rounding` asks for the nearest doubles, and the `ExactSplineError` of what else it cannot hold.
+    unless `rounding` asks for the nearest doubles, and another `ExactSplineError` for anything else that it cannot
+    hold.
     """
     chosen = named_format(format) if format else _by_suffix(os.fspath(place))
     try:
@@ -80,7 +81,7 @@ def write(
 def encoded(
     curves: Iterable[Nurbs | NamedCurve], format: str, *, rounding: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
-    """The bytes that `write` writes, and what is to be said about them."""
+    """The bytes that `write` writes, and notes on what was lost."""
     chosen = named_format(format)
     if chosen.write is None:
         written = ", ".join(sorted(known.name for known in FORMATS if known.write))
@@ -95,17 +96,18 @@ def encoded(
 
 
 def named_format(name: str) -> Format:
-    """The format with a name; raises `CurveFileError` with the names there are."""
+    """The format with a name; raises `CurveFileError` naming those that exist."""
     for known in FORMATS:
         if known.name == name:
             return known
     names = ", ".join(sorted(known.name for known in FORMATS))
-    raise CurveFileError(f"no format is called {name!r}", remedy=f"there are {names}")
+    raise CurveFileError(f"there is no format called {name!r}", remedy=f"there are {names}")
 
 
 def _by_suffix(path: str) -> Format:
     suffix = Path(path).suffix.lower()
-    # *.json is our own: the formats that have it too are told by their content, and written when they are named
+    # *.json means our own format: others with that suffix are recognized by their content, and written when they are
+    # named
     for known in sorted(FORMATS, key=lambda known: known.name != suffix[1:]):
         if suffix in known.suffixes:
             return known
@@ -115,7 +117,7 @@ def _by_suffix(path: str) -> Format:
 def _told(data: bytes, name: str) -> Format:
     head, suffix = data[:HEAD], Path(name).suffix.lower()
     for known in FORMATS:
-        # what begins with a brace need not be JSON: bytes under the suffix of another format are what that one is told
+        # what begins with a brace need not be JSON: under the suffix of another format, that format reads the bytes
         braced = known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in FORMATS)
         if known.looks_like(head) and not braced:
             return known
@@ -126,7 +128,7 @@ def _told(data: bytes, name: str) -> Format:
 
 
 def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
-    """The bytes of a file, its path, and the part that stood behind a colon."""
+    """The bytes of a file, its path, and the part named after a colon."""
     most = (limits.megabytes << 20) + 1
     if path == "-":
         return sys.stdin.buffer.read(most), "standard input", ""
@@ -135,7 +137,7 @@ def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
         path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):
-            raise CurveFileError("is no regular file", where=path, remedy="name a curve file")
+            raise CurveFileError("is not a regular file", where=path, remedy="name a curve file")
         with open(path, "rb") as stream:
             return stream.read(most), path, part
     except (OSError, ValueError) as error:

@@ -1,4 +1,4 @@
-"""How much of a stranger's file is read before it is refused."""
+"""Limits on files from outside, which are refused beyond them."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from exactspline.exact import mpq
 class Limits:
     """Bounds on a file; raise them by `read(…, limits=Limits(megabytes=200))`.
 
-    `digits` bounds the characters of one number and `exponent` its power of ten, `depth` how deep brackets and elements
-    may be nested, `objects` how many entities, points and numbers a file may hold, `work` what turning one curve into
-    Bézier segments may cost (see `work`; 10⁸ is about two seconds).
+    `digits` bounds the characters of one number, `exponent` its power of ten, `depth` how deep brackets and elements
+    may be nested, `objects` how many entities, points and numbers a file may hold, `work` the cost of turning one curve
+    into Bézier segments (see `work`; 10⁸ is about two seconds).
     """
 
     megabytes: int = 32
@@ -28,7 +28,7 @@ class Limits:
 
 
 def work(degree: int, knots: Sequence[mpq], numbers: int) -> int:
-    """An estimate of what it costs to turn a spline into Bézier segments: the knots to be inserted, times the fourth
+    """An estimate of the cost of turning a spline into Bézier segments: the knots to be inserted, times the fourth
     power of the order, times the length of the numbers in words.
 
     >>> work(3, [mpq(t) for t in (0, 0, 0, 0, 1, 1, 1, 1)], 53)

@@ -109,7 +109,7 @@ def with_point(text: str) -> str:
 @dataclass
 class NumberText:
     """How a writer writes numbers: exactly or, where that was asked for, as the nearest doubles; `rounded` counts the
-    numbers that lost something.
+    numbers that were rounded.
 
     >>> numbers = NumberText(rounding=True)
     >>> numbers(mpq(1, 8)), numbers(mpq(1, 3)), numbers.rounded
@@ -143,7 +143,7 @@ class NumberText:
         result = finite_double(value)
         if mpq(*result.as_integer_ratio()) != value:
             if not self.rounding:
-                raise NumberError(f"{shown(str(value)).strip(chr(39))} is no double", remedy=_REMEDY)
+                raise NumberError(f"{shown(str(value)).strip(chr(39))} is not a double", remedy=_REMEDY)
             self.rounded += 1
         return result
 

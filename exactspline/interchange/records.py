@@ -1,4 +1,4 @@
-"""What a reader hands back: curves by name, and by name what it did not read."""
+"""The results of readers: named curves, and the names of what was skipped."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class NamedCurve:
-    """A curve as a file names it, with notes on what its format says and a `Nurbs` does not."""
+    """A curve with its name in a file, and notes on what its format says beyond a `Nurbs`."""
 
     name: str
     curve: Nurbs
@@ -24,7 +24,7 @@ class NamedCurve:
 
 @dataclass(frozen=True)
 class Skipped:
-    """Something in a file that is not read: what it is, where it stands, why it is skipped."""
+    """Something in a file that is not read: what it is, where it is, why it is skipped."""
 
     what: str
     where: str
@@ -45,7 +45,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Source:
-    """What a reader is given: the bytes, the name of the file, the part asked for (a glyph), and, for formats that hold
+    """The input of a reader: the bytes, the name of the file, the part asked for (a glyph), and, for formats that hold
     control points alone, degree and knots.
     """
 
@@ -69,7 +69,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its name, a title, the suffixes of its files, how its beginning is told, its reader and its
+    """A file format: its name, a title, the suffixes of its files, how its beginning is recognized, its reader and its
     writer, and what every curve written loses.
     """
 

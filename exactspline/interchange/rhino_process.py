@@ -1,5 +1,5 @@
-"""What rhino3dm sees in an archive, as JSON on standard output: run as a process of its own, since on a damaged archive
-the library may crash, take gigabytes, or not come back.
+"""What rhino3dm reads from an archive, as JSON on standard output: run as a process of its own, since on a damaged
+archive the library may crash, take gigabytes, or not come back.
 
 Doubles are written as C99 hexadecimal floats, exactly.
 """
@@ -47,7 +47,7 @@ def _described(rhino: Any, geometry: Any, where: str, name: str) -> list[dict[st
 
 
 def entries(data: bytes) -> list[dict[str, Any]]:
-    """What stands in an archive, in the memory that this process is then bound to."""
+    """The contents of an archive; the memory of this process is limited first."""
     import rhino3dm
 
     try:
@@ -55,7 +55,7 @@ def entries(data: bytes) -> list[dict[str, Any]]:
 
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     except (ImportError, ValueError, OSError):
-        # no such limits on this system: the time is bounded all the same
+        # no such limits on this system; the time is still bounded
         pass
     model = rhino3dm.File3dm.FromByteArray(data)
     rows = []

@@ -1,4 +1,4 @@
-"""Curves out of segments, exactly: circular and conic arcs as rational Bézier curves, segments joined to one spline.
+"""Curves made of segments, exactly: circular and conic arcs as rational Bézier curves, segments joined to one spline.
 
 A segment is the tuple of its homogeneous control points ``(w x, w y, …, w)``.
 """

@@ -29,7 +29,7 @@ class Edges:
         for text in file.instances.values():
             kind, _, rest = text.partition("(")
             if kind.strip() == EDGE or kind.strip() in ON_SURFACES:
-                # which curve they are on, wherever the text goes on
+                # the curve that they lie on, in a continued text
                 self.used.update(_REFERENCE.findall(_TEXT.sub("", rest))[2 * (kind.strip() == EDGE) :][:1])
 
     def read(self, keyword: str, number: int, where: str) -> None:
@@ -63,7 +63,7 @@ class Edges:
         frame, inverse = self._frame(keyword, curve)
         u, v = (self._local(inverse, end) for end in (ends if sense == ".T." else ends[::-1]))
         arc = arc_of(frame, u, v)
-        self._add(EDGE, where, arc, f"on {curve}" + ("" if sense == ".T." else ", run backwards"))
+        self._add(EDGE, where, arc, f"on {curve}" + ("" if sense == ".T." else ", reversed"))
 
     def _kind(self, reference: Value) -> str:
         text = self.file.instances.get(int(reference[1:]), "") if isinstance(reference, str) and _is(reference) else ""
@@ -90,7 +90,7 @@ class Edges:
         x = _unit([p - along * q for p, q in zip(given, z, strict=True)])
         y, shift = _cross(z, x), self.file.point(centre)
         if not a > 0 < b or len(shift) != 3:
-            raise ShapeError("a circle of no size", remedy="its radius must be positive")
+            raise ShapeError("a circle without a positive radius", remedy="its radius must be positive")
         rows = [[p * a, q * b, r, c] for p, q, r, c in zip(x, y, z, shift, strict=True)]
         back = [[c / size for c in v] for v, size in ((x, a), (y, b), (z, mpq(1)))]
         inverse = [[*row, -sum((p * q for p, q in zip(row, shift, strict=True)), start=mpq(0))] for row in back]

@@ -15,7 +15,7 @@ from exactspline.interchange.numbers import decimal
 #: A value: text of a number, reference, enumeration or string (with its quotes), or a list of values.
 Value: TypeAlias = "str | list[Value]"
 
-# what is not closed runs to the end, so that no opening mark is tried twice
+# anything unclosed extends to the end, so that no opening mark is tried twice
 _NOISE = re.compile(r"/\*.*?(?:\*/|\Z)|'(?:[^']|'')*(?:'|\Z)|;", re.S)
 _INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
 _TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
@@ -60,7 +60,9 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
     while position < len(text):
         match = _TOKEN.match(text, position)
         if not match:
-            raise CurveFileError(f"{text[position : position + 20]!r} is no STEP text", remedy="correct the text there")
+            raise CurveFileError(
+                f"{text[position : position + 20]!r} is not STEP text", remedy="correct the text there"
+            )
         token, position = match[1], match.end()
         if token == "(":
             if len(lists) > limits.depth:
@@ -70,7 +72,7 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
             lists.append(inner)
         elif token == ")":
             if len(lists) == 1:
-                raise CurveFileError("a closing bracket too many", remedy="balance the brackets")
+                raise CurveFileError("one closing bracket too many", remedy="balance the brackets")
             lists.pop()
         elif token != ",":
             lists[-1].append(token)
@@ -102,7 +104,7 @@ class StepFile:
         return self.points[key]
 
     def named(self, reference: Value, keyword: str, count: int) -> list[Value]:
-        """The arguments, so many, of the instance of this kind that is referred to."""
+        """The arguments of the referenced instance of this kind; their number is checked."""
         if not isinstance(reference, str) or not _REFERENCE.fullmatch(reference):
             raise CurveFileError(f"no reference to a {keyword}", remedy="write #12")
         arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get(keyword, [])

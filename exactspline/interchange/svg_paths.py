@@ -24,14 +24,14 @@ _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 
 
 @dataclass
 class Subpath:
-    """Connected segments, or why they cannot be exact."""
+    """Connected segments, or the reason why they cannot be exact."""
 
     segments: list[Segment] = field(default_factory=list)
     problem: str = ""
 
 
 class _Pen:
-    """Where the path stands."""
+    """The state of a path."""
 
     def __init__(self) -> None:
         self.at: Point = (mpq(0), mpq(0))
@@ -100,7 +100,7 @@ def subpaths(data: str, limits: Limits) -> tuple[list[Subpath], str]:
 
     >>> parts, problem = subpaths("M1 2h3v4zM0 0Q1 1 2 0T4 0#", Limits())
     >>> [len(part.segments) for part in parts], problem
-    ([3, 2], "'#' at character 25 is no path data")
+    ([3, 2], "'#' at character 25 is not path data")
     """
     pen = _Pen()
     problem = _run(pen, data, limits)
@@ -113,7 +113,7 @@ def _run(pen: _Pen, data: str, limits: Limits) -> str:
     while position < len(data):
         letter = data[position]
         if letter.upper() not in _COUNTS or not (pen.parts or letter in "Mm"):
-            return f"{letter!r} at character {position} is no path data"
+            return f"{letter!r} at character {position} is not path data"
         following, first = _skipped(_SPACE, data, position + 1), True
         while first or (_COUNTS[letter.upper()] and _NUMBER.match(data, following)):
             numbers, position = _arguments(letter.upper(), data, following, limits)

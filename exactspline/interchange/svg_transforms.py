@@ -21,7 +21,8 @@ def transform(text: str, limits: Limits) -> Affine:
     >>> transform("translate(1) rotate(90)", Limits())((2, 0))
     (mpq(1,1), mpq(2,1))
 
-    Raises `NumberError` for angles whose sine, cosine or tangent is irrational, `ShapeError` for what is no transform.
+    Raises `NumberError` for angles whose sine, cosine or tangent is irrational, `ShapeError` for what is not a
+    transform.
     """
     whole = Affine.identity(2)
     position, calls = 0, 0
@@ -32,7 +33,9 @@ def transform(text: str, limits: Limits) -> Affine:
         numbers = [decimal(word, limits) for word in re.sub(r"\s*,\s*|\s+", " ", match[2]).split()]
         whole = whole @ _one(match[1], numbers)
     if text[position:].strip(" \t\r\n,"):
-        raise ShapeError(f"{text[position : position + 20]!r} is no transform", remedy="write translate(…) or the like")
+        raise ShapeError(
+            f"{text[position : position + 20]!r} is not a transform", remedy="write translate(…) or the like"
+        )
     return whole
 
 

@@ -1,4 +1,4 @@
-"""Words and numbers of a text file, one after another."""
+"""Words and numbers of a text file, one by one."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Tokens:
         self.move(position)
 
     def move(self, position: int) -> None:
-        """Go on reading at a later position."""
+        """Continue reading at a later position."""
         self._found: Iterator[re.Match[str]] = self.pattern.finditer(self.text, position)
         self._next = next(self._found, None)
         self.position = position

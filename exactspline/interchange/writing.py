@@ -1,4 +1,4 @@
-"""What writers ask of a curve: its points as a format stores them."""
+"""Data of a curve for writers: its points as a format stores them."""
 
 from __future__ import annotations
 

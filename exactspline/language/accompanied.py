@@ -11,7 +11,7 @@ from exactspline.language.vector import Vector
 
 V = TypeVar("V")
 
-#: What formulas may name besides the operands, made of the operands by name.
+#: What formulas may name besides the operands, computed from the operands by name.
 Made = Callable[[Mapping[str, Operand]], dict[str, object]]
 
 

@@ -2,7 +2,7 @@
 
 Over the quotients of differential polynomials (`exactspline.readings.rational_jet`) this is an algebraic extension of
 that field: with σ = ‖γ′‖, the root of γ′·γ′, unit vectors and Frenet frames are elements of it, and an equality there
-is a proof for all curves. Extensions stand on each other: over σ the root ρ = ‖γ′ × γ″‖. The derivative follows from
+is a proof for all curves. Extensions are stacked: over σ the root ρ = ‖γ′ × γ″‖. The derivative follows from
 σ² = S: ``σ′ = S′ / (2 S) · σ``.
 """
 
@@ -44,14 +44,14 @@ class Adjoined(FieldOperand):
         return self.lifted(self.square.constant(value))
 
     def beside(self, other: object) -> Adjoined | None:
-        """Another element of this extension, a constant made one; None for anything else.
+        """Another element of this extension, constants converted; None for anything else.
 
         Raises `FormulaError` for an element of another extension.
         """
         found = super().beside(other)
         if isinstance(found, Adjoined) and found.square is not self.square and not found.square == self.square:
             raise FormulaError(
-                "elements of two extensions in one operation", remedy="adjoin the roots one on the other"
+                "elements of two extensions in one operation", remedy="adjoin the roots one after the other"
             )
         return found
 

@@ -1,4 +1,4 @@
-"""What formulas are handed, whatever it is made of."""
+"""The arguments of formulas, whatever they consist of."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Argument(Displayed, ABC):
-    """What formulas are handed."""
+    """The argument of a formula."""
 
     @abstractmethod
     def calls(self, formula: Formula) -> object:
@@ -23,7 +23,7 @@ class Argument(Displayed, ABC):
 
 
 class Evaluated(Argument):
-    """An argument whose operands are at hand: a formula is evaluated on them.
+    """An argument whose operands are given: a formula is evaluated on them.
 
     An evaluation owns its memo: what several parts of a formula call is computed once, in a copy of the argument that
     nobody else sees, so that an argument can be shared between threads.

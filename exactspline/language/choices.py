@@ -11,12 +11,12 @@ from exactspline.errors import ExactSplineError, FormulaError, nearest
 
 E = TypeVar("E", bound=StrEnum)
 
-#: So many words are all told to who is looking for one.
+#: Up to so many words, an error lists all of them.
 FEW = 7
 
 
 class Side(StrEnum):
-    """From which side a limit is taken, or a place of one-sided values is reached."""
+    """The side from which a limit is taken or a one-sided value is reached."""
 
     LEFT = "left"
     RIGHT = "right"
@@ -47,12 +47,12 @@ def choice(
     where: str = "",
     also: tuple[str, ...] = (),
 ) -> E:
-    """The member of an enumeration that a word names; `also` are words that the caller takes besides.
+    """The member of an enumeration that a word names; `also` are further words that the caller accepts.
 
     >>> choice(Side, "left", "side")
     <Side.LEFT: 'left'>
 
-    Raises `raised` with the words there are, or the nearest of many.
+    Raises `raised`, which lists the words, or the nearest of many.
     """
     if isinstance(value, str):
         try:

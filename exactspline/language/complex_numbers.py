@@ -1,4 +1,4 @@
-"""Plane vectors as complex numbers ``a₁ + a₂ i``, in whatever reading their components are.
+"""Plane vectors as complex numbers ``a₁ + a₂ i``, in the reading of their components.
 
 The real part is ``a[0]``, the imaginary one ``a[1]``; ``perp(a)`` is ``i a`` and ``norm2(a)`` is ``a ā``.
 """

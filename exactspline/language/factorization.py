@@ -68,7 +68,7 @@ class Factorization(Generic[P]):
         return " ".join(power_text(str(base), e) for base, e in self.powers) or "1"
 
     def exponent(self, base: P) -> int:
-        """That of a base, 0 where it does not occur."""
+        """The exponent of a base, 0 where it does not occur."""
         return next((e for other, e in self.powers if other == base), 0)
 
     def __mul__(self, other: Factorization[P]) -> Factorization[P]:
@@ -85,7 +85,7 @@ class Factorization(Generic[P]):
         return Factorization((base, e * exponent) for base, e in self.powers)
 
     def shared(self, other: Factorization[P]) -> Factorization[P]:
-        """What both have: each base with the lower of its exponents, 0 where it does not occur.
+        """The common part: each base with the lower of its exponents, 0 where it does not occur.
 
         >>> print(Factorization([("x", 2), ("y", -1)]).shared(Factorization([("x", 1)])))
         x y⁻¹
@@ -99,7 +99,7 @@ class Factorization(Generic[P]):
         return self * part**-1
 
     def mapped(self, function: Callable[[P], Q]) -> Factorization[Q]:
-        """With every base replaced by what a function makes of it."""
+        """With every base replaced by its image under a function."""
         return Factorization((function(base), e) for base, e in self.powers)
 
     @property

@@ -15,16 +15,19 @@ class Formula(Displayed):
     its argument.
 
     `kind` tells what the argument must be (see `exactspline.language.kinds`). `symbol` is its LaTeX name, where the
-    source gives it one: typography, nothing hangs on it. A reading may take the call over (a tree keeps a symbol as a
-    node).
+    source gives it one: typography, on which nothing depends. A reading may intercept the call (a tree keeps a symbol
+    as a node).
     """
 
     def __init__(self, function: Callable[..., object], source: str, kind: Kind, symbol: str) -> None:
-        #: What it is as written.
+        #: The function as written.
         self.function: Callable[..., Any] = function
         self.source, self.kind, self.symbol = source, kind, symbol
         self.name = self.__name__ = function.__name__
         self.__doc__, self.__module__ = function.__doc__, function.__module__
+
+    def __reduce__(self) -> str:
+        return self.name  # by reference: the formula with this name in its module
 
     @property
     def curve(self) -> str:

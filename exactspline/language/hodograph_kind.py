@@ -41,7 +41,7 @@ class HodographKind(Kind):
         return curve if polynomial else (*curve, Symbol("h", "h", s, "e"))
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of a curve, and what stands beside it."""
+        """Those of a curve, and the operands beside it."""
         curve = {"p": True, "w": False, "gamma": True, "axis_x": True, "axis_y": True}
         return curve | {"u": False, "v": False, "h": False, "velocity": True, "speed": False}
 

@@ -10,7 +10,7 @@ _set = object.__setattr__
 class Immutable:
     """A value: nothing of it can be set or deleted, a copy of it is the value itself.
 
-    What it computes lazily it keeps through `fill`; two threads that compute the same thing keep equal results, so
+    What is computed lazily is kept by `fill`; two threads that compute the same thing keep equal results, so
     that none of them has to wait.
 
     >>> from exactspline import BSpline
@@ -35,6 +35,6 @@ class Immutable:
 
 
 def fill(value: Immutable, **fields: object) -> None:
-    """Give a value its fields: where it is made, and where a part computed lazily is kept."""
+    """Set the fields of a value: when it is made, and when a part that is computed lazily is kept."""
     for name, content in fields.items():
         _set(value, name, content)

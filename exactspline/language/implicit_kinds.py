@@ -1,6 +1,6 @@
 """Implicit curves and surfaces: the partial derivatives of F along a curve that lies in F = 0.
 
-That the curve lies there says ``∇F·γ′ = 0``, so that its derivative is a multiple of a vector orthogonal to ∇F, and the
+Since the curve lies there, ``∇F·γ′ = 0``, so that its derivative is a multiple of a vector orthogonal to ∇F, and the
 chain rule gives the derivatives of all the partial derivatives: ``(F_x)′ = F_xx x′ + F_xy y′``. With that every formula
 of curves can be compared with one in ∇F and the Hessian of F.
 """
@@ -20,7 +20,7 @@ from exactspline.language.vector import S, Vector, cross
 
 #: Partial derivatives are known up to this order.
 ORDER = 3
-#: What is free, and how people write it: the pace of a curve, the direction in which a surface is cut.
+#: What is free, and how it is written: the pace of a curve, the direction in which a surface is cut.
 FREE = {"pace": "λ", "cutx": "c₁", "cuty": "c₂", "cutz": "c₃"}
 
 
@@ -28,9 +28,9 @@ class ImplicitKind(Kind):
     """A curve in the zero set of one or two functions of the coordinates.
 
     Formulas may name ``fx``, ``fxy``, … (in any order of the letters sorted), ``gradient_f``, the rows ``hessian_fx``,
-    ``hessian_fy``, … and whatever a curve has (with w = 1). How fast, or in which direction, the curve runs is free:
-    ``pace`` times (−F_y, F_x) in the plane, ``pace`` times ∇F × ∇G where two surfaces meet, and ∇F × ``cut`` in one
-    surface, with any vector ``cut``.
+    ``hessian_fy``, … and everything that a curve has (with w = 1). How fast, or in which direction, the curve runs is
+    free: ``pace`` times (−F_y, F_x) in the plane, ``pace`` times ∇F × ∇G where two surfaces meet, and ∇F × ``cut`` in
+    one surface, with any vector ``cut``.
 
     >>> from exactspline.language.vector import det, dot
     >>> from exactspline.readings.jet import JetReading
@@ -58,7 +58,7 @@ class ImplicitKind(Kind):
         return (*[Symbol(x, x, s, "") for x in self.axes], *free, *partials)
 
     def names(self, dimension: int) -> dict[str, bool]:
-        """Those of a curve, and what stands beside it."""
+        """Those of a curve, and the operands beside it."""
         own: dict[str, bool] = {"p": True, "w": False, "gamma": True} | {f"axis_{x}": True for x in self.axes}
         for f in self.functions:
             own |= dict.fromkeys(self.partials[f], False) | {f"gradient_{f}": True}
@@ -127,7 +127,7 @@ def _partials(f: str, axes: str) -> tuple[str, ...]:
 
 
 def _sorted(name: str) -> str:
-    """The name of a partial derivative, whose order does not matter."""
+    """The name of a partial derivative; the order of differentiation does not matter."""
     return name[0] + "".join(sorted(name[1:]))
 
 

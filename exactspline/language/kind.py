@@ -12,13 +12,14 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import T
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Operand
+from exactspline.language.services import service
 
 
 @dataclass(frozen=True)
 class Symbol:
     """An operand that an argument is made of.
 
-    `name` is its own among those of the argument, `text` as people write it; `parameters` are what it is a function
+    `name` is its name in the argument, `text` how it is written; `parameters` are what it is a function
     of, none for a constant. `degree` is its degree, written in the degrees of which a claim may speak; empty for a
     function that has none.
 
@@ -38,12 +39,13 @@ class Symbol:
         return self.degree if len(self.parameters) == 1 or not self.degree else f"{self.degree}_{parameter}"
 
 
-#: The derivative of an operand from all the operands by name: the chain rule, where operands depend on each other.
+#: The derivative of an operand, computed from all operands by name: the chain rule, where operands depend on each
+#: other.
 Rule = Callable[[Mapping[str, Operand]], object]
 
 
 class Kind(ABC):
-    """What formulas of one kind are handed.
+    """The argument of formulas of one kind.
 
     `dimensions` are those of the curves for which there are formulas of the kind; one that `adjoins_roots` exists in
     readings that can divide, not on splines and not in degrees; `made_of_a_curve` says whether one curve alone gives
@@ -59,9 +61,12 @@ class Kind(ABC):
     #: Where a parameter of some operands is itself a function of the curve's parameter: the operand that it is.
     composed: Mapping[Parameter, str] = MappingProxyType({})
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return service("kind"), (self.name,)  # the one object with this name, since kinds are compared by identity
+
     @abstractmethod
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """The operands, numerators before denominators; none for the denominator of a polynomial curve."""
+        """The operands, numerators before denominators; a polynomial curve has no denominator."""
 
     @abstractmethod
     def argument(
@@ -71,7 +76,7 @@ class Kind(ABC):
 
     @abstractmethod
     def names(self, dimension: int) -> dict[str, bool]:
-        """What formulas may name of such an argument, and whether it is a vector."""
+        """The names that formulas may use of such an argument, and whether each is a vector."""
 
     def rules(self, dimension: int) -> dict[str, Rule]:
         """The derivatives of the operands that are not functions of their own, by name."""

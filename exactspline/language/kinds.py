@@ -1,4 +1,4 @@
-"""The kinds of arguments that there are. A new one is a new class (here or in a file beside this one) and an entry in
+"""All kinds of arguments. A new one is a new class (here or in a file beside this one) and an entry in
 `KINDS`; readings build from what it declares.
 """
 
@@ -55,12 +55,12 @@ __all__ = [
 
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-#: Names that constants cannot have: those of operands and of what formulas may name beside them.
+#: Names that constants cannot have: those of operands, and of everything else that formulas may name.
 RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
 RESERVED |= {"beside", "made", "degree", "provenance", "ring", "generator", "directrix"}
 #: The longest name of a constant.
 LETTERS = 30
-#: Greek letters as people spell them.
+#: Greek letters as they are spelled.
 GREEK = {
     **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
     **{"kappa": "κ", "lambda": "λ", "lamda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ"},
@@ -69,7 +69,7 @@ GREEK = {
 
 
 def constant_text(name: str) -> str:
-    """The name of a constant as people write it.
+    """The name of a constant as it is written.
 
     >>> constant_text("delta"), constant_text("lambda_1"), constant_text("r")
     ('δ', 'λ₁', 'r')
@@ -105,7 +105,7 @@ class CurveKind(Kind):
         return {"p": True, "w": False, "gamma": True} | axes | beside
 
     def with_constants(self, names: Iterable[str]) -> CurveKind:
-        """The kind with constants beside what it has.
+        """The kind with constants added.
 
         >>> PLANE.with_constants(["delta"])
         <kind plane with delta>
@@ -227,7 +227,7 @@ KINDS: dict[str, Kind] = {
 
 @cache
 def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
-    """One object for one kind, so that kinds can be compared."""
+    """One object per kind, so that kinds can be compared."""
     plain = kind.name.partition(" with ")[0]
     name = f"{plain} with {', '.join(constants)}"
     return CurveKind(name, kind.dimensions, with_point=kind.with_point, constants=constants)
@@ -235,7 +235,7 @@ def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
 
 def common_kind(kinds: Iterable[Kind]) -> Kind:
     """The kind of argument on which formulas of all these kinds can be evaluated, in the dimensions that they share:
-    that of the most operands, with the constants of all.
+    the one with the most operands, with the constants of all.
 
     >>> common_kind([PLANE, PLANE_POINT]), common_kind([CURVE, SPACE])
     (<kind plane point>, <kind curve>)
@@ -260,16 +260,16 @@ def kind_of(name: str) -> Kind:
     >>> kind_of("plane").dimensions, kind_of("space with r, h").names(3)["r"]
     ((2,), False)
 
-    Raises `FormulaError` with the names there are.
+    Raises `FormulaError` naming those that exist.
     """
     plain, beside, constants = name.partition(" with ")
     if plain not in KINDS:
-        raise FormulaError(f"no kind of argument is called {name!r}", remedy=nearest(plain, KINDS))
+        raise FormulaError(f"there is no kind of argument called {name!r}", remedy=nearest(plain, KINDS))
     kind = KINDS[plain]
     if not beside:
         return kind
     if type(kind) is not CurveKind:
-        raise FormulaError(f"constants beside {plain!r}", remedy="they stand beside curves: 'plane with delta'")
+        raise FormulaError(f"constants beside {plain!r}", remedy="constants belong to curves: 'plane with delta'")
     return kind.with_constants(_constants(constants))
 
 

@@ -25,7 +25,7 @@ D_co = TypeVar("D_co", covariant=True)
 
 
 class Scalar(Protocol):
-    """What the products of vectors need of a component: exact numbers have it as well as operands."""
+    """What products of vectors need of a component: exact numbers have it, and so do operands."""
 
     def __add__(self, other: Self, /) -> Self: ...
     def __sub__(self, other: Self, /) -> Self: ...
@@ -52,11 +52,11 @@ class Ring(Protocol):
         """An exact constant of the ring."""
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order, by the one parameter there is or by the one that is named."""
+        """The derivative of an order, by the only parameter or by the one that is named."""
 
 
 class Counted(Ring, Protocol):
-    """What naive semantics, Table 1, needs besides: a degree, elevation, and how the operand was made."""
+    """What naive semantics (Table 1) needs in addition: a degree, elevation, and how the operand was made."""
 
     @property
     def degree(self) -> object:
@@ -119,7 +119,7 @@ class Operand(Displayed, ABC):
         return bool(self.is_zero)
 
     def hash_of_quotients(self, numerators: tuple[Self, ...]) -> int:
-        """A hash of the quotients by this that all equal ones share; a reading that can tell more than nothing does."""
+        """A hash of the quotients by this that all equal ones share; a reading may refine it."""
         return len(numerators)
 
     @abstractmethod
@@ -138,7 +138,7 @@ class Operand(Displayed, ABC):
 
     @abstractmethod
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order, by the one parameter there is or by the one that is named."""
+        """The derivative of an order, by the only parameter or by the one that is named."""
 
     def __neg__(self) -> Self:
         return self.scaled(-1)
@@ -181,7 +181,7 @@ class Operand(Displayed, ABC):
         raise no_truth_value(self)
 
     def beside(self, other: object) -> Self | None:
-        """Another operand of the same reading, a constant made one; None for anything else."""
+        """Another operand of the same reading, constants converted; None for anything else."""
         if isinstance(other, type(self)):
             return other
         return self.constant(other) if isinstance(other, CONSTANTS) else None
@@ -195,7 +195,7 @@ class Operand(Displayed, ABC):
         return vector.mapped(lambda component: component * self)
 
     def only_parameter(self, by: str | None) -> None:
-        """Make sure that a derivative is asked for by the parameter that there is.
+        """Make sure that a derivative is taken by the only parameter.
 
         Raises `FormulaError` for another one.
         """
@@ -232,7 +232,7 @@ class FieldOperand(Operand):
 
 
 class OwnProducts(ABC):
-    """A vector of a kind of its own, which carries out products of vectors itself: a quotient, a node of a tree."""
+    """A vector of its own kind, which carries out products of vectors itself: a quotient, a node of a tree."""
 
     __slots__ = ()
 
@@ -242,7 +242,7 @@ class OwnProducts(ABC):
 
 
 class OwnJoining(ABC):
-    """An operand that puts vectors together itself."""
+    """An operand that joins vectors itself."""
 
     __slots__ = ()
 
@@ -252,7 +252,7 @@ class OwnJoining(ABC):
 
 
 class OwnVectors(OwnProducts, OwnJoining):
-    """An operand that stands for scalars and vectors alike: putting together and taking along are up to it."""
+    """An operand that stands for scalars and vectors alike: joining and operations on vectors are up to it."""
 
     __slots__ = ()
 

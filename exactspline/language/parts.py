@@ -1,4 +1,4 @@
-"""A value of the language taken apart: numerator, components, denominator."""
+"""The parts of a value of the language: numerator, components, denominator."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """How an operand was made: what lets naive semantics see that two denominators are *structurally the same product*.
 
-A provenance is a nested tuple ``(operation, provenance, …)`` with a leaf of its own for what comes from outside. Making
-one costs next to nothing; only where two denominators meet are both brought to a canonical form: a constant times a
-multiset of factors, so that neither the order nor the grouping of a product matters. Two are the same when these forms
-are equal, exactly.
+A provenance is a nested tuple ``(operation, provenance, …)`` with its own leaf for each operand from outside. Making
+one is cheap; only where two denominators meet are both brought to a canonical form: a constant times a multiset of
+factors, so that neither the order nor the grouping of a product matters. Two are the same when these forms are equal,
+exactly.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def leaf() -> Provenance:
 
 
 def within(provenance: Provenance, leaves: tuple[tuple[Provenance, Provenance], ...]) -> Provenance:
-    """A provenance with others in the place of its leaves; put in only when somebody asks.
+    """A provenance with others in place of its leaves; substituted only when needed.
 
     >>> a, b, c = leaf(), leaf(), leaf()
     >>> same(within((PRODUCT, a, b), ((a, c), (b, c))), (PRODUCT, c, c))
@@ -91,8 +91,8 @@ def same(first: Provenance, second: Provenance) -> bool:
 def _canonical(
     provenance: Provenance, known: dict[int, Canonical], numbers: dict[Any, int], opened: dict[int, Provenance]
 ) -> Canonical:
-    """The canonical form; `numbers` numbers the factors that both sides of a comparison have, `opened` keeps what
-    `known` tells apart by its id.
+    """The canonical form; `numbers` numbers the factors that both sides of a comparison have, `opened` keeps alive
+    what `known` distinguishes by its id.
     """
     todo = [provenance]
     while todo:

@@ -1,7 +1,7 @@
 """Naive semantics: quotients on which every operation is carried out as Table 1 says, nothing cancelled.
 
 Two rationals whose denominators are structurally the same product (see `exactspline.language.provenance`) share it when
-added; any two others are cross- multiplied.
+added; any two others are cross-multiplied.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class Product(Generic[T]):
 
 
 def _agree(a: Any, b: Any) -> bool:
-    """Equal structure, and (cheaply seen beforehand and made sure of afterwards) equal degree and value."""
+    """Equal structure, and equal degree (checked first, cheaply) and value (checked last)."""
     return a is b or bool(a.degree == b.degree and same(a.provenance, b.provenance) and a == b)
 
 
@@ -278,9 +278,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return result
 
     def levelled(self, other: object) -> tuple[Rational[T], Rational[T]]:
-        """This quotient and another (or what is none) over one denominator, their numerators multiplied by the factors
-        they lack.
-        """
+        """This quotient and another value over one denominator, their numerators multiplied by the missing factors."""
         if not isinstance(other, Rational):
             return self, Rational(cast(Any, other) * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)

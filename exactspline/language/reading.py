@@ -1,4 +1,4 @@
-"""A reading: what the operands of a formula are, and what follows from what the formula then returns."""
+"""A reading: what the operands of a formula are, and what follows from the value of the formula."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from exactspline.language.kind import Kind, Symbol
 class Reading(ABC):
     """One way to evaluate formulas. A new reading is one new file that provides one of these, and nothing else.
 
-    `name` is its name in the ledger, `proves` what an equality of two values in it says.
+    `name` is its name in the ledger, `proves` what an equality of two values in it proves.
     """
 
     name: ClassVar[str]
@@ -38,13 +38,13 @@ class Reading(ABC):
 def freely_differentiable(
     kind: Kind, reading: Reading, dimension: int, *, polynomial: bool = False
 ) -> tuple[Symbol, ...]:
-    """The operands of a kind for a reading that takes each for a function of its own, of one degree.
+    """The operands of a kind, for a reading in which each is an independent function, all of one degree.
 
     Raises `InapplicableError` for a kind whose operands depend on each other.
     """
     if kind.rules(dimension) or kind.composed:
         raise InapplicableError(
             f"the reading {reading.name!r} says nothing of the kind {kind.name!r}",
-            remedy="its operands depend on each other: ask for an identity, or on one curve",
+            remedy="its operands depend on each other: ask for an identity, or check one curve",
         )
     return kind.symbols(dimension, polynomial=polynomial)

@@ -1,7 +1,8 @@
-"""Services: what objects can do but what lives in rooms further right, called by name and loaded when first called.
+"""Services: methods of objects that are implemented in rooms further right, called by name and loaded when first
+called.
 
-`exactspline` itself registers where each service lives; no room imports upwards. A method that calls one is declared
-with its types and its docstring where its object is.
+`exactspline` itself registers where each service lives; no room imports upwards. A method that calls one is declared,
+with types and docstring, on its object.
 """
 
 from __future__ import annotations
@@ -15,7 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from exactspline.exact import mpq
+    from exactspline.language.kind import Kind
     from exactspline.language.operand import Operand
+    from exactspline.papers.folder import Paper
     from exactspline.roots.enclosure import Enclosure
     from exactspline.splines.surd import Surd
 
@@ -23,12 +26,12 @@ _homes: dict[str, str] = {}
 
 
 def register(homes: Mapping[str, str]) -> None:
-    """Say where services live: name → ``module:function``."""
+    """Register where services are implemented: name → ``module:function``."""
     _homes.update(homes)
 
 
 def registered() -> dict[str, str]:
-    """Where the services live.
+    """Where the services are implemented.
 
     >>> registered()["html"]
     'exactspline.display.notebook:html'
@@ -53,11 +56,15 @@ def service(name: Literal["torsion"]) -> Callable[..., mpq | Enclosure]: ...
 @overload
 def service(name: Literal["plot"]) -> Callable[..., Axes]: ...
 @overload
+def service(name: Literal["kind"]) -> Callable[[str], Kind]: ...
+@overload
+def service(name: Literal["paper"]) -> Callable[[str], Paper]: ...
+@overload
 def service(name: Literal["quotient"]) -> Callable[[object, object], Operand]: ...
 def service(name: str) -> Callable[..., object]:
     """The service with this name, imported at the first call.
 
-    A new one is declared above with what it gives.
+    A new one is declared above with its return type.
     """
     return _imported(name)
 
@@ -77,7 +84,7 @@ class Printer(Protocol):
 
 
 class Displayed:
-    """Something that a notebook shows as formulas, tables and small pictures."""
+    """An object that a notebook shows as formulas, tables and small pictures."""
 
     __slots__ = ()
 

@@ -70,7 +70,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
     @overload
     def __getitem__(self, index: slice) -> Vector[T_co]: ...
     def __getitem__(self, index: int | slice) -> T_co | Vector[T_co]:
-        """A component, or the vector of those that a slice takes."""
+        """A component, or the vector of the components in a slice."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
     def __call__(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
@@ -91,7 +91,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         raise no_truth_value(self)
 
     def mapped(self, change: Callable[[T_co], U]) -> Vector[U]:
-        """The vector of what becomes of its components.
+        """The vector of the images of its components.
 
         >>> Vector(1, 2).mapped(lambda x: x + 1)
         Vector(2, 3)
@@ -185,7 +185,7 @@ def _same_length(a: Vector[Any], b: Vector[Any]) -> None:
 
 
 def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
-    """Let a reading take a product of vectors over: a rational multiplies the denominators, a tree notes a node."""
+    """Let a reading intercept a product of vectors: a quotient multiplies the denominators, a tree records a node."""
 
     def product(*vectors: P.args, **no: P.kwargs) -> T:  # its documentation is the function's own
         for vector in vectors:
@@ -226,7 +226,7 @@ def norm2(a: Vector[S]) -> S:
 
 @_multilinear
 def perp(a: Vector[S]) -> Vector[S]:
-    """The plane vector turned by a right angle to the left, ``(-a_y, a_x)``.
+    """The plane vector rotated by a right angle to the left, ``(-a_y, a_x)``.
 
     >>> perp(Vector(1, 2))
     Vector(-2, 1)
@@ -337,7 +337,7 @@ def wronskian(a: Vector[R], order: int | None = None) -> R:
     """Determinant of a vector of n components and its first n−1 derivatives.
 
     It vanishes identically where the components are linearly dependent functions. `order` is the number of components
-    when `a` cannot tell (a node of a tree).
+    where `a` does not know it (a node of a tree).
     """
     n = len(a) if order is None else order
     return det(a, *[a.d(k) for k in range(1, n)])

@@ -77,7 +77,7 @@ def paper(name: str) -> Paper:
     known = _by_name()
     if name not in known:
         remedy = f"{nearest(name, known | _loaded)}; or name a folder"
-        raise FormulaError(f"no paper is called {name!r}", remedy=remedy)
+        raise FormulaError(f"there is no paper called {name!r}", remedy=remedy)
     return known[name]
 
 
@@ -99,7 +99,8 @@ def owner(formula: Formula) -> Paper | None:
 def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
     """The paper in a folder of anybody. Its formulas are checked before they run; with `trust` they run as they stand.
 
-    Raises `ClaimError` for what is no folder of a paper, `FormulaError` for formulas that are none, with file and line.
+    Raises `ClaimError` for what is not a folder of a paper, `FormulaError` for formulas that are none, with file and
+    line.
     """
     place = folder_at(folder)
     for own in papers():
@@ -183,7 +184,7 @@ def find(name: str) -> Formula:
     known = all_formulas()
     if name not in known:
         remedy = nearest(name, known, listed_by="exactspline derive")
-        raise FormulaError(f"no formula is called {name!r}", remedy=remedy)
+        raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)
     return known[name]
 
 
@@ -206,7 +207,7 @@ def _of_file(file: Path, name: str, trust: bool) -> Formula:
     if not trust:
         found = checked_formulas(file, formulas_by_module, plain=True)
         if name not in found:
-            raise FormulaError(f"no formula is called {name!r}", where=str(file), remedy=nearest(name, found))
+            raise FormulaError(f"there is no formula called {name!r}", where=str(file), remedy=nearest(name, found))
         return found[name]
     function = getattr(run_file(file), name, None)
     if isinstance(function, Formula):

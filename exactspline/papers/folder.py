@@ -17,6 +17,7 @@ from typing import Any, TypedDict, cast
 
 from exactspline.errors import ClaimError, FormulaError, nearest
 from exactspline.language.formula import Formula
+from exactspline.language.services import service
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
 
@@ -84,6 +85,9 @@ class Paper:
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return service("paper"), (self.name,)  # by reference: formulas are code
+
     @property
     def formulas(self) -> dict[str, Formula]:
         """Its own formulas by name, in the order of the source."""
@@ -122,7 +126,7 @@ class Paper:
     def claim_tables(self) -> Iterator[Table]:
         """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims.
 
-        Raises `ClaimError` for what is no table of claims.
+        Raises `ClaimError` for what is not a table of claims.
         """
         for file in self.claim_files:
             data = self._read(file)
@@ -132,7 +136,7 @@ class Paper:
             for i, entry in enumerate(entries):
                 place = f"{self.name}/{file}, claim {i + 1}"
                 if not isinstance(entry, dict):
-                    raise ClaimError("a claim is no table", where=place, remedy="write [[claim]]")
+                    raise ClaimError("a claim is not a table", where=place, remedy="write [[claim]]")
                 yield Table(place, common | entry)
 
     def construction_tables(self) -> dict[str, Table]:
@@ -175,7 +179,7 @@ def _digest(file: Traversable) -> str:
 def read_toml(file: Traversable, place: str) -> dict[str, object]:
     """A file of tables; empty where there is none.
 
-    Raises `ClaimError` for what is no TOML, with the line.
+    Raises `ClaimError` for what is not TOML, with the line.
     """
     if not file.is_file():
         return {}
@@ -260,5 +264,5 @@ def folder_at(path: str | Path) -> Path:
     if not folder.is_dir():
         raise ClaimError("there is no such folder", where=str(path), remedy="exactspline new-paper FOLDER writes one")
     if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):
-        raise ClaimError("is no folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
+        raise ClaimError("is not a folder of a paper", where=str(path), remedy="it holds formulas.py and claims.toml")
     return folder

@@ -77,7 +77,7 @@ def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bo
     Traceback (most recent call last):
     exactspline.errors.FormulaError: formulas.py, line 1: import os; write "from exactspline import formula, det, …"
 
-    Raises `FormulaError` with file and line for whatever is no formula.
+    Raises `FormulaError` with file and line for whatever is not a formula.
     """
     try:
         return _run(_parsed(text, file), file, known, plain)
@@ -142,14 +142,14 @@ def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula])
         if module in HOMES:
             if alias.name not in LANGUAGE:
                 remedy = nearest(alias.name, LANGUAGE)
-                raise read.refuse(node, f"{alias.name!r} is no function of the language", remedy)
+                raise read.refuse(node, f"{alias.name!r} is not a function of the language", remedy)
             if as_name != alias.name:
                 raise read.refuse(node, f"another name for {alias.name}", "import it under its own")
             yield as_name, LANGUAGE[alias.name]
         else:
             where = f"{module.removeprefix('exactspline.papers.')}:{alias.name}"
             if where not in known:
-                raise read.refuse(node, f"{alias.name!r} is no formula of {module}", nearest(where, known))
+                raise read.refuse(node, f"{alias.name!r} is not a formula of {module}", nearest(where, known))
             yield as_name, known[where]
 
 
@@ -255,7 +255,9 @@ class _Body:
         for name, given in pairs:
             taken = isinstance(name, ast.Name) and (name.id in self.read.functions or name.id == self.argument)
             if not isinstance(name, ast.Name) or name.id.startswith("_") or taken:
-                raise self.read.refuse(node, "an assignment to what is no name of its own", "write name = expression")
+                raise self.read.refuse(
+                    node, "an assignment to what is not a name of its own", "write name = expression"
+                )
             made[name.id] = self.expression(given)
         self.names |= made
 
@@ -394,8 +396,8 @@ def _told(node: ast.AST) -> str:
         return ast.unparse(node)
     if isinstance(node, (ast.Expr, ast.expr, ast.Assign)):
         text = " ".join(ast.unparse(node).split())
-        return f"{text[:60]}{'…' if len(text) > 60 else ''} is no expression of the language"
-    return f"{type(node).__name__} is no statement of a formula"
+        return f"{text[:60]}{'…' if len(text) > 60 else ''} is not an expression of the language"
+    return f"{type(node).__name__} is not a statement of a formula"
 
 
 def _instead(node: ast.AST) -> str:

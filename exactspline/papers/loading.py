@@ -1,4 +1,4 @@
-"""Formulas loaded from files that are no modules of this package."""
+"""Formulas loaded from files that are not modules of this package."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ VALUES = "return a scalar, a vector, a quotient or a ruled surface made of opera
 
 
 def _no_value(value: object) -> str:
-    """Why something is no value of a formula; empty for what is one."""
+    """Why something is not a value of a formula; empty for what is one."""
     if isinstance(value, CONSTANTS):
         return f"the value is the number {value}, which says nothing of the argument"
     if isinstance(value, Vector):
@@ -104,7 +104,7 @@ def _no_value(value: object) -> str:
     if isinstance(value, RuledSurface):
         ends = (value.directrix, value.generator)
         return next((told for end in ends if (told := _no_value(end))), "") or (
-            "" if all(getattr(end, "is_vector", False) for end in ends) else "directrix and generator are no vectors"
+            "" if all(getattr(end, "is_vector", False) for end in ends) else "directrix and generator are not vectors"
         )
     return "" if isinstance(value, Operand) else f"the value is a {type(value).__name__}"
 

@@ -11,7 +11,7 @@ from exactspline.errors import ClaimError
 
 #: The folder that is copied.
 TEMPLATE = "new_paper"
-#: What its Python ends in, which is no module here.
+#: What its Python ends in, which is not a module here.
 TEXT = ".txt"
 
 

@@ -1,4 +1,4 @@
-"""Instructions as a Python function that runs over all segments, without a wrapper around any polynomial."""
+"""Instructions as a Python function that runs over all segments, without wrapping the polynomials."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Denominators of a straight-line program, known beforehand up to the numbers of each segment.
+"""Denominators of a straight-line program, known in advance up to the numbers of each segment.
 
 A denominator is a positive integer constant times powers of *atoms*: the denominator of an operand, the numerator of
-the segment's width, and what is left of a least common multiple that only the numbers themselves decide.
+the segment's width, and the part of a least common multiple that depends on the numbers themselves.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class Denominator:
 
     @property
     def text(self) -> str:
-        """The number on a segment as Python computes it, from the names of what the segment knows: ``below0``, … and
+        """The number on a segment as Python computes it, from the names of the segment's numbers: ``below0``, … and
         ``top``, the numerator of its width.
 
         >>> (Denominator.of(OfOperand(0)) * Denominator.of(OfOperand(0)) * Denominator(6)).text

@@ -2,9 +2,9 @@
 
 Beside every number stands its *mass*: what the same program gives when every operand is replaced by its absolute value
 and every difference by a sum. A number that has gone through at most K roundings differs from the exact one by at most
-``K · ROUNDING`` masses, and by what underflow lost. Derivation: docs/certified-filter.md.
+``K · ROUNDING`` masses, plus the loss by underflow. Derivation: docs/certified-filter.md.
 
-This is the one module of programs that loads numpy.
+This is the only module of `programs` that loads numpy.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ Floats = NDArray[np.float64]
 
 #: The relative error of one operation is below this in every direction of rounding, to nearest included.
 ROUNDING = 2.0**-52
-#: What underflow may lose in one operation, even where subnormal numbers are flushed to zero.
+#: The largest loss by underflow in one operation, even where subnormal numbers are flushed to zero.
 UNDERFLOW = 2.0**-1022
-#: What covers the rounding of the bounds themselves and the square terms of (1 + ROUNDING)^K, for K below 2^40.
+#: A factor that covers the rounding of the bounds themselves and the quadratic terms of (1 + ROUNDING)^K, for K below
+#: 2^40.
 SLACK = 1.0625
-#: Bits that a number or a loss (in units of `UNDERFLOW`) may have in a program for doubles.
+#: The largest number of bits of a number or a loss (in units of `UNDERFLOW`) in a program for doubles.
 RANGE = 400
 
 
 @dataclass(frozen=True)
 class Bounded:
-    """Coefficients, one row a segment, and bounds of their errors: the exact ones are at most so far away.
-
-    Where a number is infinite or none, so is its bound: its sign is not certain.
+    """Coefficients, one row per segment, and bounds of their distance from the exact ones. Where a number is infinite
+    or NaN, so is its bound: its sign is not certain.
     """
 
     values: Floats
@@ -52,8 +52,8 @@ class Bounded:
 
 @dataclass(frozen=True)
 class Known:
-    """What is known of an instruction before any number: roundings, and for operands of at most 1 in the Bernstein
-    basis bounds of its mass and of what underflow may lose in it.
+    """What is known of an instruction before any number is: its roundings and, for operands of at most 1 in the
+    Bernstein basis, bounds of its mass and of its loss by underflow.
     """
 
     roundings: int
@@ -110,16 +110,16 @@ def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Se
 
 
 def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> list[Bounded]:
-    """The outputs of a program on many segments of width 1, from the scaled coefficients of its operands, one row a
+    """The outputs of a program on many segments of width 1, from the scaled coefficients of its operands, one row per
     segment; each went through so many roundings, and no Bézier ordinate is larger than 1.
 
-    Raises `FormulaError` where numbers could grow beyond what doubles hold, and for programs with multipliers.
+    Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
     """
     listed, degrees = program.instructions.listed, program.instructions.degrees
     known = foreseen(listed, degrees, [operands_known(degree, roundings) for degree in program.signature.degrees])
     used = sorted(needed(listed, program.outputs))
     if any(max(known[i].mass, known[i].lost).bit_length() > RANGE for i in used):
-        raise FormulaError("a program whose numbers outgrow doubles", remedy="use exact arithmetic")
+        raise FormulaError("a program whose numbers exceed the range of doubles", remedy="use exact arithmetic")
     rows = len(operands[0])
     values: dict[int, Floats] = {UNIT: np.ones((rows, 1))}
     masses: dict[int, Floats] = {UNIT: values[UNIT]}

@@ -1,4 +1,4 @@
-"""The instructions of a straight-line program: operations on integer polynomials, each written down once.
+"""The instructions of a straight-line program: operations on integer polynomials, each recorded once.
 
 A polynomial is a form of a segment in the scaled Bernstein basis (see `exactspline.splines.bernstein`), so that the
 product is a convolution and raising the degree is multiplication by ``u + v``. Every instruction is linear in each of
@@ -36,7 +36,7 @@ class Instruction(NamedTuple):
 
 
 class Instructions:
-    """The list of a program as it grows: an operation on the same arguments is written down once.
+    """The list of a program as it is built: an operation on the same arguments is recorded once.
 
     >>> code = Instructions()
     >>> x, y = code.load(0, 2), code.load(1, 2)
@@ -49,7 +49,7 @@ class Instructions:
         #: The formal degree of what each instruction makes.
         self.degrees: list[int] = []
         self._known: dict[Instruction, int] = {}
-        #: What products are of, products of products taken apart.
+        #: The factors of products, nested products flattened.
         self._factors: dict[int, Counter[int]] = {}
 
     def _put(self, instruction: Instruction, degree: int) -> int:
@@ -95,7 +95,7 @@ class Instructions:
         return made
 
     def sum(self, a: int, m: int, b: int, n: int) -> int:
-        """``m a + n b`` of two of one degree that are not the same, what both have as a factor taken out."""
+        """``m a + n b`` of two different arguments of the same degree, a common factor factored out."""
         common = self._taken_apart(a) & self._taken_apart(b)
         if common:
             first, second = (self._product(self._taken_apart(x) - common) for x in (a, b))

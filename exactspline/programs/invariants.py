@@ -63,8 +63,8 @@ def space_slope(c: Any) -> Any:
     return _slope([(norm2(bending(c)), 1), (norm2(tangent(c)), -3)], c)
 
 
-#: What is computed at once of a curve in the plane and in space, and how many components each has.
-TOGETHER = {2: {tangent: 2, turning: 1, slope: 1}, 3: {tangent: 3, bending: 3, space_slope: 1}}
+#: What is computed at once for a curve in the plane and in space, and how many components each value has.
+TOGETHER = {2: {tangent: 2, turning: 1, slope: 1}, 3: {tangent: 3, bending: 3, twisting: 1, space_slope: 1}}
 
 INVARIANTS = frozenset(formula for own in TOGETHER.values() for formula in own)
 
@@ -87,8 +87,9 @@ def invariants(given: Given) -> dict[Formula, SplineValue]:
     >>> from exactspline.language.kinds import PLANE
     >>> from exactspline.programs.program import operands_of
     >>> from exactspline.splines.examples import example
+    >>> from exactspline.splines.lowest_terms import in_lowest_terms
     >>> found = invariants(operands_of(PLANE, example("rational_cubic")))
-    >>> found[turning].degree, found[slope].degree
+    >>> found[turning].degree, in_lowest_terms(found[slope]).degree
     (3, 12)
     """
     dimension = given.signature.dimension

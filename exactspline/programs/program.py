@@ -12,12 +12,12 @@ from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CurveKind, Kind, TableKind
 from exactspline.language.provenance import is_alone, leaf, within
-from exactspline.language.rational import Rational
 from exactspline.language.reading import Reading
-from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.programs.compiled import Run, compiled, needed
 from exactspline.programs.instructions import Instructions
+from exactspline.programs.pairs import operands_of_pair, program_of_pair
+from exactspline.programs.parts import rebuilt, terms_of
 from exactspline.programs.term import Recorder, Term
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -25,7 +25,7 @@ from exactspline.splines.values import SplineValue
 
 
 class Signature(NamedTuple):
-    """What a program depends on besides its formula: the argument as far as it is known without its numbers.
+    """What a program depends on besides its formula: everything about the argument except its numbers.
 
     `degrees` are those of the operands, `groups` say which of them have the same denominators on all segments.
     """
@@ -39,10 +39,10 @@ class Signature(NamedTuple):
 
 
 class ProgramReading(Reading):
-    """What is computed, written down: operands are loaded, operations become instructions."""
+    """A record of the computation: operands are loaded, operations become instructions."""
 
     name = "program"
-    proves = "nothing: it is the work to be done"
+    proves = "nothing: it records the work to be done"
 
     def __init__(self, degrees: Sequence[int], groups: Sequence[int], *, unit_widths: bool) -> None:
         self.degrees, self.groups = tuple(degrees), tuple(groups)
@@ -65,7 +65,7 @@ class ProgramReading(Reading):
 
 
 class Given(NamedTuple):
-    """An argument, its splines in the order of its kind's symbols, and what is known of them beforehand."""
+    """An argument, its splines in the order of its kind's symbols, and what is known of them in advance."""
 
     argument: Evaluated
     splines: tuple[BSpline, ...]
@@ -73,10 +73,8 @@ class Given(NamedTuple):
     signature: Signature
 
     def value(self, formula: Formula) -> SplineValue:
-        """The value of a formula that such arguments can be handed.
-
-        A program is made where it pays: once `WORTH_IT` segments have asked for it. Until then the formula is read as
-        always, with the same result.
+        """The value of a formula that applies to such arguments. A program is made where it pays off: once `WORTH_IT`
+        segments have asked for it. Until then the formula is read as always, with the same result.
         """
         key = formula, self.signature
         program = _programs.get(key)
@@ -97,8 +95,8 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
     """The splines of an argument for formulas of a kind.
 
     None where there is no program: of two curves, of adjoined roots or constants, of splines over different breakpoints
-    or made from one another (then naive semantics sees more than the kind tells), and where the denominator of a
-    polynomial curve is not 1.
+    or made from one another (then naive semantics sees more structure than the kind declares), and where the
+    denominator of a polynomial curve is not 1.
     """
     if type(kind) is CurveKind:
         if kind.constants or not isinstance(argument, Curve) or (kind.with_point and argument.point is None):
@@ -135,7 +133,7 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
 
 @lru_cache(None)
 def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
-    """How many of the operands are functions; the constants come behind them."""
+    """How many of the operands are functions; the constants come after them."""
     return sum(bool(symbol.parameters) for symbol in kind.symbols(dimension, polynomial=polynomial))
 
 
@@ -159,7 +157,7 @@ def _places(kind: Kind, dimension: int, polynomial: bool) -> tuple[tuple[str, in
 
 
 class Program:
-    """A formula as instructions, and what becomes of what they make.
+    """A formula as instructions, and how its value is assembled from them.
 
     >>> from exactspline.papers import find
     >>> from exactspline.splines.examples import example
@@ -174,7 +172,7 @@ class Program:
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves
         self.value = value
-        self.terms = _terms(value)
+        self.terms = terms_of(value, Term)
         self.outputs = [term.output() for term in self.terms]
         outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
         #: The operands that stand for those with the same denominators.
@@ -184,7 +182,7 @@ class Program:
         )
 
     def __call__(self, argument: Evaluated) -> SplineValue:
-        """The value on an argument with the program's signature, what is made of it a leaf: how, nobody sees.
+        """The value on an argument with the program's signature; it has no provenance.
 
         Raises `FormulaError` for an argument with another one.
         """
@@ -195,11 +193,11 @@ class Program:
 
     def on(self, given: Given) -> SplineValue:
         """The value from the splines of an argument."""
-        value: SplineValue = _rebuilt(self.value, iter(self.splines(given)))
+        value: SplineValue = rebuilt(self.value, iter(self.splines(given)))
         return value
 
     def splines(self, given: Given) -> list[BSpline]:
-        """What the terms of the value are on the segments of an argument."""
+        """The terms of the value on the segments of an argument."""
         operands = given.splines
         below = [operands[k].denominators for k in self.groups]
         columns: Any = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
@@ -224,35 +222,7 @@ class Program:
         return sum(self.instructions.listed[i].name == name for i in used)
 
 
-def _terms(value: Any) -> list[Term]:
-    """The terms that a value consists of."""
-    if isinstance(value, RuledSurface):
-        return _terms(value.directrix) + _terms(value.generator)
-    if isinstance(value, Rational):
-        return [*_terms(value.numerator), value.denominator]
-    if isinstance(value, Vector):
-        return [term for part in value for term in _terms(part)]
-    if isinstance(value, Term):
-        return [value]
-    raise FormulaError(
-        f"a formula that returns a {type(value).__name__}", remedy="a scalar, a vector, a quotient or a ruled surface"
-    )
-
-
-def _rebuilt(value: Any, splines: Any) -> Any:
-    """The value with splines in the place of its terms."""
-    if isinstance(value, RuledSurface):
-        directrix = _rebuilt(value.directrix, splines)
-        return RuledSurface(directrix, _rebuilt(value.generator, splines))
-    if isinstance(value, Rational):
-        numerator = _rebuilt(value.numerator, splines)
-        return Rational(numerator, next(splines))
-    if isinstance(value, Vector):
-        return Vector(*[_rebuilt(part, splines) for part in value])
-    return next(splines)
-
-
-#: The programs there are, and how many segments have asked for those that there are not.
+#: All programs, and how many segments have asked for those that do not exist yet.
 _programs: dict[tuple[Formula, Signature], Program] = {}
 _segments_asked: dict[tuple[Formula, Signature], int] = {}
 
@@ -292,7 +262,12 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
     mpq(1,1)
     """
     given = operands_of(formula.kind, argument)
-    if given is None:
-        value: SplineValue = formula(argument)
-        return value
-    return _program(formula, given.signature).on(given)
+    value: SplineValue
+    if given is not None:
+        return _program(formula, given.signature).on(given)
+    pair = operands_of_pair(formula.kind, argument)
+    if pair is not None and (program := program_of_pair(formula, pair.signature)) is not None:
+        value = program.on(pair)
+    else:
+        value = formula(argument)
+    return value

@@ -1,4 +1,4 @@
-"""The operand of the program reading: what an operation makes is written down, and what is known of it beforehand."""
+"""The operand of the program reading: results of operations are recorded, with what is known of them in advance."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from math import gcd
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
 from exactspline.programs.compiled import Multiplier
@@ -16,9 +16,12 @@ from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
 from exactspline.programs.instructions import ZERO, Instructions
 from exactspline.splines.knots import SMOOTH
 
+#: Operand by operand the order of its derivative (−1: none), constants last.
+Orders = tuple[int, ...]
+
 
 class Recorder:
-    """What is written down while a formula is traced: instructions, and multipliers that only segments know."""
+    """What is recorded while a formula is traced: instructions, and multipliers that depend on the segments."""
 
     def __init__(self, *, unit_widths: bool) -> None:
         self.instructions = Instructions()
@@ -73,8 +76,18 @@ class Term(Operand):
         return Term(self.recorder, node, 0, orders, below, (MULTIPLE, UNIT, q), number)
 
     @property
+    def is_number(self) -> bool:
+        """Whether it is a constant."""
+        return self.degree == 0 and max(self.orders[:-1]) < 0
+
+    @property
+    def value(self) -> mpq:
+        """The number that a constant is."""
+        return mpq(0 if self.node == ZERO else self.number, self.below.constant)
+
+    @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve of the kind; others may, which nobody knows beforehand.
+        """Whether it vanishes on every curve of the kind; whether others vanish cannot be known in advance.
 
         Raises `FormulaError` for these.
         """
@@ -112,15 +125,9 @@ class Term(Operand):
             return (b if a.node == ZERO else a)._with(orders=orders, provenance=provenance)
         raised, widths = min(a.raised, b.raised), min(a.widths, b.widths)
         first, second = a._down_to(raised, widths), b._down_to(raised, widths)
-        if self.recorder.instructions.same(first.node, second.node):
-            number = first.number + second.number
-            node = first.node if number else ZERO
-            return first._with(node=node, number=number or 1, orders=orders, provenance=provenance)
-        if first.node > second.node:
-            first, second = second, first
-        common = gcd(first.number, second.number) * (1 if first.number > 0 else -1)
-        node = self.recorder.instructions.sum(first.node, first.number // common, second.node, second.number // common)
-        return first._with(node=node, number=common, orders=orders, provenance=provenance)
+        parts = (first.node, first.number), (second.node, second.number)
+        node, number = multiple_of_sum(self.recorder.instructions, *parts)
+        return first._with(node=node, number=number, orders=orders, provenance=provenance)
 
     def _with_number(self, factor: int) -> Term:
         return self if factor == 1 else self._with(number=self.number * factor)
@@ -138,7 +145,7 @@ class Term(Operand):
         return self._with(node=node, number=number, below=below, degree=degree, raised=raised)
 
     def _down_to(self, raised: int, widths: int) -> Term:
-        """With so many powers of ``u + v`` and of the width's denominator apart, the others multiplied in."""
+        """With so many powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
         code = self.recorder.instructions
         node = code.raised(self.node, self.raised - raised)
         if self.widths > widths:
@@ -221,7 +228,7 @@ class Term(Operand):
         return term._with(node=node, degree=self.degree - 1)
 
     def by_v(self) -> Term:
-        """``∂v``: no derivative of the function, but a part of it."""
+        """``∂v``: not the derivative of the function, but a part of it."""
         return self._partial("dv")
 
     def over_u(self) -> Term:
@@ -231,7 +238,7 @@ class Term(Operand):
         return term._with(node=node, degree=self.degree - 1)
 
     def per_width(self, weight: int, dropped: int) -> Term:
-        """The term over so many powers of the segment's width, that many times less continuous."""
+        """The term over so many powers of the segment's width, its continuity lowered by as many."""
         orders = tuple(k + dropped if k >= 0 else k for k in self.orders)
         if self.recorder.unit_widths:
             return self._with(orders=orders)
@@ -253,8 +260,26 @@ class Term(Operand):
 
     def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
         """The continuity at the inner breakpoints, from that of the operands."""
-        if not inner:
-            return ()
-        known = [*operands, (SMOOTH,) * inner]
-        dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, self.orders, strict=True) if k >= 0]
-        return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])
+        return continuity_from(self.orders, operands, inner)
+
+
+def continuity_from(orders: Orders, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
+    """The continuity at so many inner breakpoints of what was made from derivatives of operands of these orders."""
+    if not inner:
+        return ()
+    known = [*operands, (SMOOTH,) * inner]
+    dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, orders, strict=True) if k >= 0]
+    return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])
+
+
+def multiple_of_sum(code: Instructions, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
+    """A sum of multiples of what two instructions make, as a multiple of one; zero among them adds nothing."""
+    (a, m), (b, n) = first, second
+    if ZERO in (a, b):
+        return second if a == ZERO else first
+    if code.same(a, b):
+        return (a, m + n) if m + n else (ZERO, 1)
+    if a > b:
+        a, m, b, n = b, n, a, m
+    common = gcd(m, n) * (1 if m > 0 else -1)
+    return code.sum(a, m // common, b, n // common), common

@@ -40,7 +40,7 @@ def lowest(vector: Vector[Any]) -> Any:
 
 @cache
 def wronskian_of(lift: Formula) -> Formula:
-    """The lowest Wronskian of what a formula returns, as a formula that programs and splines can read."""
+    """The lowest Wronskian of the value of a formula, as a formula for the readings of programs and splines."""
 
     def of(c: Any) -> Any:
         return lowest(lift(c))

@@ -1,8 +1,9 @@
 """The monomial reading: one term of the curve in the scaled Bernstein basis, of symbolic degree d.
 
-Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. What a
-formula that is linear in p and in w returns are a few monomials beside that of the product, with polynomials in d, a
-and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees at once.
+Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. A formula
+that is linear in p and in w returns a few monomials next to that of the product, whose coefficients are polynomials in
+d, a and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees at
+once.
 """
 
 from __future__ import annotations
@@ -72,7 +73,7 @@ class Monomials(Operand):
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
     def elevated_to(self, other: object) -> Monomials:
-        """Itself: what this reading is for needs no degree elevation."""
+        """Itself: this reading needs no degree elevation."""
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
@@ -103,7 +104,7 @@ class BernsteinTermReading(Reading):
     """
 
     name = "term"
-    proves = "which coefficients of what is linear in p and in w vanish, for every degree d"
+    proves = "which coefficients of an expression linear in p and in w vanish, for every degree d"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The same term for all numerators, another one for the denominators."""

@@ -41,7 +41,7 @@ def _dominates(a: Term, b: Term, start: int = 1) -> bool:
 class Degree(Operand, PartlyOrdered):
     """A maximum of affine forms in named degrees, which are at least 1, in the parameter that is counted.
 
-    What is `still` does not depend on that parameter: derivatives leave it.
+    A `still` one does not depend on that parameter: derivatives leave it unchanged.
 
     >>> d = Degree.named("d")
     >>> (d + d).elevated_to(d), d * d, (d * d).d(3)
@@ -109,7 +109,7 @@ class Degree(Operand, PartlyOrdered):
         return self._made(self.terms, (MULTIPLE, self.provenance, mpq(constant)), self.still)
 
     def constant(self, value: Constant) -> Degree:
-        """A constant has degree 0, and is as still as what it is a constant beside."""
+        """A constant has degree 0; it is as `still` as this degree."""
         return self._made([((), 0)], (MULTIPLE, UNIT, mpq(value)), self.still)
 
     def d(self, order: int = 1, *, by: str | None = None) -> Degree:
@@ -123,7 +123,7 @@ class Degree(Operand, PartlyOrdered):
 
     @property
     def is_zero(self) -> bool:
-        """A degree never tells that something vanishes."""
+        """A degree never shows that something vanishes."""
         return False
 
     def at(self, values: Mapping[str, int]) -> int:
@@ -138,11 +138,11 @@ class Degree(Operand, PartlyOrdered):
 
     @property
     def names(self) -> frozenset[str]:
-        """The names of the degrees in it."""
+        """The names of the degrees that occur in it."""
         return frozenset(name for coefficients, _ in self.terms for name, _ in coefficients)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are equal for all degrees ≥ 1; `equal_from` also tells of later agreement."""
+        """Whether both are equal for all degrees ≥ 1; `equal_from` also finds later agreement."""
         return isinstance(other, Degree) and equal_from(self, other) == 1
 
     def __hash__(self) -> int:
@@ -192,8 +192,8 @@ def _below(a: Degree, b: Degree, start: int) -> bool:
 
 
 def _in_hull(term: Term, b: Degree, start: int) -> bool:
-    """Whether a convex combination of the terms of b dominates the term (exact linear programming; LP duality makes
-    this the whole truth).
+    """Whether a convex combination of the terms of b dominates the term (exact linear programming; by LP duality this
+    is also necessary).
     """
     if len(b.terms) == 1:
         return False
@@ -218,7 +218,7 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
 
 @cache
 def parse(text: str) -> Degree:
-    """Read a degree as people write it: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
+    """Read a degree as it is written: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
 
     >>> parse("12(d-1)"), parse("max(d1, d2)")
     (12d − 12, max(d2, d1))
@@ -241,14 +241,13 @@ def parse(text: str) -> Degree:
             k = int(number or 1) * (-1 if sign == "-" else 1)
             term = _plus(term, (((name, k),), 0) if name else ((), k))
     if not source or re.sub(r"[+-]?(\d+[a-zA-Z]\w*|\d+|[a-zA-Z]\w*)", "", source):
-        raise FormulaError(f"{text!r} is no degree", remedy='write for example "9d - 6" or "max(d1, d2)"')
+        raise FormulaError(f"{text!r} is not a degree", remedy='write for example "9d - 6" or "max(d1, d2)"')
     return Degree([term])
 
 
 class DifferentiatedPartByPart(Rational[Degree]):
-    """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one.
-
-    No rule of Table 1: it is how (24) and (35) come to give γ′ the degree d − 1 "either polynomial or rational".
+    """A quotient whose derivative is counted as if numerator and denominator were differentiated one by one. This is
+    not a rule of Table 1: it is how (24) and (35) give γ′ the degree d − 1 "either polynomial or rational".
     """
 
     __slots__ = ()
@@ -259,10 +258,8 @@ class DifferentiatedPartByPart(Rational[Degree]):
 
 
 class DegreeReading(Reading):
-    """Degrees in one parameter: ``s`` that of the first curve, ``s̄`` that of the second one, ``u`` or ``v`` of a
-    surface.
-
-    With the `counting` ``part by part`` a rational curve is differentiated as (24) does it. `name` replaces ``d``.
+    """Degrees in one parameter: ``s`` of the first curve, ``s̄`` of the second one, ``u`` or ``v`` of a surface. With
+    the `counting` ``part by part`` a rational curve is differentiated as in (24). `name` replaces ``d``.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = DegreeReading().argument(PAIR, 3)

@@ -52,7 +52,7 @@ class Order(Operand):
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Order:
-        """So many derivatives more."""
+        """That many more derivatives."""
         return Order(self.order + order)
 
 
@@ -63,7 +63,7 @@ class OrderReading(Reading):
     proves = "how many derivatives a formula needs"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Every operand underived."""
+        """The operands themselves, not differentiated."""
         return kind.argument(dimension, lambda _: Order(0), Order(0), polynomial=polynomial)
 
 

@@ -1,6 +1,6 @@
 """The factored reading: differential polynomials kept as products, never multiplied out unless a sum asks for it.
 
-A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums take out
+A naive numerator is mostly a product of the same few factors; kept apart they need not be found again. Sums factor out
 what both sides share.
 """
 
@@ -9,17 +9,18 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.exact import rational, to_fmpq
-from exactspline.language import factorization
 from exactspline.language.argument import Evaluated
 from exactspline.language.factorization import Factorization
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetReading, JetRing
+from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 
-#: Sums of more terms than this are tried for the factors that were met before; those have fewer.
+#: Longer sums are tried for the factors that were met before, which are shorter.
 LONG = 100
+#: So many pairs of terms are multiplied at once where products are multiplied out for a sum.
+PAIRS_OF_SUMS = 3 * 10**7
 #: Monic polynomials with exponents.
 Powers = Factorization[fmpq_mpoly]
 ONE = Powers()
@@ -132,7 +133,7 @@ class FactoredJet(Operand):
 
 
 def _product(ring: JetRing, p: fmpq_mpoly, powers: Powers, provenance: Provenance) -> FactoredJet:
-    """A polynomial times powers: made monic, the variables that divide it taken out."""
+    """A polynomial times powers: made monic, the variables that divide it factored out."""
     if not p:
         return FactoredJet(ring, fmpq(0), ONE, provenance)
     unit = p.leading_coefficient()
@@ -165,9 +166,15 @@ def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
 
 
 def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:
-    """The product multiplied out, short factors last."""
-    in_order = Powers(sorted(powers, key=lambda power: -len(power[0])))
-    return factorization.multiplied(in_order, ring.context.constant(1))
+    """The product multiplied out, short factors last.
+
+    Raises `FormulaError` where it is too large to be worked with.
+    """
+    result = ring.context.constant(1)
+    for base, e in sorted(powers, key=lambda power: -len(power[0])):
+        for _ in range(e):
+            result = bounded_product(result, base, PAIRS_OF_SUMS)
+    return result
 
 
 def _factored(operand: Operand) -> FactoredJet:

@@ -1,7 +1,7 @@
 """The generic reading: one Bézier segment of a given degree whose control points and weights are indeterminates.
 
 What a formula returns has Bézier coefficients that are polynomials in them; one that is not the zero polynomial
-vanishes on special curves only.
+vanishes only on special curves.
 """
 
 from __future__ import annotations
@@ -100,19 +100,19 @@ class GenericReading(Reading):
     """
 
     name = "generic"
-    proves = "what holds for all curves of one degree but special ones"
+    proves = "what holds for all curves of one degree except special ones"
 
     def __init__(self, degree: int) -> None:
         self.degree = degree
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Functions of the one parameter there is.
+        """Functions of the only parameter.
 
         Raises `FormulaError` for a kind with several parameters, or with constants.
         """
         symbols = freely_differentiable(kind, self, dimension, polynomial=polynomial)
         if len({parameter for symbol in symbols for parameter in symbol.parameters}) > 1:
-            raise FormulaError(f"a generic segment for {kind!r}", remedy="this reading has one parameter")
+            raise FormulaError(f"a generic segment of {kind!r}", remedy="this reading has one parameter")
         names = [f"{symbol.name}_{i}" for symbol in symbols for i in range(self.degree + 1)]
         context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         gens, size = context.gens(), self.degree + 1

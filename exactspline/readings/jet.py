@@ -1,8 +1,8 @@
 """The jet reading: the curve is indeterminate, its derivatives are the variables x, x′, x″, …, w, w′, ….
 
-What a formula returns is a differential polynomial over the rationals. Two that agree agree for every curve of every
-degree, so an equality here is a proof for all curves. A polynomial homogeneous of degree k and of weight m (number of
-primes) has nominal B-spline degree ``kd − m``.
+What a formula returns is a differential polynomial over the rationals. Two that are equal agree for every curve of
+every degree, so that an equality here is a proof for all curves. A polynomial homogeneous of degree k and of weight m
+(number of primes) has nominal B-spline degree ``kd − m``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from itertools import product
 from typing import Any, cast
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq, rational, to_fmpq
@@ -24,6 +24,15 @@ from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PR
 from exactspline.language.reading import Reading
 
 PRIMES = ("", "′", "″", "‴")
+
+
+#: The terms of a polynomial: exponents, numerator, denominator.
+Terms = tuple[tuple[tuple[int, ...], int, int], ...]
+
+
+def terms_of(polynomial: fmpq_mpoly) -> Terms:
+    """The terms as integers, since FLINT's polynomials cannot be pickled."""
+    return tuple((tuple(map(int, exponents)), int(c.p), int(c.q)) for exponents, c in polynomial.to_dict().items())
 
 
 class JetRing:
@@ -54,10 +63,29 @@ class JetRing:
         self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = self.context.gens()
         self.index = {variable: i for i, variable in enumerate(self.variables)}
-        #: Polynomials met as repeated factors: where a sum hides a factor it is mostly one of these (see
+        #: Polynomials met as repeated factors: a factor hidden in a sum is mostly one of these (see
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
         self._ruled: dict[str, fmpq_mpoly] = {}
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _ring, self._made_of
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are rings of the same polynomials."""
+        return isinstance(other, JetRing) and self._made_of == other._made_of
+
+    def __hash__(self) -> int:
+        return hash(self._made_of)
+
+    @property
+    def _made_of(self) -> tuple[Kind, int, int, bool]:
+        return self.kind, self.dimension, self.order, self.polynomial
+
+    def of_terms(self, terms: Terms) -> fmpq_mpoly:
+        """The polynomial with these terms (see `terms_of`)."""
+        polynomial: fmpq_mpoly = self.context.from_dict({e: fmpq(p, q) for e, p, q in terms})
+        return polynomial
 
     def __getitem__(self, name: str) -> Jet:
         parameters = 1 if name in self.rules else max(len(self.symbols[name].parameters), 1)
@@ -68,8 +96,8 @@ class JetRing:
         return Jet(self, self.context.constant(to_fmpq(rational(value))), (MULTIPLE, UNIT, rational(value)))
 
     def derivative(self, i: int, by: str | None) -> fmpq_mpoly | None:
-        """The derivative of the i-th variable: the next one, or what the kind of argument says of it; None for what
-        does not depend on the parameter.
+        """The derivative of the i-th variable: the next one, or the rule of the kind of argument; None for what does
+        not depend on the parameter.
 
         Raises `FormulaError` where the ring has none, and for a function of several parameters where none is named.
         """
@@ -112,14 +140,14 @@ class JetRing:
         return self.gens[self.index[name, raised]]
 
     def primes(self, i: int) -> str:
-        """The i-th variable as people write it."""
+        """The i-th variable as it is written."""
         name, orders = self.variables[i]
         symbol = self.symbols[name]
         return symbol.text + derivative_mark(symbol.parameters, orders)
 
 
 def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
-    """The orders of the derivatives in so many parameters, up to an order in all.
+    """The orders of the derivatives in so many parameters, up to a total order.
 
     >>> orders_up_to(2, 1), orders_up_to(1, 2)
     ([(0,), (1,), (2,)], [(0, 0), (1, 0), (0, 1)])
@@ -129,7 +157,7 @@ def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
 
 
 def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
-    """How people write a derivative: primes, or the letters of the parameters.
+    """How a derivative is written: primes, or the letters of the parameters.
 
     >>> derivative_mark(("s",), (2,)), derivative_mark(("u", "v"), (2, 1)), derivative_mark((), (0,))
     ('″', '_uuv', '')
@@ -141,16 +169,16 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
     return f"_{letters}" if letters else ""
 
 
-#: More terms than this no polynomial may have, and no more pairs of terms are multiplied at once.
+#: The largest number of terms of a polynomial, and of pairs of terms that are multiplied at once.
 TERMS, PAIRS = 10**6, 10**9
 
 
-def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly, pairs: int = PAIRS) -> fmpq_mpoly:
     """The product of two polynomials.
 
-    Raises `FormulaError` where it is too large to be worked with.
+    Raises `FormulaError` where it is too large.
     """
-    if len(a) * len(b) > PAIRS:
+    if len(a) * len(b) > pairs:
         raise FormulaError(f"a product of {len(a)} by {len(b)} terms", remedy=SHORTER)
     product: fmpq_mpoly = a * b
     if len(product) > TERMS:
@@ -158,7 +186,7 @@ def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     return product
 
 
-SHORTER = f"at most {TERMS} are worked with: factor the formula, or name its parts"
+SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
 
 
 class Jet(Operand):
@@ -168,6 +196,9 @@ class Jet(Operand):
 
     def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, provenance: Provenance | None = None) -> None:
         self.ring, self.polynomial, self.provenance = ring, polynomial, leaf() if provenance is None else provenance
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _jet, (self.ring, terms_of(self.polynomial))
 
     def constant(self, value: Constant) -> Jet:
         """An exact constant of the ring."""
@@ -203,7 +234,7 @@ class Jet(Operand):
     def d(self, order: int = 1, *, by: str | None = None) -> Jet:
         """The total derivative, or that by one parameter.
 
-        Raises `FormulaError` when the ring lacks the variable it leads to.
+        Raises `FormulaError` when the ring lacks the variable that it needs.
         """
         ring, result, provenance = self.ring, self.polynomial, self.provenance
         for _ in range(order):
@@ -251,7 +282,7 @@ class Jet(Operand):
 
 
 def polynomial_text(jet: Jet, limit: int = 12) -> str:
-    """The polynomial as people write it, cut after `limit` terms."""
+    """The polynomial as it is written, cut after `limit` terms."""
     terms = list(jet.polynomial.terms())
     if not terms:
         return "0"
@@ -267,6 +298,16 @@ def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
     if abs(c) != 1 or not factors:
         factors.insert(0, str(abs(c)))
     return ("− " if c < 0 else "+ ") + "·".join(factors)
+
+
+def _ring(kind: Kind, dimension: int, order: int, polynomial: bool) -> JetRing:
+    """The unpickled ring."""
+    return JetRing(kind, dimension, order, polynomial=polynomial)
+
+
+def _jet(ring: JetRing, terms: Terms) -> Jet:
+    """The unpickled polynomial, with a new provenance, since numbers of leaves mean nothing in another process."""
+    return Jet(ring, ring.of_terms(terms))
 
 
 class JetReading(Reading):

@@ -1,8 +1,8 @@
 """The reading at infinity: the leading coefficients in the power basis, for symbolic degree d.
 
 A component of the curve is ``t^d (a_0 + a_1/t + a_2/t² + …)`` with indeterminate a_i, and its k-th derivative has the
-coefficients ``(d − i)(d − i − 1)…(d − i − k + 1) a_i``. What a formula returns is known to a few terms of its
-expansion; how many of them vanish tells how far the true degree lies below the nominal one, for all d at once.
+coefficients ``(d − i)(d − i − 1)…(d − i − k + 1) a_i``. The value of a formula is known to a few terms of its
+expansion; the number of those that vanish is how far the true degree lies below the nominal one, for all d at once.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from exactspline.language.vector import Vector
 from exactspline.readings.degree import Degree, parse
 from exactspline.readings.differential_order import order_of
 
-#: More vanishing terms than any formula of the library has.
+#: An upper bound of the vanishing terms of every formula of the library.
 MAX_TERMS = 40
 
 
 class Across(NamedTuple):
-    """The derivative by the other parameter of a surface: of every coefficient that is known the one that is next."""
+    """The derivative by the other parameter of a surface: the next coefficient after each that is known."""
 
     parameter: Parameter
     follows: dict[int, fmpq_mpoly]
@@ -48,8 +48,8 @@ class Across(NamedTuple):
 
 class Expansion(Operand):
     """A sum of parts ``t^(k d − m) (c_0 + c_1/t + …)``, one for each degree k and weight m: the c_i are polynomials in
-    d and the coefficients of the curve, known to a few terms. What is exactly zero has no part at all; a part whose
-    known terms vanish is not thereby zero.
+    d and the coefficients of the curve, known to a few terms. Zero has no part at all; a part whose known terms vanish
+    need not be zero.
 
     >>> from exactspline.language.kinds import CURVE
 
@@ -145,7 +145,7 @@ class Expansion(Operand):
 
     @property
     def leading(self) -> dict[tuple[int, int], tuple[int, fmpq_mpoly]] | None:
-        """Of every part how many leading terms vanish identically in d, and the first that does not; None as long as
+        """For every part, how many leading terms vanish identically in d, and the first that does not; None as long as
         all known terms of some part vanish.
         """
         found = {}
@@ -158,8 +158,8 @@ class Expansion(Operand):
 
 
 def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
-    """The integers d ≥ 1 at which a polynomial in d (its first variable) and others vanishes for all values of the
-    others.
+    """The integers d ≥ 1 at which a polynomial in d (its first variable) and other variables vanishes for all values of
+    the others.
     """
     common = fmpq_poly([])
     grouped: dict[tuple[int, ...], dict[int, Any]] = {}
@@ -198,7 +198,7 @@ class LeadingTermsReading(Reading):
     """
 
     name = "infinity"
-    proves = "the true degree on the generic curve, for every d but those named"
+    proves = "the true degree on the generic curve, for every d except those named"
 
     def __init__(self, terms: int, order: int = 0, parameter: Parameter = Parameter.FIRST) -> None:
         self.terms, self.order, self.parameter = terms, order, parameter
@@ -250,14 +250,14 @@ def generic_drop(formula: Formula, dimension: int) -> tuple[int, int, int, tuple
     """``(k, m, drop, exceptions)``: on the generic rational curve of degree d the formula has true degree ``k d − m −
     drop``.
 
-    Proved for every d ≥ drop (so that the coefficients exist) but the exceptions, where it is lower. A vector has the
-    largest degree of its components.
+    Proved for every d ≥ drop (so that the coefficients exist) except the exceptions, where it is lower. A vector has
+    the largest degree of its components.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1
     >>> generic_drop(D1, 2)
     (2, 1, 1, ())
 
-    Raises `FormulaError` for formulas that are no polynomial of the curve, or not homogeneous (see
+    Raises `FormulaError` for formulas that are not polynomials in the curve, or not homogeneous (see
     `generic_true_degree`).
     """
     order = order_of(formula, dimension)
@@ -301,14 +301,14 @@ Leading = dict[tuple[int, int], tuple[int, fmpq_mpoly]]
 
 
 def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: str) -> list[Leading]:
-    """The leading terms of the components that are not exactly zero, with as many terms known as that takes. Where all
-    have one degree and weight, those that take more terms than another are lower and left out.
+    """The leading terms of the components that are not zero, with as many known terms as necessary. Where all have the
+    same degree and weight, components that need more terms than another have a lower degree and are left out.
     """
     for terms in range(1, MAX_TERMS):
         result = formula(curve(terms))
         components = list(result) if isinstance(result, Vector) else [result]
         if not all(isinstance(c, Expansion) for c in components):
-            raise FormulaError(f"{name} is a quotient", remedy="ask for numerator and denominator one by one")
+            raise FormulaError(f"{name} is a quotient", remedy="ask for numerator and denominator separately")
         found = [c.leading for c in components if c.parts]
         last = [part for part in found if part is not None]
         gradings = {grading for c in components for grading in c.parts}
@@ -320,7 +320,7 @@ def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: 
 def drop_of(
     formula: Callable[..., object], curve: Callable[[int], object], name: str
 ) -> tuple[int, int, int, tuple[int, ...]]:
-    """The same as `generic_drop` for any function of a curve at infinity that is known to as many terms as needed."""
+    """As `generic_drop`, for any function of a curve at infinity that is known to sufficiently many terms."""
     found = _resolved(formula, curve, name)
     gradings = {grading for part in found for grading in part}
     if len(gradings) > 1:

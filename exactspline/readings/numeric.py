@@ -1,7 +1,7 @@
 """The numeric reading: Taylor series of mpmath numbers to any precision, floating-point or intervals.
 
 The expansion of a curve is made from its knots and control points alone: de Boor's triangle run at ``t + h``, a series
-in h. It shares no code with the splines, so that what they tell can be held against it.
+in h. It shares no code with the splines, so that their answers can be compared with it.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 
 class Arithmetic(Protocol):
-    """What is needed of a context of mpmath."""
+    """What is needed from a context of mpmath."""
 
     def mpf(self, value: int, /) -> Coefficient:
         """A number of the arithmetic."""
 
 
 class NumericSeries(Series):
-    """A series of mpmath numbers; exact constants are rounded (in intervals: enclosed) where they meet it.
+    """A series of mpmath numbers; exact constants are rounded (in intervals: enclosed) when they are combined with it.
 
     >>> h = NumericSeries(arithmetic(30), [0, 1, 0])
     >>> [str(a) for a in (1 / (2 - h)).coefficients]
@@ -66,12 +66,12 @@ class NumericSeries(Series):
         return self._made(Series(self.coefficients).scaled(cast(Any, number(self.context, constant))))
 
     def d(self, order: int = 1, *, by: str | None = None) -> NumericSeries:
-        """The derivative, known to so many terms less."""
+        """The derivative, known to correspondingly fewer terms."""
         return self._made(super().d(order, by=by))
 
 
 def arithmetic(digits: int, *, intervals: bool = False) -> Arithmetic:
-    """An arithmetic of mpmath of its own with so many decimal digits; with `intervals`, every result encloses the true
+    """A separate context of mpmath with so many decimal digits; with `intervals`, every result encloses the true
     value.
 
     >>> str(number(arithmetic(40), "1/3"))

@@ -1,8 +1,7 @@
 """The fraction reading: quotients of differential polynomials in lowest terms.
 
-Where the jet reading carries out the naive algorithm, this one computes what the formula *is*, cancelling common
-factors after every operation: the way to prove an identity between large naive expressions without multiplying them
-out.
+Where the jet reading carries out the naive algorithm, this one computes the function itself, cancelling common factors
+after every operation: a way to prove an identity between large naive expressions without multiplying them out.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetRing, bounded_product
+from exactspline.readings.jet import Jet, JetRing, Terms, bounded_product, terms_of
 
 
 class JetFraction(FieldOperand):
@@ -36,6 +35,9 @@ class JetFraction(FieldOperand):
     def __init__(self, ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> None:
         self.ring, self.top, self.bottom = ring, top, bottom
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return _fraction, (self.ring, terms_of(self.top), terms_of(self.bottom))
+
     def constant(self, value: Constant) -> JetFraction:
         """An exact constant."""
         return JetFraction(self.ring, self.ring.number(value).polynomial, self.ring.context.constant(1))
@@ -49,7 +51,7 @@ class JetFraction(FieldOperand):
         if self.bottom == right.bottom:
             return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
         if self.bottom.is_one() or right.bottom.is_one():
-            top = self.top * right.bottom + right.top * self.bottom  # has nothing in common with the other bottom
+            top = self.top * right.bottom + right.top * self.bottom  # has no common factor with the other bottom
             return JetFraction(self.ring, top, self.bottom * right.bottom)
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
@@ -71,7 +73,7 @@ class JetFraction(FieldOperand):
     def reciprocal(self) -> JetFraction:
         """``1 / a``; `FormulaError` for zero."""
         if not self.top:
-            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         unit = self.top.leading_coefficient()
         return JetFraction(self.ring, self.bottom / unit, self.top / unit)
 
@@ -104,9 +106,8 @@ class JetFraction(FieldOperand):
         return not self.top
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same quotient: what reading computes is in lowest terms, so that one look decides.
-
-        Quotients that look different are multiplied out all the same, unless their values at one point differ.
+        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal ones look
+        alike; quotients that look different are still multiplied out, unless their values at one point differ.
         """
         if not isinstance(other, JetFraction):
             return False
@@ -126,6 +127,11 @@ class JetFraction(FieldOperand):
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
+
+
+def _fraction(ring: JetRing, top: Terms, bottom: Terms) -> JetFraction:
+    """The unpickled fraction."""
+    return JetFraction(ring, ring.of_terms(top), ring.of_terms(bottom))
 
 
 def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:

@@ -1,7 +1,7 @@
 """The sympy reading: a formula becomes an expression of sympy in the functions x(s), y(s), z(s), w(s) of the parameter.
 
-Its calculus (the derivatives) and its algebra (sparse polynomials with sympy's own ground types) are sympy's and share
-nothing with the jets of `exactspline.readings.jet`: what both decide alike was decided twice. The second curve of a
+Its calculus (the derivatives) and its algebra (sparse polynomials over sympy's own ground types) are sympy's and share
+nothing with the jets of `exactspline.readings.jet`: where both agree, a claim was decided twice. The second curve of a
 pair has the parameter s̄, surfaces have u and v; the coordinates of a point are symbols.
 """
 
@@ -29,7 +29,8 @@ from exactspline.language.reading import Reading
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
 FIRST = PARAMETER[Parameter.FIRST]
-#: Where it is tried whether values divide each other, coordinate by coordinate, again from the first: any integers do.
+#: The points at which divisibility of values is tried first, coordinate by coordinate, repeated cyclically: any
+#: integers will do.
 POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
 
@@ -69,7 +70,7 @@ class SympyExpression(FieldOperand):
     def reciprocal(self) -> Self:
         """``1 / a``; `FormulaError` for what vanishes identically."""
         if self.is_zero:
-            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         return self._made(1 / self.expression, self.parameters)
 
     def scaled(self, constant: Constant) -> Self:
@@ -152,11 +153,11 @@ class SympyReading(Reading):
     """
 
     name = "sympy"
-    proves = "an identity for every curve of every degree, in an algebra that is not ours"
+    proves = "an identity for every curve of every degree, in an independent algebra"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """Functions of their parameter, which know their derivatives where the kind has rules for them, and symbols
-        for constants.
+        """Functions of their parameter, with derivatives by the rules of the kind where it has some, and symbols for
+        constants.
         """
         rules, known = kind.rules(dimension), dict[str, SympyExpression]()
         texts = {symbol.name: symbol.text for symbol in kind.symbols(dimension, polynomial=polynomial)}
@@ -219,12 +220,12 @@ class _Product:
     def to_the(self, exponent: int) -> _Product:
         """A power, also a negative one; `FormulaError` for 1/0."""
         if not self.unit and exponent < 0:
-            raise FormulaError("division by what vanishes on every curve", remedy="check the formula")
+            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
         return _Product(self.unit**exponent, self.powers**exponent)
 
 
 class _Fractions:
-    """The field of the functions and derivatives that occur in an expression, and the walk through its tree."""
+    """The field of the functions and derivatives that occur in an expression, and a walk through its tree."""
 
     def __init__(self, expression: sympy.Expr) -> None:
         atoms = expression.atoms(sympy.Derivative, AppliedUndef, sympy.Symbol)
@@ -250,10 +251,10 @@ class _Fractions:
             return self.value(e.base).to_the(int(e.exp))
         if e.is_Add:
             return self.sum([self.value(a) for a in e.args])
-        raise FormulaError(f"{e} is no rational expression", remedy="formulas are made of + − · / and derivatives")
+        raise FormulaError(f"{e} is not a rational expression", remedy="formulas are made of + − · / and derivatives")
 
     def sum(self, terms: list[_Product]) -> _Product:
-        """The sum: what all share is taken out, the rest multiplied out."""
+        """The sum: common factors are factored out, the rest is multiplied out."""
         terms = [term for term in terms if term.unit]
         common = reduce(Factorization.shared, [term.powers for term in terms]) if terms else Factorization()
         denominator = reduce(_lcm, [int(term.unit.denominator) for term in terms], 1)

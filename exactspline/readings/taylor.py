@@ -1,7 +1,7 @@
 """The series reading: Taylor series at a parameter, truncated. Values and derivatives of any formula there, without
 splines or quotient rules.
 
-Coefficients are whatever numbers the curve's expansion has: ``mpq`` (exact), mpmath's ``mpf`` or intervals.
+Coefficients are the numbers of the curve's expansion: ``mpq`` (exact), mpmath's ``mpf`` or intervals.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class Coefficient(Scalar, Protocol):
-    """A number of whatever arithmetic a series is in."""
+    """A number of the arithmetic of a series."""
 
     def __truediv__(self, other: int, /) -> Self: ...
 
@@ -83,7 +83,7 @@ class Series(FieldOperand):
         return self
 
     def d(self, order: int = 1, *, by: str | None = None) -> Series:
-        """The derivative, known to so many terms less."""
+        """The derivative, known to correspondingly fewer terms."""
         self.only_parameter(by)
         if order >= len(self.coefficients):
             raise FormulaError(
@@ -136,8 +136,8 @@ class TaylorReading(Reading):
         self.given, self.t, self.terms, self.side = given, t, terms, side
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The expansion of the argument at hand."""
-        # what is given is made of splines: a constructor's argument that this room cannot name
+        """The expansion of the given argument."""
+        # what is given is made of splines: an argument of a constructor that this room cannot name
         expanded: Evaluated = self.given.mapped(
             lambda operand: taylor(cast("BSpline", operand), self.t, self.terms, self.side)
         )

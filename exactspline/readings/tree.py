@@ -52,7 +52,7 @@ class Operation(StrEnum):
     GENERATOR = "generator"
 
 
-#: What carries nothing out.
+#: Operations that compute nothing.
 ATOMS = (Operation.LEAF, Operation.NUMBER, Operation.NAMED)
 
 #: Products of vectors whose value is again a vector.
@@ -60,11 +60,11 @@ VECTOR_PRODUCTS = {Operation.CROSS, Operation.PERP, Operation.GENERALIZED_CROSS,
 
 
 class Node(Operand, OwnVectors):
-    """A node of an expression tree: an operation, its arguments, and what else it needs (a name, a number, …)."""
+    """A node of an expression tree: an operation, its arguments, and a value (a name, a number, …)."""
 
     __slots__ = ("args", "is_vector", "op", "value")
     is_vector: bool
-    #: The name of a leaf, a number, the order of a derivative, …: what the operation says.
+    #: The name of a leaf, a number, the order of a derivative, …, depending on the operation.
     value: Any
 
     def __init__(
@@ -115,7 +115,7 @@ class Node(Operand, OwnVectors):
         return Node(Operation.COMPONENT, (self,), index, vector=isinstance(index, slice))
 
     def __iter__(self) -> Iterator[Node]:
-        raise FormulaError("a formula takes a vector apart", remedy="use v[0], v[1], …")
+        raise FormulaError("a formula iterates over a vector", remedy="use v[0], v[1], …")
 
     def d(self, order: int = 1, *, by: str | None = None) -> Node:
         """The node of a derivative (of order 0: itself)."""
@@ -135,7 +135,7 @@ class Node(Operand, OwnVectors):
         return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
     def times_vector(self, vector: Vector[Operand]) -> Node:
-        """A tree has no vectors but its own."""
+        """A tree has no vectors except its own."""
         refused: Node = NotImplemented
         return refused
 
@@ -145,7 +145,7 @@ class Node(Operand, OwnVectors):
         return Node(op, cast("tuple[Node, ...]", vectors), vector=op in VECTOR_PRODUCTS)
 
     def joining(self, parts: tuple[object, ...]) -> Node:
-        """The node of a vector put together."""
+        """The node of a vector joined from parts."""
         own = (Node(Operation.NUMBER, value=part) if isinstance(part, CONSTANTS) else part for part in parts)
         return Node(Operation.JOIN, cast("tuple[Node, ...]", tuple(own)), vector=True)
 
@@ -215,8 +215,8 @@ class Traced(Argument):
         return Node(Operation.LEAF, value=self._path + name, vector=names[name])
 
     def calls(self, formula: Formula) -> object:
-        """A formula called by another one: a node with its symbol (only its body where it has none, or when
-        expanding).
+        """A formula called by another one: a node with its symbol (or its body, where it has none or is to be
+        expanded).
         """
         body = formula.function(self)
         if self._expand or not formula.symbol:
@@ -244,8 +244,8 @@ class TreeReading(Reading):
 
 
 def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
-    """Whether a formula is made of γ, whatever its denominator: then what holds for indeterminate coordinates of γ
-    holds for rational curves.
+    """Whether a formula consists of γ alone, not of its numerator and denominator: then what holds for indeterminate
+    coordinates of γ holds for rational curves.
 
     >>> from exactspline.papers import find
     >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)
@@ -285,7 +285,7 @@ def evaluate(node: Node, c: object) -> object:
     return visit(node)
 
 
-#: What carries an operation out on the values of the arguments.
+#: The function that computes an operation from the values of its arguments.
 _CARRIED_OUT: dict[Operation, Callable[..., object]] = {
     Operation.PLUS: add,
     Operation.MINUS: sub,
@@ -297,7 +297,7 @@ _CARRIED_OUT: dict[Operation, Callable[..., object]] = {
     # functions of vectors have the names of their nodes' operations
     **{Operation(f.__name__): f for f in (dot, cross, det, perp, generalized_cross, join, ruled)},
 }
-#: What carries an operation out on the values of the arguments and what else the node needs.
+#: The function that computes an operation from the values of its arguments and the value of the node.
 _WITH_VALUE: dict[Operation, Callable[..., object]] = {
     Operation.DERIVATIVE: lambda a, derivation: a.d(derivation.order, by=derivation.by),
     Operation.POWER: pow,

@@ -1,8 +1,8 @@
-"""Where a polynomial vanishes on an interval, cell by cell, each with what three lemmas need: Bernstein coefficients of
-one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein coefficients of one sign (at most
-one zero).
+"""Where a polynomial vanishes on an interval, cell by cell, each with the data for three lemmas: Bernstein coefficients
+of one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein coefficients of one sign (at
+most one zero).
 
-The certificate (`certificate_of`) is what the proofs of ``verification/coq/theory/Answers.v`` are made of; a multiple
+The certificate (`certificate_of`) is the input of the proofs in ``verification/coq/theory/Answers.v``; a multiple
 zero has a witness, the factor that has it once and the cofactor that has none.
 """
 
@@ -17,7 +17,7 @@ from exactspline.errors import DomainError
 from exactspline.exact import mpq, text, to_fmpq
 
 FORMAT = "exactspline cells 1"
-#: How often an interval is halved before the search is given up.
+#: How often an interval is halved before the search stops.
 DEPTH = 400
 
 
@@ -64,7 +64,7 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     >>> [c.one for c in cells_of(fmpq_poly([1, 0, -4, 0, 4]), mpq(0), mpq(1))]
     [True]
 
-    Raises `DomainError` where halving finds no end.
+    Raises `DomainError` where halving does not end.
     """
     if not polynomial:
         return [Cell(low, high, None)]
@@ -78,7 +78,7 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
             found.append(cell)
             continue
         if depth == DEPTH:
-            raise DomainError("halving finds no end", where=f"[{text(a)}, {text(b)}]", remedy="report this")
+            raise DomainError("halving does not end", where=f"[{text(a)}, {text(b)}]", remedy="report this")
         middle = (a + b) / 2
         todo += [(middle, b, depth + 1), (a, middle, depth + 1)]
     return found

@@ -4,8 +4,8 @@ A segment carries the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ t
 a subdivision of [0, 1] with the number, 0 or 1, of sign changes that the Bernstein coefficients have there, the
 midpoints that are zeros themselves, and, where multiple zeros asked for it, factors whose powers multiply to the form
 up to a constant, the zeros at the ends and powers of ``u + v``; the leaves then belong to the product of the factors,
-each taken once. The roots, with the intervals reached so far, are those of the whole spline. Of an interval on which it
-vanishes the two ends are told, the end before the beginning where it crosses the seam of a periodic spline.
+each taken once. The roots, with the intervals reached so far, are those of the whole spline. An interval on which it
+vanishes is given by its two ends, the end before the beginning where it crosses the seam of a periodic spline.
 """
 
 from __future__ import annotations

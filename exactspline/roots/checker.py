@@ -12,9 +12,9 @@ from typing import Any
 
 def check(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
     """Number of roots, jumps and intervals that the certificate proves; any exception means that it proves nothing, and
-    a ValueError tells the flaw.
+    a ValueError names the flaw.
 
-    With `sturm` false the second route is left out (it takes time for degrees beyond 100).
+    With `sturm` false the second route is skipped (it is slow for degrees beyond 100).
     """
     told: Any = certificate
     _require(told["format"] == "exactspline zeros 1", "unknown format")

@@ -4,7 +4,7 @@ Every form is a row of coefficients in the scaled Bernstein basis with bounds of
 coefficient is larger than its bound; Descartes' rule is asked for the largest number of sign changes that the certain
 signs allow. Rows for which that never says 0 or 1 are left to exact arithmetic. Derivation: docs/certified-filter.md.
 
-This is the one module of roots that loads numpy.
+This is the only module of `roots` that loads numpy.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Flags = NDArray[np.bool_]
 ROUNDING, UNDERFLOW = 2.0**-52, 2.0**-1022
 #: Where pieces are split: not in the middle, where the zeros of symmetric curves are; ten times it is exact.
 SPLIT, DEPTH = 15 / 32, 9
-#: Steps towards a zero without proof.
+#: Steps towards a zero, without proof.
 STEPS = 12
 #: Half widths in which a zero is looked for, after Newton's method, the narrowest first.
 WIDTHS = (2.0**-44, 2.0**-38, 2.0**-30, 2.0**-20, 2.0**-10)
@@ -58,7 +58,7 @@ def ordinates(values: Floats, errors: Floats) -> Rows:
 
 
 def isolated(rows: Rows) -> tuple[Isolated, Flags]:
-    """The zeros inside (0, 1) of the forms that are certain, in order, and which forms are not.
+    """The zeros inside (0, 1) of the forms that are certain, in order, and which forms are uncertain.
 
     >>> found, open_ = isolated(Rows(np.array([[1.0, -2, 1], [1, 2, 1], [0, 1, 2]]), np.full((3, 3), 1e-9)))
     >>> found.row.tolist(), found.before.tolist(), open_.tolist()
@@ -156,7 +156,7 @@ def narrowed(rows: Rows, found: Isolated) -> Isolated:
 
 def _approximated(rows: Rows, found: Isolated) -> Floats:
     """Numbers near the zeros, without proof, by the Illinois method: secants between ends that move in; the value at an
-    end that stays twice is halved.
+    end that stays the same twice is halved.
     """
     index, low, high, before = found
     (at_low, _), (at_high, _) = (values_at(rows, index, t) for t in (low, high))

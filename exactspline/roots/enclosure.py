@@ -31,7 +31,7 @@ class Bounds(NamedTuple):
 
 
 class Enclosure(Immutable):
-    """A real number between two rational ones, `low` and `high`; it can be told to any number of digits.
+    """A real number between two rational ones, `low` and `high`; it can be printed to any number of digits.
 
     >>> from exactspline import BSpline, zeros
     >>> half, = value_at((BSpline.bezier([0, 0, 1]),), None, zeros(BSpline.bezier([-1, -1, 1])).roots[0], digits=30)
@@ -52,7 +52,7 @@ class Enclosure(Immutable):
         return Enclosure, (self.low, self.high, self.digits)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same interval, which says nothing of the numbers in it."""
+        """Whether both are the same interval, which implies nothing about the numbers in it."""
         return isinstance(other, Enclosure) and (self.low, self.high) == (other.low, other.high)
 
     def __hash__(self) -> int:

@@ -25,7 +25,8 @@ DEPTH = 10
 
 
 class LocalPolynomial:
-    """An integer polynomial in z, non-zero at both ends of the segment, with what its evaluation from either end needs.
+    """An integer polynomial in z, non-zero at both ends of the segment, with the data for its evaluation from either
+    end.
 
     >>> LocalPolynomial(fmpz_poly([1, -5, 6])).reversed.coeffs()
     [6, -5, 1]

@@ -4,8 +4,8 @@ doubled step by step.
 Every step proves what it returns. For a ball X with midpoint m, ``N = m − g(m)/g′(X)`` holds every zero of g in X, and
 when N lies inside X there is exactly one (interval Newton). The evaluations are those of FLINT's ``arb``, whose results
 hold the exact value whatever the precision; the precision is set for one step at a time, with guard bits that follow
-the cancellation met in the step before. An exact sign at a rational parameter falls back to integers when the balls
-cannot tell.
+the cancellation met in the step before. An exact sign at a rational parameter is computed in integers where balls do
+not decide it.
 
 Everything happens in ``z = t/(1 − t)`` or, in the right half of the segment, in its reciprocal: there evaluation is as
 well conditioned as in the Bernstein basis.
@@ -28,7 +28,7 @@ from exactspline.roots.isolation import LocalPolynomial
 START, GUARD = 64, 12
 #: Up to this product of degree and bits of the parameter a sign is found in integers at once.
 EXACTLY = 3000
-#: Bits from which on every step is worth keeping: what is below is quickly done again.
+#: Bits from which on every step is worth keeping: fewer are quickly computed again.
 KEEP = 1500
 
 Interval = tuple[mpq, mpq]
@@ -56,7 +56,7 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
 
     `low` and `high` are local parameters, `sign` is that of the factor just right of `low`. The zero is strictly inside
     every interval, and the factor is not zero at an end unless it was so at `low` or `high` from the beginning. Every
-    interval stands on its own: whoever stops early continues from the last one.
+    interval is valid by itself: a caller that stops early can continue from the last one.
 
     >>> *_, (a, b) = enclosures(LocalPolynomial(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
     >>> b - a < mpq(1, 2**200), a < mpq(5, 18) < b, mpq(276, 1000) < a < mpq(277, 1000)
@@ -106,7 +106,9 @@ class _Chart:
         yield self._local(ball, goal)
 
     def _step(self, ball: Any, accuracy: int, wanted: int) -> Any:
-        """One interval Newton step from a ball of the given accuracy; what cancellation it meets is kept in `loss`."""
+        """One interval Newton step from a ball of the given accuracy; the cancellation that it meets is kept in
+        `loss`.
+        """
         precision = wanted + self.loss + GUARD
         with ctx.workprec(min(precision, accuracy + self.loss + 2 * GUARD)):
             slope = arb_poly(self.slope)(ball)
@@ -143,14 +145,14 @@ class _Chart:
             self.loss = precision
 
     def _attempt(self, low_end: Any, high_end: Any, x: Any) -> tuple[Any, Any, Any, Any]:
-        """The ball, or None when the precision does not do; then the smaller interval and the point where a sign was
-        not certain.
+        """The ball, or None when the precision is not sufficient; then the smaller interval and the point where a sign
+        was not certain.
         """
         g, slope = arb_poly(self.g), arb_poly(self.slope)
         low, high = arb(low_end), arb(high_end)
         x = ((low + high) / 2).mid() if x is None else x
         last = high - low
-        # near enough for what the inclusion test proves to be worth a step of higher precision
+        # near enough for the inclusion test to be worth a step of higher precision
         near = last / 1024
         while True:
             at = g(x)
@@ -170,7 +172,7 @@ class _Chart:
                 if size < near and low < ball < high:
                     newton = y - g(y) / slope(ball)
                     if newton.is_finite() and ball.contains_interior(newton):
-                        # once more, while the precision is there
+                        # once more at the same precision
                         y = newton.mid()
                         return (y - g(y) / slope(newton)).intersection(newton), low_end, high_end, y
                 last = size

@@ -20,10 +20,10 @@ from exactspline.splines.bernstein import substituted
 if TYPE_CHECKING:
     from mpmath import mpf
 
-#: What a root is compared with, besides roots.
+#: The types that a root is compared with, besides roots.
 _EXACT = (int, Fraction, type(mpz()), type(mpq()))
 
-#: How often two roots are held against a number between them before digits are asked for.
+#: How often two roots are compared with a number between them before digits are computed.
 BISECTIONS = 5
 
 
@@ -32,8 +32,8 @@ class Root(Immutable, Displayed):
     """One zero of a spline, in the spline's own parameter: a real number, known exactly.
 
     Either `low` = `high` is the root itself, or it is the only one strictly between them and `polynomial` has a simple
-    zero there. The interval shrinks when digits are asked for (also by comparisons), and keeps what was reached when
-    that is interrupted; nothing else of a root ever changes.
+    zero there. The interval shrinks when digits are needed (also by comparisons) and stays valid when that is
+    interrupted; nothing else of a root ever changes.
 
     Roots, also those of different splines, compare with one another and with exact numbers by value, exactly; equal
     ones, and the numbers they equal, have one hash. ``float(root)`` is the correctly rounded double.
@@ -63,7 +63,7 @@ class Root(Immutable, Displayed):
     #: The first interval: the spline may have other roots at its ends.
     _first: Interval
     _zero: LocalZero | None
-    #: What is found out when it is asked for.
+    #: Fields computed when they are needed.
     _polynomial: fmpz_poly | None
     _minimal: fmpz_poly | None
     _rational: bool | None
@@ -188,7 +188,7 @@ class Root(Immutable, Displayed):
         return [int(x) for x in self._integers().coeffs()]
 
     def minimal_polynomial(self) -> list[int]:
-        """The irreducible one among the integer polynomials with this root, constant term first.
+        """The irreducible integer polynomial with this root, constant term first.
 
         >>> from exactspline import BSpline, zeros
         >>> t = BSpline.identity(0, 1)
@@ -352,7 +352,7 @@ class Root(Immutable, Displayed):
             (a, b), (c, d), digits = self.refine(digits), other.refine(digits), 2 * digits
 
     def _parted(self, other: Root) -> int:
-        """The order of two roots where a few signs at rational numbers between them tell it; 0 where they do not."""
+        """The order of two roots where a few signs at rational numbers between them decide it; 0 where they do not."""
         for _ in range(BISECTIONS):
             (a, b), (c, d) = self._reached, other._reached
             if a == b or c == d:
@@ -408,7 +408,7 @@ def _restored(
     segment: Interval | None,
     reached: Interval,
 ) -> Root:
-    """What was pickled, as far as it was refined."""
+    """The unpickled root, as far as it was refined."""
     root = Root(low, high, multiplicities, signs, zero, segment)
     fill(root, _reached=reached)
     return root
@@ -437,7 +437,7 @@ def between(low: Number | Root, high: Number | Root) -> mpq:
 
 @lru_cache(64)
 def _irreducible(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
-    """The irreducible factors of a polynomial, which many roots have in common."""
+    """The irreducible factors of a polynomial, shared by many roots."""
     return tuple(p for p, _ in fmpz_poly(list(coefficients)).factor()[1])
 
 
@@ -455,7 +455,7 @@ def _changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
 
 
 def _digits(width: mpq, most: int) -> int:
-    """Decimal digits that an interval of this width fixes, not more than asked for."""
+    """Decimal digits that an interval of this width determines, at most as many as asked for."""
     if width == 0:
         return most
     quotient = int(1 / width)

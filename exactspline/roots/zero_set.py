@@ -30,7 +30,7 @@ class Jump:
     """A knot where the spline jumps and either changes sign without a zero on both sides, or is zero seen from one side
     only.
 
-    `left` and `right` tell the limit, the multiplicity and the sign on each side.
+    `left` and `right` give the limit, the multiplicity and the sign on each side.
     """
 
     parameter: mpq
@@ -48,7 +48,7 @@ class Jump:
 
 @dataclass(frozen=True)
 class ZeroInterval:
-    """An interval on which the spline vanishes, with its sign before and behind (None where the domain ends).
+    """An interval on which the spline vanishes, with its sign before and after (None where the domain ends).
 
     `parts` are its intervals in the domain in the order of the run: one, or on a periodic spline two where it crosses
     the seam, up to the end of the domain and on from its start. It begins at `low` and ends at `high`, which is the
@@ -132,7 +132,7 @@ class ZeroSet(Immutable, Displayed):
         """Every root in an interval at most ``10^−digits`` wide; `progress` is called after each with how many are
         done, of how many.
 
-        May be interrupted: what was reached stays with the roots.
+        May be interrupted: the roots keep the digits reached.
         """
         result = []
         for i, root in enumerate(self.roots):
@@ -149,7 +149,7 @@ class ZeroSet(Immutable, Displayed):
 
 
 def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
-    """What was pickled, its roots as far as they were refined."""
+    """The unpickled zero set, its roots as far as they were refined."""
     found = object.__new__(ZeroSet)
     fill(found, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals)
     return found
@@ -185,7 +185,7 @@ class _Found:
             self.roots.append(Root(low, high, (zero.multiplicity, zero.multiplicity), zero.signs, zero, segment))
 
     def _judge(self, i: int, left: _End | None, right: _End | None) -> None:
-        """What there is at a knot; at an end of the domain one side is None."""
+        """The root or jump at a knot; at an end of the domain one side is None."""
         t = self.spline.mesh.breaks[i]
         if left is not None and right is not None:
             zero_sides = (left[0] != 0) + (right[0] != 0)

@@ -2,9 +2,9 @@
 
 ``P(u, v) = (c_0 uⁿ + c_1 uⁿ⁻¹v + … + c_n vⁿ) / m`` with ``u = 1 − t``, ``v = t``, integers ``c_i = m·C(n, i)·b_i`` and
 ``m > 0``; the ``b_i`` are the Bézier points. A form is the pair ``(c, m)``: an ``fmpz_poly`` in ``z = v/u`` and an
-``fmpz``; its formal degree n is kept by whoever holds it, because leading zeros are no accident here. Product is
+``fmpz``; its formal degree n is kept by its owner, because leading zeros are significant here. Product is
 convolution, raising the degree is multiplication by ``u + v``, lowering it exactly is division by ``u + v``, the
-derivative is ``∂v − ∂u``. Nothing leaves the Bernstein side.
+derivative is ``∂v − ∂u``. Everything stays in the Bernstein basis.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def add(a: Form, b: Form) -> Form:
 def common_denominators(
     p: Sequence[fmpz_poly], k: Sequence[fmpz], q: Sequence[fmpz_poly], m: Sequence[fmpz]
 ) -> tuple[tuple[fmpz_poly, ...], tuple[fmpz_poly, ...], tuple[fmpz, ...]]:
-    """Two lists of polynomials, over the denominators k and m, brought to common ones."""
+    """Two lists of polynomials over the denominators k and m, brought to common denominators."""
     shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
     denominators = tuple([x * y for x, y in zip(shared, m, strict=True)])
     lifts = [d // x for d, x in zip(denominators, k, strict=True)]
@@ -123,7 +123,7 @@ def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
 
 
 def primitive(form: Form) -> Form:
-    """The same form, its common integer factor with the denominator taken out."""
+    """The same form, without its common integer factor with the denominator."""
     c, m = form
     if not c:
         return ZERO_FORM
@@ -132,13 +132,15 @@ def primitive(form: Form) -> Form:
 
 
 def reverse(form: Form, n: int) -> Form:
-    """The form run through backwards."""
+    """The form reversed."""
     c, m = form
     return backwards(c, n), m
 
 
 def divide_u_plus_v(c: fmpz_poly, at_most: int) -> tuple[fmpz_poly, int]:
-    """Divide by ``u + v`` as often as it goes exactly, at most so many times; the quotient and the number of times."""
+    """Divide by ``u + v`` as long as the division is exact, at most so many times; the quotient and the number of
+    divisions.
+    """
     times = 0
     while times < at_most and c(-1) == 0:
         c, times = c // U_PLUS_V, times + 1
@@ -209,14 +211,14 @@ def variations(c: fmpz_poly) -> int:
 def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:
     """The form on the left and right half of its segment, up to positive constants.
 
-    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half the same of the form run through backwards: two
+    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half the same for the reversed form: two
     shifts inside FLINT.
     """
     return backwards(backwards(c, n)(ONE_PLUS_2Z), n), c(ONE_PLUS_2Z)
 
 
 def backwards(c: fmpz_poly, n: int) -> fmpz_poly:
-    """The integers of a form of degree n in reverse order: the form run through backwards."""
+    """The integers of a form of degree n in reverse order: the reversed form."""
     coefficients = c.coeffs()
     return fmpz_poly([fmpz(0)] * (n + 1 - len(coefficients)) + coefficients[::-1])
 
@@ -270,8 +272,8 @@ def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
 
 
 def is_nonnegative(c: fmpz_poly, n: int) -> bool:
-    """Whether a form of degree n is ≥ 0 on its segment: no odd root inside, and a non-negative value somewhere that is
-    no root.
+    """Whether a form of degree n is ≥ 0 on its segment: no odd root inside, and a non-negative value at a point that is
+    not a root.
 
     >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
     (True, False)

@@ -22,7 +22,7 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
 
     Knots are inserted until each has multiplicity n, from left to right: what remains on the other side of the right
     end of one span is what the next span begins with. The numbers of a span are integers over one denominator, and
-    what that has in common with them is divided out once a span.
+    their common factor is divided out once per span.
     """
     knots, control_points = list(map(to_fmpq, t)), list(map(to_fmpq, d))
     row = _over_one(_at_left_end(knots, n, control_points, spans[0]))
@@ -71,8 +71,8 @@ def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmp
 
 
 def _next_row(own: list[fmpq], ends: list[fmpz], bottom: fmpz) -> Row:
-    """What the next span begins with: as many of its own control points as its left end is a knot, then what the span
-    before it left behind.
+    """The start of the next span: as many of its own control points as the multiplicity of its left end, then what
+    remains from the span before.
     """
     mine, below = _over_one(own)
     common = bottom.lcm(below)
@@ -91,7 +91,7 @@ def _over_one(values: Sequence[fmpq]) -> Row:
 
 
 def _primitive(numbers: list[fmpz], bottom: fmpz) -> Form:
-    """Numbers over a denominator, as coefficients, without what all have in common."""
+    """Numbers over a denominator, as coefficients, without their common factor."""
     polynomial = fmpz_poly(numbers)
     common = polynomial.content().gcd(bottom)
     return (polynomial, bottom) if common == 1 else (polynomial // common, bottom // common)

@@ -1,7 +1,7 @@
 """The public piecewise polynomial: exact B-splines and the primitive operations of §2.
 
 A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are made
-when first asked for and kept. Inside it is a list of forms (see `exactspline.splines.bernstein`), one a segment, with
+when first asked for and kept. Inside it is a list of forms (see `exactspline.splines.bernstein`), one per segment, with
 the nominal degree and the nominal continuity at every interior breakpoint.
 """
 
@@ -29,7 +29,7 @@ from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 
 
 class _Parts:
-    """What a spline is made of; being filled in it becomes a `BSpline`, which does not change any more."""
+    """The fields of a spline; when they are filled in it becomes a `BSpline`, which never changes."""
 
     __slots__ = (
         "_derivative",
@@ -59,8 +59,8 @@ class BSpline(Immutable, _Parts, Operand):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
     `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
-    The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, taken as
-    `exactspline.exact.rational` takes them.
+    The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, read by
+    `exactspline.exact.rational`.
 
     >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
     >>> f(1), (f * f).degree, f.d().control_points
@@ -106,7 +106,7 @@ class BSpline(Immutable, _Parts, Operand):
         forms: Iterable[Form],
         provenance: Provenance | None = None,
     ) -> BSpline:
-        """The spline with these forms, which it takes over; the caller vouches for the continuity."""
+        """The spline with these forms, which it owns from then on; the caller vouches for the continuity."""
         polynomials, denominators = zip(*forms, strict=True)
         return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
 
@@ -334,7 +334,7 @@ class BSpline(Immutable, _Parts, Operand):
         return not all(self._polynomials)
 
     def hash_of_quotients(self, numerators: tuple[BSpline, ...]) -> int:
-        """From the limits of the quotients at fixed parameters: common factors leave no trace in them."""
+        """From the limits of the quotients at fixed parameters, which common factors do not change."""
         a, b = self.domain
         places = [a + (b - a) * mpq(i, 5) for i in range(5)]
         return hash((a, b, *[limit(f, self, t) for f in numerators for t in places]))
@@ -367,11 +367,11 @@ class BSpline(Immutable, _Parts, Operand):
         return refinement.reduce(self, by)
 
     def insert_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with a knot more inside the domain."""
+        """The same function with one more knot inside the domain."""
         return refinement.insert_knot(self, rational(t), times)
 
     def remove_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with a knot less; `ReductionError` tells the derivative that jumps there."""
+        """The same function with one knot less; `ReductionError` names the derivative that jumps there."""
         return refinement.remove_knot(self, rational(t), times)
 
     def split(self, t: Number) -> tuple[BSpline, BSpline]:
@@ -384,7 +384,7 @@ class BSpline(Immutable, _Parts, Operand):
         return refinement.restricted(self, rational(a), rational(b))
 
     def reverse(self) -> BSpline:
-        """The spline run through backwards, over the same domain."""
+        """The reversed spline, over the same domain."""
         return refinement.reversed_(self)
 
     def reparametrize(self, a: Number, b: Number) -> BSpline:
@@ -392,7 +392,7 @@ class BSpline(Immutable, _Parts, Operand):
         return refinement.reparametrized(self, rational(a), rational(b))
 
     def bezier_segments(self) -> list[BSpline]:
-        """One polynomial spline a segment."""
+        """One polynomial spline per segment."""
         return [self.restrict(a, b) for a, b in zip(self.breakpoints, self.breakpoints[1:], strict=False)]
 
     def compose(self, inner: BSpline) -> BSpline:
@@ -431,7 +431,7 @@ def _restored(
     knots: KnotVector | None,
     points: tuple[mpq, ...] | None,
 ) -> BSpline:
-    """What was pickled; its provenance is a new one, since numbers of leaves mean nothing in another process."""
+    """The unpickled spline, with a new provenance, since numbers of leaves mean nothing in another process."""
     made = BSpline.from_forms(degree, mesh, continuity, [(fmpz_poly(list(c)), fmpz(m)) for c, m in forms])
     fill(made, _knots=knots, _points=points)
     return made

@@ -25,7 +25,7 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
     Raises `DomainError` when their domains differ.
     """
     splines = list(splines)
-    # a sum is over the knots of both operands and of the larger degree; the multiples by 0 are that without values
+    # a sum is over the knots of both operands and of the larger degree; multiplied by 0 they contribute nothing else
     common = splines[0] * 0
     for f in splines[1:]:
         common = common + f * 0
@@ -33,8 +33,8 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
 
 
 def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
-    """The components of one curve, segment by segment over one denominator, so that sums stay cheap; they have one mesh
-    to begin with, and keep their knots and control points.
+    """The components of one curve, segment by segment over one denominator, so that sums stay cheap; they share one
+    mesh, and keep their knots and control points.
     """
     mesh, columns = splines[0].mesh, []
     for forms in zip(*[f.forms for f in splines], strict=True):

@@ -19,8 +19,8 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
     """``t ↦ outer(inner(t))``, of the product of the degrees.
 
     The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when
-    `inner` leaves the domain of `outer` and `ReductionError` when a crossing is irrational: the composition is then no
-    spline with rational knots.
+    `inner` leaves the domain of `outer` and `ReductionError` when a crossing is irrational: the composition is then not
+    a spline with rational knots.
     """
     if outer.degree < 0 or inner.degree < 0:
         return inner.constant(outer(0) if outer.degree >= 0 else 0)

@@ -48,7 +48,7 @@ Point = tuple[mpq, ...]
 
 
 def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
-    """Numbers in a row as exact ones, an error naming the one at fault."""
+    """A row of numbers as exact ones; an error names the one at fault."""
     exact = []
     for i, value in enumerate(values):
         try:
@@ -59,7 +59,7 @@ def exact_row(values: Iterable[Number], place: str) -> tuple[mpq, ...]:
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
-    """Points and directions of one dimension, at least so many coordinates each; `ShapeError` names the one at
+    """Points and directions of one dimension, with at least so many coordinates each; `ShapeError` names the one at
     fault.
     """
     points: list[Point] = []
@@ -86,7 +86,7 @@ def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Poin
 
 
 def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> tuple[mpq, ...]:
-    """One weight a control point, 0 for a direction; without weights 1 for every point."""
+    """One weight per control point, 0 for a direction; without weights, 1 for every point."""
     if weights is None:
         return tuple(mpq(not isinstance(point, Direction)) for point in points)
     exact = exact_row(weights, "weights")
@@ -94,7 +94,7 @@ def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> 
         raise ShapeError(
             f"{len(exact)} weights for {len(points)} control points",
             where="weights",
-            remedy="give one weight a control point",
+            remedy="give one weight per control point",
         )
     for i, (weight, point) in enumerate(zip(exact, points, strict=True)):
         if weight and isinstance(point, Direction):
@@ -107,7 +107,7 @@ def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> 
 
 
 def lifted(point: Point, weight: mpq) -> Point:
-    """The homogeneous coordinates of a control point, but for the last, which is its weight.
+    """The homogeneous coordinates of a control point except the last, which is its weight.
 
     >>> lifted((mpq(1), mpq(2)), mpq(3)), lifted(Direction(1, 2), mpq(0))
     ((mpq(3,1), mpq(6,1)), (mpq(1,1), mpq(2,1)))

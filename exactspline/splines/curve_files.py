@@ -106,7 +106,7 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
         raise CurveFileError(
             "is a part of these control points that ends at an irrational parameter",
             where="pieces[0]",
-            remedy="low and high tell where; a curve file can only end at a rational parameter",
+            remedy="low and high say where; a curve file can only end at a rational parameter",
         )
     of = f" of {data['curve']}" if data.get("curve") else ""
     named: dict[str, Any] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
@@ -180,7 +180,7 @@ def curve_data(curve: Nurbs) -> dict[str, object]:
 
 
 def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
-    """Write a curve as a curve file, all numbers as exact text; the file is there whole or not at all.
+    """Write a curve as a curve file, all numbers as exact text; the file is written whole or not at all.
 
     >>> import tempfile
     >>> from exactspline import example, load
@@ -195,6 +195,6 @@ def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:
-    """Write JSON atomically: the file is there whole or not at all."""
+    """Write JSON atomically: the file is written whole or not at all."""
     text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     write_atomically(path, lambda stream: stream.write(text.encode()))

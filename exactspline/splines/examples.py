@@ -46,7 +46,7 @@ def example(name: str) -> Nurbs:
     """
     if name not in example_names():
         remedy = nearest(name, example_names(), listed_by="exactspline curves")
-        raise CurveFileError(f"no file and no example curve is called {name!r}", remedy=remedy)
+        raise CurveFileError(f"there is neither a file nor an example curve called {name!r}", remedy=remedy)
     return curve_from_text(_text("example_curves", name), name)
 
 
@@ -71,13 +71,13 @@ def example_surface(name: str) -> NurbsSurface:
     """
     if name not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="exactspline curves")
-        raise CurveFileError(f"no file and no example surface is called {name!r}", remedy=remedy)
+        raise CurveFileError(f"there is neither a file nor an example surface called {name!r}", remedy=remedy)
     return surface_from_text(_text("example_surfaces", name), name)
 
 
 def load_surface(name_or_path: str) -> NurbsSurface:
-    """An example surface by its name, otherwise a surface file by its path; what looks like a name and is none gets
-    the nearest ones.
+    """An example surface by its name, otherwise a surface file by its path; for an unknown name the error lists the
+    nearest ones.
 
     >>> load_surface("enneper").degree
     (3, 3)
@@ -88,8 +88,8 @@ def load_surface(name_or_path: str) -> NurbsSurface:
 
 
 def load(name_or_path: str) -> Nurbs:
-    """An example curve by its name, otherwise a curve file by its path; what looks like a name and is none gets the
-    nearest ones.
+    """An example curve by its name, otherwise a curve file by its path; for an unknown name the error lists the nearest
+    ones.
     """
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
     return example(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)

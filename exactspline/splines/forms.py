@@ -1,4 +1,6 @@
-"""The forms of a spline to look at: FLINT's polynomials can be changed in place, so what is taken out is a copy."""
+"""The forms of a spline, for reading: FLINT's polynomials can be changed in place, so that every one returned is a
+copy.
+"""
 
 from __future__ import annotations
 

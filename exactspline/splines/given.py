@@ -1,4 +1,4 @@
-"""What a user gives: degrees, sides and control points, read exactly or refused with the place at fault."""
+"""Input of users: degrees, sides and control points, read exactly or refused with the place at fault."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ def points_of(rows: Sequence[object], place: str = "control_points") -> list[Ite
 
 
 def whole_degree(degree: object) -> int:
-    """A degree as it stands in JSON: an int where the number is whole, else its text, which is refused later."""
+    """A degree as written in JSON: an int where the number is whole, otherwise its text, which is refused later."""
     if not isinstance(degree, _Decimal):
         return cast(int, degree)
     exact = rational(str(degree))
@@ -80,11 +80,11 @@ def whole_degree(degree: object) -> int:
 
 
 class _Decimal(str):
-    """The digits of a JSON number, kept as they stand."""
+    """The digits of a JSON number, unchanged."""
 
 
 def number_of(value: object) -> Number:
-    """Text for a JSON number, so that no digit is lost; everything else is left to the gate to judge."""
+    """Text for a JSON number, so that no digit is lost; anything else is checked later."""
     return "null" if value is None else str(value) if isinstance(value, _Decimal) else cast("Number", value)
 
 
@@ -104,7 +104,7 @@ def _parsed(text: str) -> Any:
 
 
 def once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
-    """The fields of an object; one that is written twice has no value that could be meant."""
+    """The fields of an object; one that is written twice is ambiguous."""
     found = dict(fields)
     if len(found) < len(fields):
         names = [name for name, _ in fields]

@@ -1,6 +1,6 @@
 """Knot vectors as a small algebra: multiplicity, continuity, refinement, union.
 
-Two views of the same thing. A `KnotVector` is the full list with multiplicities, as people write it. A `Mesh` is the
+Two views of the same thing. A `KnotVector` is the full list with multiplicities, as it is written. A `Mesh` is the
 list of distinct breakpoints of a domain; together with the continuity at each interior breakpoint it says the same for
 a spline of known degree (multiplicity = degree − continuity).
 """
@@ -96,7 +96,7 @@ class KnotVector(Immutable):
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 
     def insert(self, t: Number, times: int = 1) -> KnotVector:
-        """The vector with t in it so many times more."""
+        """The vector with t inserted so many more times."""
         return KnotVector(sorted([*self.knots, *[rational(t)] * times]))
 
     def domain(self, degree: int) -> tuple[mpq, mpq]:

@@ -1,4 +1,4 @@
-"""Three degrees, never confused: nominal (Table 1's counting), represented (of the spline at hand), true (after exact
+"""Three degrees, never confused: nominal (Table 1's counting), represented (of the given spline), true (after exact
 division).
 """
 
@@ -155,9 +155,8 @@ def _sign_at(c: fmpz_poly, z: int) -> int:
 
 
 def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
-    """`f` divided, segment by segment, by what it has in common with a power of `w`, which has no zero; the sign stays.
-
-    The same spline where there is nothing in common; otherwise each segment loses a positive factor of its own.
+    """`f` divided, segment by segment, by its common factor with a power of `w`, which has no zero; the sign stays. The
+    same spline where there is no common factor; otherwise each segment loses a positive factor of its own.
     """
     if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
         return f
@@ -172,7 +171,7 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
 
 
 def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
-    """p without what it has in common with a power of q, made positive, and the degree of that."""
+    """p without its common factor with a power of q, made positive, and the degree of that factor."""
     lost = 0
     if q.degree() > 0 and p and certainly_coprime(p, q):
         return p, lost
@@ -222,7 +221,7 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
     """The same scalar, vector or quotient in the lowest degree that holds on all segments.
 
     A quotient is reduced segment by segment: each keeps a factor of its own, so that numerator and denominator are only
-    C⁻¹ although their quotient is as continuous as it was. What is not a quotient loses powers of u + v and keeps its
+    C⁻¹ although their quotient is as continuous as it was. Anything but a quotient loses powers of u + v and keeps its
     continuity.
 
     >>> from exactspline.splines.examples import example
@@ -231,7 +230,7 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
     0
 
     Of a ruled surface the directrix is reduced to q/v like any quotient; the ruling parameter is free, so that any
-    factor may be taken out of the generator: what is left is g/v with g the primitive polynomial vector of its
+    factor may be removed from the generator: what is left is g/v with g the primitive polynomial vector of its
     direction, segment by segment. As a quotient (q + ζ g)/v this is the surface of least degree in s with this
     directrix.
     """
@@ -254,7 +253,7 @@ def in_lowest_terms(value: SplineValue) -> SplineValue:
 def primitive_part(value: SplineVector) -> Vector[BSpline]:
     """The polynomial vector of least degree with the direction of a vector or a vector quotient, segment by segment.
 
-    It points the same way as the vector does in the first half of each segment (but for parameters at which the vector
+    It points the same way as the vector does in the first half of each segment (except at parameters where the vector
     vanishes).
 
     >>> from exactspline.splines.examples import example

@@ -1,5 +1,5 @@
 """The concrete curve: degree, knots, control points, weights, and the operands ``p``, ``w``, ``gamma`` that formulas
-ask for.
+use.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         snap: bool = False,
         name: str = "",
     ) -> Nurbs:
-        """The curve of floating-point data, integers among it: lists, or numpy's arrays of any width.
+        """The curve with floating-point data, integers included: lists, or numpy's arrays of any width.
 
         Every float counts with its binary value; with `snap`, as the shortest decimal that it prints as.
 
@@ -128,7 +128,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
     @classmethod
     def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
-        """The curve ``p/w`` (or ``p``), of splines with degrees and knots of their own.
+        """The curve ``p/w`` (or ``p``), of splines that may differ in degrees and knots.
 
         >>> t = BSpline.identity(0, 2)
         >>> Nurbs.from_splines([t, t * t]).control_points
@@ -185,7 +185,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
     @property
     def mesh(self) -> Mesh:
-        """The distinct knots of the domain as all splines of the curve share them."""
+        """The distinct knots of the domain, shared by all splines of the curve."""
         return self.w.mesh
 
     @property
@@ -214,7 +214,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
     # ---- other representations, parts, images (see exactspline.splines.nurbs_operations)
 
     def insert_knot(self, t: Number, times: int = 1) -> Nurbs:
-        """The same curve with a knot more inside the domain.
+        """The same curve with one more knot inside the domain.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.insert_knot("1/4").control_points
@@ -234,7 +234,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         return operations.changed(self, lambda f: f.elevate_degree(by))
 
     def split(self, t: Number) -> tuple[Nurbs, Nurbs]:
-        """The parts before and behind an inner parameter.
+        """The parts before and after an inner parameter.
 
         >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
         >>> first.control_points[1] == second.control_points[0], second.domain
@@ -256,7 +256,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         return operations.changed(self, lambda f: f.restrict(a, b))
 
     def reverse(self) -> Nurbs:
-        """The curve run through backwards, over the same domain.
+        """The reversed curve, over the same domain.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).reverse()(0)
         (mpq(4,1), mpq(2,1))
@@ -279,7 +279,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
 
 def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, object]:
-    """All that a curve with this data consists of."""
+    """The fields of a curve with this data."""
     polynomial = len(set(weights)) == 1 and weights[0] != 0
     knots.check(degree)
     if len(points) != len(knots) - degree - 1:
@@ -312,7 +312,7 @@ def _restored(
     source: str,
     note: str,
 ) -> Nurbs:
-    """What was pickled, checked like any other data."""
+    """The unpickled object, checked like any other data."""
     return Nurbs(degree, knots, points, weights, name=name, source=source, note=note)
 
 

@@ -1,4 +1,4 @@
-"""What becomes of a curve when all its splines are changed alike, and its images under linear, affine and projective
+"""Operations that change all splines of a curve in the same way, and its images under linear, affine and projective
 maps. Functions behind the methods of `Nurbs`.
 """
 

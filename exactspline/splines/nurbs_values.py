@@ -1,4 +1,4 @@
-"""What a curve tells at a parameter: point, derivatives, tangent, normal, curvature, torsion; exactly at rational
+"""The values of a curve at a parameter: point, derivatives, tangent, normal, curvature, torsion; exactly at rational
 parameters, to any number of digits at certified roots.
 """
 
@@ -129,7 +129,7 @@ class ValuesAlong:
         return service("curvature")(self, t, digits=digits, side=side)
 
     def torsion(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
-        """The torsion of a space curve (where κ = 0 its limit), positive for a right-handed helix. Exact at a rational
+        """The torsion of a space curve (its limit where κ = 0), positive for a right-handed helix. Exact at a rational
         parameter, enclosed to so many digits behind the point at an irrational `Root`.
 
         >>> from exactspline import example

@@ -1,7 +1,8 @@
 """The Bernstein coefficients of one patch as a matrix of integers: halves, parts, derivatives, signs.
 
 A `PatchForm` is ``Σ c_ij B_i(x) B_j(y)`` times a positive constant, over the unit square of its own parameters. Signs
-and zeros do not depend on that constant; forms that were made together from forms over one constant keep one.
+and zeros do not depend on that constant; forms that were derived together from forms with one constant keep a common
+one.
 """
 
 from __future__ import annotations
@@ -68,7 +69,7 @@ class PatchForm:
     @property
     def sign(self) -> int | None:
         """The sign on the whole closed square where the coefficients show one: 1, −1, 0 for the zero polynomial; None
-        where they do not tell.
+        where they do not decide it.
         """
         low, high = self.range
         if low > 0:
@@ -79,7 +80,7 @@ class PatchForm:
 
     @property
     def range(self) -> tuple[fmpz, fmpz]:
-        """Between the smallest and the largest coefficient lie all values on the square."""
+        """Bounds of all values on the square: the smallest and the largest coefficient."""
         return min(self.entries), max(self.entries)
 
     @property
@@ -191,7 +192,7 @@ class Sized(NamedTuple):
 
 
 def halved(part: Sized) -> tuple[Sized, Sized]:
-    """A part in two, across its longer side (of the unit square)."""
+    """The part cut in two across its longer side (of the unit square)."""
     (a, b), (c, d) = part.box
     direction = 0 if b - a >= d - c else 1
     middle = mpq((a + b) / 2) if direction == 0 else mpq((c + d) / 2)
@@ -209,7 +210,7 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
 
 
 def box_text(box: Box) -> str:
-    """A box, or a point, for people.
+    """A box, or a point, as text.
 
     >>> box_text(((mpq(0), mpq(1)), (mpq(1, 2), mpq(1, 2))))
     'u in [0, 1], v = 1/2'

@@ -1,4 +1,4 @@
-"""The spline reading: formulas evaluated on the curves at hand. It is the work itself."""
+"""The spline reading: formulas evaluated on the given curves."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from exactspline.language.reading import Reading
 
 
 class SplineReading(Reading):
-    """Curves as they are: what a formula returns is a spline, or a quotient of splines.
+    """Curves themselves: a formula returns a spline, or a quotient of splines.
 
     >>> from exactspline.papers import find
     >>> from exactspline.splines.examples import example
@@ -17,11 +17,11 @@ class SplineReading(Reading):
     """
 
     name = "spline"
-    proves = "what is true of the curve at hand"
+    proves = "what is true of the given curve"
 
     def __init__(self, given: Evaluated) -> None:
         self.given = given
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The curves at hand."""
+        """The given curves."""
         return self.given

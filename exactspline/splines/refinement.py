@@ -93,13 +93,13 @@ def _inner(f: BSpline, t: mpq) -> None:
     if not a < t < b:
         raise DomainError(
             f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
-            remedy="inner parameters only",
+            remedy="choose a parameter inside the domain",
             parameter=t,
         )
 
 
 def insert_knot(f: BSpline, t: mpq, times: int) -> BSpline:
-    """One more knot (or several) at t; the function stays."""
+    """One more knot (or several) at t; the function does not change."""
     _inner(f, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{times} knots to insert", remedy="insert a whole number of them, at least one")
@@ -122,7 +122,7 @@ def remove_knot(f: BSpline, t: mpq, times: int) -> BSpline:
     if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
             f"{times} of {multiplicity} knots at {text(t)} to remove",
-            remedy="remove at least one and at most as many as there are",
+            remedy="remove at least one, and no more than there are",
             knot=t,
         )
     position = f.mesh.breaks.index(t) - 1

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import total_ordering
+from math import prod
 from typing import TYPE_CHECKING
 
 from exactspline.errors import NumberError
-from exactspline.exact import Number, double_between, is_square, isqrt, mpq, mpz, text
+from exactspline.exact import Number, double_between, gcd, is_square, isqrt, mpq, mpz, text
 from exactspline.language.immutable import Immutable, fill
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ class Surd(Immutable):
         a, b = mpq(coefficient), int(radicand)
         if a == 0 or b <= 1 or is_square(b):
             raise NumberError(
-                f"{text(a)}√{b} is not an irrational number", remedy="use square_root, which tells them apart"
+                f"{text(a)}√{b} is not an irrational number",
+                remedy="use square_root, which returns rational roots as rational numbers",
             )
         fill(self, coefficient=a, radicand=b)
 
@@ -121,8 +123,9 @@ class Surd(Immutable):
         return f"{times}√{self.radicand}" + (f"/{q}" if q != 1 else "")
 
 
-#: Whose squares are taken out of a radicand.
+#: Primes whose squares are removed from a radicand.
 _PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(isqrt(p)) + 1))]
+_PRODUCT = prod(_PRIMES, start=mpz(1))
 
 
 def square_root(q: mpq) -> mpq | Surd:
@@ -139,9 +142,11 @@ def square_root(q: mpq) -> mpq | Surd:
     if is_square(n):
         return mpq(isqrt(n), q.denominator)
     root = mpz(1)
-    for prime in _PRIMES:
-        while n % (prime * prime) == 0:
-            n, root = n // (prime * prime), root * prime
+    once = gcd(n, _PRODUCT)
+    if (twice := gcd(once, n // once)) > 1:
+        for prime in (p for p in _PRIMES if twice % p == 0):
+            while n % (prime * prime) == 0:
+                n, root = n // (prime * prime), root * prime
     return Surd(mpq(root, q.denominator), int(n))
 
 
@@ -155,7 +160,7 @@ def parts(number: mpq | Surd) -> tuple[mpq, int]:
 
 
 def significant(number: mpq | Surd, digits: int) -> mpf:
-    """A number as an mpmath number that is off by a relative error below ``10^−digits``.
+    """A number as an mpmath number with a relative error below ``10^−digits``.
 
     >>> round(float(significant(square_root(mpq(2)), 20)), 6)
     1.414214

@@ -1,4 +1,4 @@
-"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas ask for."""
+"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas use."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline]):
     def from_splines(
         cls, p: Iterable[TensorSpline], w: TensorSpline | None = None, *, name: str = "", note: str = ""
     ) -> NurbsSurface:
-        """The surface ``p/w`` (or ``p``), of splines with degrees and knots of their own.
+        """The surface ``p/w`` (or ``p``), of splines that may differ in degrees and knots.
 
         >>> u = TensorSpline((1, 0), [0, 0, 1, 1], [0, 2], [[0], [1]])
         >>> v = TensorSpline((0, 1), [0, 1], [0, 0, 2, 2], [[0, 2]])
@@ -247,7 +247,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline]):
         return self._changed(lambda f: f.elevate_degree(by_u, by_v))
 
     def split(self, along: Along | str, t: Number) -> tuple[NurbsSurface, NurbsSurface]:
-        """The parts before and behind an inner value of one parameter.
+        """The parts before and after an inner value of one parameter.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> [part.domain[1] for part in f.split("v", 1)]
@@ -313,7 +313,7 @@ def _combination(factors: Sequence[mpq], splines: Sequence[TensorSpline]) -> Ten
 
 
 def _checked_net(given: object, rows: int, columns: int) -> Net:
-    """A net of points as given by a user: so many rows along u of so many points along v."""
+    """A net of points as given by a user, with a given number of rows along u and of points along v."""
     if isinstance(given, str) or not isinstance(given, Iterable):
         raise ShapeError(
             f"{shown(given)} is not a net", where="control_points", remedy="give rows of control points along u"
@@ -358,7 +358,7 @@ def _checked_weights(given: object, net: Net) -> Weights:
         raise ShapeError(
             f"{len(rows)} rows of weights for {len(net)} rows of control points",
             where="weights",
-            remedy="give one weight a control point, in rows along u",
+            remedy="give one weight per control point, in rows along u",
         )
     found = []
     for i, (row, points) in enumerate(zip(rows, net, strict=True)):
@@ -373,7 +373,7 @@ def _checked_weights(given: object, net: Net) -> Weights:
 
 
 def _moved(error: ExactSplineError, old: str, new: str) -> ExactSplineError:
-    """An error of one row, its place that in the net."""
+    """The error of one row, with its place in the net."""
     return type(error)(error.problem, where=error.where.replace(old, new, 1), remedy=error.remedy, **error.data)
 
 
@@ -405,5 +405,5 @@ def _restored(
     source: str,
     note: str,
 ) -> NurbsSurface:
-    """What was pickled, checked like any other data."""
+    """The unpickled object, checked like any other data."""
     return NurbsSurface(degree, knots_u, knots_v, points, weights, name=name, source=source, note=note)

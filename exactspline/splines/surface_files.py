@@ -113,7 +113,7 @@ def surface_data(surface: NurbsSurface) -> dict[str, object]:
 
 
 def save_surface(surface: NurbsSurface, path: str | os.PathLike[str]) -> None:
-    """Write a surface as a surface file, all numbers as exact text; the file is there whole or not at all.
+    """Write a surface as a surface file, all numbers as exact text; the file is written whole or not at all.
 
     >>> import tempfile
     >>> from exactspline.splines.examples import example_surface

@@ -1,4 +1,6 @@
-"""Whether the denominator of a surface keeps its sign: decided exactly, patch by patch, a zero told with its place."""
+"""Whether the denominator of a surface keeps its sign: decided exactly, patch by patch; a zero is reported with its
+place.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,7 @@ from exactspline.splines.tensor import TensorSpline
 
 #: Boxes on one patch before the search stops.
 BOXES = 4000
-#: Halvings until the box of a zero is small enough to be told.
+#: Halvings until the box of a zero is small enough to be reported.
 DEPTH = 16
 
 

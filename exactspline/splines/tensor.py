@@ -1,7 +1,7 @@
 """Splines in two parameters: exact tensor-product B-splines, the algebra that §6 needs.
 
-A `TensorSpline` is immutable and scalar; a surface in space is a `Vector` of three, or a `Rational`. What depends on
-one parameter only is kept as the `BSpline` it is: nothing is computed for each patch that can be for each segment.
+A `TensorSpline` is immutable and scalar; a surface in space is a `Vector` of three, or a `Rational`. A spline that
+depends on one parameter only is kept as a `BSpline`: nothing is computed per patch that can be computed per segment.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
 
     @property
     def polynomials(self) -> Polynomials:
-        """The packed polynomials at the stride at hand, copies: zero where the spline is."""
+        """The packed polynomials at the current stride, copies: zero where the spline is."""
         return Polynomials(self._own)
 
     @property
@@ -413,7 +413,7 @@ def _restored(
     stride: int,
     forms: tuple[tuple[tuple[int, ...], int], ...],
 ) -> TensorSpline:
-    """What was pickled; its provenance is a new one."""
+    """The unpickled spline, with a new provenance."""
     polynomials, denominators = zip(*[(fmpz_poly(list(c)), fmpz(m)) for c, m in forms], strict=True)
     return make(Degrees(*degree), meshes, continuity, stride, polynomials, denominators, leaf())
 

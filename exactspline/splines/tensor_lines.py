@@ -1,4 +1,4 @@
-"""A spline in two parameters as lines of splines in one: what lets everything that `BSpline` can do be done in either
+"""A spline in two parameters as lines of splines in one, so that every operation of `BSpline` is available in either
 direction.
 """
 

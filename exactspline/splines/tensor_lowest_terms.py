@@ -98,7 +98,7 @@ def _joined(
 
 
 def place(f: TensorSpline, at: int) -> str:
-    """The patch with this number, for people."""
+    """The patch with this number, as text."""
     i, j = divmod(at, len(f.meshes[1]))
     (a, b), (c, d) = f.meshes[0].breaks[i : i + 2], f.meshes[1].breaks[j : j + 2]
     return f"[{text(a)}, {text(b)}] × [{text(c)}, {text(d)}]"

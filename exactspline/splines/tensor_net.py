@@ -1,4 +1,4 @@
-"""The control net of a spline in two parameters: checked where it is given, made where it is asked for."""
+"""The control net of a spline in two parameters: checked when given, computed when needed."""
 
 from __future__ import annotations
 

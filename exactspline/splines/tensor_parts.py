@@ -36,8 +36,8 @@ class TensorParts:
     #: The stride of `polynomials` (see `exactspline.splines.tensor_bernstein`); results keep it while it has room,
     #: since packing anew costs more than a product.
     stride: int
-    #: The packed polynomials by stride, and the denominators; what depends on one parameter only has them when they are
-    #: asked for.
+    #: The packed polynomials by stride, and the denominators; those of a spline in one parameter only are made when
+    #: needed.
     _packed: dict[int, tuple[fmpz_poly, ...]]
     _denominators: tuple[fmpz, ...] | None
     _points: tuple[tuple[mpq, ...], ...] | None

@@ -38,14 +38,14 @@ def smooth(segments: int) -> tuple[int, ...]:
 
 
 def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
-    """What a linear map of splines makes of the constant 1: all that it does to what depends on the other parameter
-    only.
+    """The image of the constant 1 under a linear map of splines: its effect on splines that depend on the other
+    parameter only.
     """
     return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
 
 
 def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mesh, Mesh]:
-    """The meshes, one of them another: the same tuple where it is not, by which operands know each other."""
+    """The meshes with one replaced; the same tuple where it does not change, since operands are aligned by identity."""
     if mesh is meshes[direction]:
         return meshes
     return (meshes[0], mesh) if direction else (mesh, meshes[1])

@@ -1,6 +1,6 @@
 """The algorithms of the classroom as tables of fractions: de Boor's triangle, knot insertion, degree elevation, the
-product of two functions. What a spline does with them inside (`exactspline.splines.bernstein`) is faster; here every
-intermediate point can be read, drawn and checked.
+product of two functions. The algorithms that splines use internally (`exactspline.splines.bernstein`) are faster; here
+every intermediate point can be read, drawn and checked.
 
 Sources: C. de Boor, On calculating with B-splines, J. Approx. Theory 6 (1972) 50-62; M. G. Cox, The numerical
 evaluation of B-splines, IMA J. Appl. Math. 10 (1972) 134-149; W. Boehm, Inserting new knots into B-spline curves, CAD
@@ -135,7 +135,7 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
     if not low < parameter < high:
         raise DomainError(
             f"{short_text(parameter)} is not inside the domain ({text(low)}, {text(high)})",
-            remedy="inner parameters only",
+            remedy="choose a parameter inside the domain",
             parameter=parameter,
         )
     present = knots.multiplicity(parameter)
@@ -231,7 +231,7 @@ def _upwards(points: tuple[Row, ...], span: tuple[mpq, mpq], by: int, has_weight
         above = columns[-1]
         size = len(above)
         shares = tuple(mpq(k, size) for k in range(size + 1))
-        # the first and the last have no neighbour on one side, and take nothing of it
+        # the first and the last have no neighbour on one side
         pairs = zip((above[0], *above), (*above, above[-1]), strict=True)
         columns.append(tuple(_between(1 - s, a, b) for s, (a, b) in zip(shares, pairs, strict=True)))
         ratios.append(shares)

@@ -1,4 +1,4 @@
-"""Names for what formulas are handed and return where the operands are splines in one parameter."""
+"""Names for the arguments and values of formulas over splines in one parameter."""
 
 from __future__ import annotations
 

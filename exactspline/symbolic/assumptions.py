@@ -27,7 +27,7 @@ from exactspline.readings.jet import Jet, JetReading
 #: The kinds of arguments in the plane, in space, and with a second curve.
 PLANE, SPACE, PAIR = ("plane", "plane point"), ("space", "point"), ("pair",)
 ALONE = ("curve", *PLANE, *SPACE)
-#: Those of two parameters.
+#: Kinds of arguments with two parameters.
 SURFACES = ("surface", "planar map")
 
 
@@ -35,7 +35,7 @@ SURFACES = ("surface", "planar map")
 class Assumption:
     """That a polynomial in the curve has no zero (`everywhere`), or that it vanishes on no whole segment.
 
-    ``name`` is how claims write it, ``words`` how it is read, ``meaning`` what is said of a factor that has no zero
+    ``name`` is how claims write it, ``words`` how it is read, ``meaning`` the explanation of a factor that has no zero
     because of it. ``polynomial`` gives the polynomial in any reading of an argument of one of the ``kinds``; it depends
     on the parameter of the second curve where ``second`` is set. ``formula`` is the name of the formula that gives it
     (its squared length, where that is a vector); a denominator of a curve has none.
@@ -177,7 +177,7 @@ def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bo
                 f"{shown!r} vanishes on every curve", where="assumes", remedy="nothing can be assumed of it"
             )
     words = f"{shown} has no zero" if everywhere else f"{shown} vanishes on no whole segment"
-    return Assumption(name, words, "not zero by what is assumed", polynomial, (kind.name,), everywhere)
+    return Assumption(name, words, "not zero by assumption", polynomial, (kind.name,), everywhere)
 
 
 #: Every assumption by its name.
@@ -220,7 +220,7 @@ def zero_free(jet: Jet, assumed: Iterable[Assumption] = _EVERYWHERE) -> Assumpti
 def _polynomials(
     assumed: tuple[Assumption, ...], kind: Kind, dimension: int, order: int, polynomial: bool
 ) -> list[tuple[Assumption, fmpq_mpoly]]:
-    """What assumptions without exception speak of, in the ring of that kind, dimension and order."""
+    """The polynomials of assumptions without exception, in the ring of that kind, dimension and order."""
     argument, found = JetReading(order).argument(kind, dimension, polynomial=polynomial), []
     for each in assumed:
         spoken_of = any(kind.takes(kind_of(name), dimension) for name in each.kinds)

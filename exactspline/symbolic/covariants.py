@@ -1,10 +1,10 @@
-"""How far a differential polynomial is from a covariant of binary forms, and the true degree that follows.
+"""The distance of a differential polynomial from a covariant of binary forms, and its true degree.
 
 Let F be homogeneous of degree k in the curve and of weight m, and L the derivation with ``L f⁽ⁱ⁾ = i (d − i + 1)
-f⁽ⁱ⁻¹⁾``: what an infinitesimal projective change of parameter does to the derivatives of polynomials of degree d. The
-height of F is the j with ``Lʲ F ≠ 0 = Lʲ⁺¹ F``; F is a covariant exactly when j = 0. On the generic curve of degree d
-the polynomial F has degree ``k d − 2 m + j`` in the parameter: exactly that, and never more on any curve. The proof is
-in ``docs/degree-theorem.md``.
+f⁽ⁱ⁻¹⁾``: the effect of an infinitesimal projective change of parameter on the derivatives of polynomials of degree d.
+The height of F is the j with ``Lʲ F ≠ 0 = Lʲ⁺¹ F``; F is a covariant exactly when j = 0. On the generic curve of degree
+d the polynomial F has degree ``k d − 2 m + j`` in the parameter: exactly that, and never more on any curve. The proof
+is in ``docs/degree-theorem.md``.
 
 Of a surface all this holds in each parameter: along a line of constant v its derivatives by v are curves of degree d_u,
 free and independent of each other. Weight and height then count the derivatives by u alone.
@@ -41,7 +41,7 @@ class TrueDegree:
 
     @property
     def nominal(self) -> Degree:
-        """``k d − m``, what Table 1 counts."""
+        """``k d − m``, as Table 1 counts."""
         return _affine(self.name, self.k, -self.m)
 
     @property
@@ -154,11 +154,11 @@ def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]
 def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
     """The places of the variables that depend on a parameter, and their orders in it.
 
-    Raises `InapplicableError` where operands depend on each other: the degree theorem speaks of free ones.
+    Raises `InapplicableError` where operands depend on each other: the degree theorem is about independent ones.
     """
     if ring.rules or ring.kind.composed:
         raise InapplicableError(
-            f"the degree theorem says nothing of the kind {ring.kind.name!r}", remedy="ask for the nominal degree"
+            f"the degree theorem does not apply to the kind {ring.kind.name!r}", remedy="ask for the nominal degree"
         )
     found = [(n, orders, ring.symbols[name].parameters) for n, (name, orders) in enumerate(ring.variables)]
     return [(n, orders[own.index(parameter)]) for n, orders, own in found if parameter in own]

@@ -23,10 +23,12 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.services import Displayed
+from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
+from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
 from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
@@ -48,6 +50,10 @@ class Factor(Displayed):
     constant: mpq
     powers: Factorization[Named]
     ring: JetRing
+
+    def __reduce__(self) -> tuple[object, ...]:
+        powers = tuple((base.name, terms_of(base.polynomial), e) for base, e in self.powers)
+        return _factor, (self.constant, powers, self.ring)
 
     def __str__(self) -> str:
         parts = [power_text(base.name, e) for base, e in self.powers]
@@ -83,6 +89,12 @@ class Factor(Displayed):
         return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
 
 
+def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: JetRing) -> Factor:
+    """The unpickled factor."""
+    named = [(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]
+    return Factor(constant, Factorization(named), ring)
+
+
 def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:
     """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the
     fraction reading: rational, or with w = 1.
@@ -109,7 +121,9 @@ _SHARED: ContextVar[SharedJets | None] = ContextVar("shared jets", default=None)
 
 @contextmanager
 def sharing(jets: SharedJets) -> Iterator[None]:
-    """While this lasts, `jets_for` hands out these arguments and adds to them: many proofs compute a formula once."""
+    """In this context, `jets_for` returns these arguments and adds to them, so that many proofs compute a formula
+    once.
+    """
     token = _SHARED.set(jets)
     try:
         yield
@@ -118,7 +132,7 @@ def sharing(jets: SharedJets) -> Iterator[None]:
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
-    """Whether neither the formulas nor a factor as claims write it speak of the denominator, but of γ alone."""
+    """Whether the formulas, and a factor as claims write it, involve γ alone and not its denominator."""
     weighted = {"w", "W"} & {part.partition("^")[0] for part in factor.split()}
     return not weighted and all(speaks_of_gamma_alone(each, dimension) for each in formulas)
 
@@ -143,7 +157,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
     (ps, _), (qs, _) = split(cast(Any, left)), split(cast(Any, right))
     pivot = next((i for i, q in enumerate(qs) if not q.is_zero), None)
     if pivot is None:
-        raise ClaimError("the right side vanishes identically", remedy="a factor needs something to multiply")
+        raise ClaimError("the right side vanishes identically", remedy="a factor of zero is not determined")
     if len(ps) != len(qs):
         return None
     quotient = ps[pivot] / qs[pivot]
@@ -225,13 +239,13 @@ def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
         yield from _named_values(source, ring.kind, ring.dimension, ring.order, ring.polynomial)
 
 
-#: The paper whose own words for things come first; None where none is spoken of.
+#: The paper whose names take precedence; None outside of any paper.
 _SPOKEN_OF: ContextVar[Paper | None] = ContextVar("spoken of", default=None)
 
 
 def naming() -> tuple[Paper, ...]:
-    """The papers whose formulas give factors their names: that which is spoken of and those that it uses, then those
-    that are meant where none is named.
+    """The papers whose formulas give factors their names: the current paper and those that it uses, then the default
+    papers.
     """
     source = _SPOKEN_OF.get()
     own = (source, *source.uses) if source is not None and not source.default else ()
@@ -240,7 +254,7 @@ def naming() -> tuple[Paper, ...]:
 
 @contextmanager
 def speaking_of(source: Paper) -> Iterator[None]:
-    """While this lasts, factors have the names that a paper has for them."""
+    """In this context, factors have the names that a paper gives them."""
     token = _SPOKEN_OF.set(source)
     try:
         yield
@@ -263,8 +277,9 @@ class _Names:
     comes to it.
     """
 
-    def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, argument: Evaluated) -> None:
-        self._formulas, self._kind = tuple(source.formulas.values()), kind
+    def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> None:
+        argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
+        self._formulas, self._kind, self._polynomial = tuple(source.formulas.values()), kind, polynomial
         self._dimension, self._order = dimension, order
         self._argument = argument.remembering()
         self._known: list[tuple[str, object] | None] = []
@@ -280,15 +295,25 @@ class _Names:
                 yield found
 
     def _named(self, formula: Formula) -> tuple[str, object] | None:
-        n = self._dimension
-        if not (
-            self._kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order
-        ):
+        n, kind = self._dimension, self._kind
+        if not (kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order):
+            return None
+        if kind.counted == BOTH and _degree_in_surface(formula, n, self._polynomial) > NAMED_DEGREE:
             return None
         return symbol_text(formula.symbol) or print_text.at(trace(formula, n), POWER), formula(self._argument)
 
 
 @cache
 def _named_values(source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> _Names:
-    argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
-    return _Names(source, kind, dimension, order, argument)
+    return _Names(source, kind, dimension, order, polynomial)
+
+
+#: Formulas of a higher degree in a surface are not held against factors: they have millions of terms.
+NAMED_DEGREE = 10
+
+
+def _degree_in_surface(formula: Formula, dimension: int, polynomial: bool) -> int:
+    """How many operands are multiplied in a term, at most."""
+    argument = DegreeReading(parameter=BOTH[0]).argument(formula.kind, dimension, polynomial=polynomial)
+    (components, _) = split(formula(argument))
+    return max(sum(k for _, k in names) for x in components for names, _ in cast(Degree, x.degree).terms)

@@ -1,4 +1,4 @@
-"""Maps of the plane, of space and of curves: what invariance is claimed under.
+"""Maps of the plane, of space and of curves: the maps under which invariance is claimed.
 
 Each map is written once, for coordinates and a denominator of any reading and with constants of any: indeterminates in
 a proof, numbers on one curve.
@@ -19,8 +19,8 @@ M = TypeVar("M", bound=Operand)
 
 @dataclass(frozen=True)
 class Map:
-    """A map of points: ``image`` gives numerators and denominator of the image of p/w, ``unit`` that whose power is the
-    weight of what changes under it (the scale, the determinant); None where there is no such thing.
+    """A map of points: ``image`` gives numerators and denominator of the image of p/w, ``unit`` the quantity by a power
+    of which invariants change (the scale, the determinant), None where there is none.
 
     ``constants`` are the names of the constants, by the dimension. An affine map leaves the denominator.
     """
@@ -32,7 +32,7 @@ class Map:
     dimensions: tuple[int, ...] = (2, 3)
 
     def of_vector(self, v: Vector[M], one: M, constants: Mapping[str, object]) -> Vector[M]:
-        """What an affine map makes of a vector: the image of its end less that of the origin."""
+        """The image of a vector under an affine map: the image of its end less that of the origin."""
         moved, _ = self.image(v, one, constants)
         origin, _ = self.image(v.mapped(lambda x: x.constant(0)), one, constants)
         difference: Vector[M] = moved - origin
@@ -84,7 +84,7 @@ def _rotation(n: int, k: Constants) -> list[list[Any]]:
 
 
 def _reflected(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
-    """In whatever line or plane, and moved: every isometry that turns round."""
+    """Reflections in any line or plane, combined with motions: every isometry that reverses orientation."""
     return _moved(Vector(-p[0], *p[1:]), w, k)
 
 

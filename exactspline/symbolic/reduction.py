@@ -1,10 +1,8 @@
-"""Reductions that nobody has to know: a formula is evaluated naively over the indeterminate curve and its numerator and
-denominator are factored.
-
-What is found is an identity of differential polynomials, ``numerator = constant · factors · core``. Products are kept
-as products while the formula is evaluated, every factorization is verified by multiplying it out again. Every factor is
-the named formula it is proportional to, sign included; one without a name has coprime integer coefficients, the first
-one positive. So the constant carries the sign.
+"""Reductions found automatically: a formula is evaluated naively over the indeterminate curve, and its numerator and
+denominator are factored. The result is an identity of differential polynomials, ``numerator = constant · factors ·
+core``. Products are kept as products while the formula is evaluated, every factorization is verified by multiplying it
+out again. Every factor is the named formula it is proportional to, sign included; one without a name has coprime
+integer coefficients, the first one positive. The constant therefore carries the sign.
 """
 
 from __future__ import annotations
@@ -38,8 +36,8 @@ from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_
 from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, speaking_of
 from exactspline.symbolic.substitution import Substitution
 
-#: What a part of a formula is: its value matters, or (of a generator, whose ruling parameter is free) its direction
-#: alone.
+#: The role of a part of a formula: its value matters or, for a generator, whose ruling parameter is free, only its
+#: direction.
 VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
 
 
@@ -61,7 +59,7 @@ class Power:
 
     @property
     def meaning(self) -> str:
-        """Why it has no zero; for one with roots of its own, that it has."""
+        """The reason why it has no zero, or that it may have roots of its own."""
         return self.assumption.meaning if self.assumption else "may have roots of its own"
 
     @property
@@ -84,33 +82,38 @@ class Part:
     core_name: str
     is_scalar: bool
     is_quotient: bool
-    #: That in which degrees are counted.
+    #: The parameter in which degrees are counted.
     parameter: Parameter
 
     @property
     def cancelled(self) -> Factor:
-        """What leaves the numerator, to reach the reduced form: factors without zeros, and of a generator every
-        factor.
+        """The factors removed from the numerator to reach the reduced form: those without zeros, and for a generator
+        every factor.
         """
         gone = [p for p in self.powers if not self._kept(p) and (not p.has_roots or self.role == GENERATOR)]
         return self._factor([(p, p.above - p.below) for p in gone], self.constant)
 
     @property
     def rooted(self) -> Factor:
-        """The factors with roots of their own: kept, each with its name. Of a generator they are told although they are
-        not needed.
+        """The factors with roots of their own: kept, each with its name. For a generator they are listed although they
+        are not needed.
         """
         return self._factor([(p, p.above - p.below) for p in self.powers if p.has_roots and p.above > p.below], mpq(1))
 
     @property
     def poles(self) -> Factor:
-        """What is left of the denominator and may have roots: where the value does not exist."""
+        """The remaining factors of the denominator that may have roots: there the value does not exist."""
         return self._factor([(p, p.below - p.above) for p in self.powers if p.has_roots and p.below > p.above], mpq(1))
 
     @property
     def shared(self) -> Factor:
-        """What numerator and denominator have in common."""
+        """The common factor of numerator and denominator."""
         return self._factor([(p, min(p.above, p.below)) for p in self.powers], mpq(1))
+
+    @property
+    def kept(self) -> tuple[tuple[Jet, int], ...]:
+        """What the reduced form is a product of beside its core, with exponents."""
+        return tuple((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
 
     def _kept(self, p: Power) -> bool:
         return p.has_roots and p.above > p.below and self.role != GENERATOR
@@ -122,8 +125,9 @@ class Part:
 
     @cached_property
     def reduced(self) -> tuple[Jet, ...]:
-        """The reduced form of zero-set problems and directions: the numerator without what has no zeros."""
-        kept = self._product((p, p.above - p.below) for p in self.powers if self._kept(p))
+        """The reduced form of zero-set problems and directions: the numerator without factors that have no zeros."""
+        ring = self.core[0].ring
+        kept = Jet(ring, multiplied(ring, Powers((jet.polynomial, e) for jet, e in self.kept)))
         return tuple(kept * c for c in self.core)
 
     @cached_property
@@ -143,9 +147,8 @@ class Part:
     @cached_property
     def true(self) -> TrueDegree | None:
         """(k, m, j) of the reduced form; None where it is zero or not homogeneous. Of a product they are the sums."""
-        kept = [(p.jet, p.above - p.below) for p in self.powers if self._kept(p)]
         try:
-            counted = [(true_degree(jet, self.parameter), e) for jet, e in kept]
+            counted = [(true_degree(jet, self.parameter), e) for jet, e in self.kept]
             return product_of([*counted, (true_degree(self.core, self.parameter), 1)])
         except FormulaError:
             return None
@@ -153,7 +156,7 @@ class Part:
     @cached_property
     def generic(self) -> Degree:
         """The true degree of the reduced form on the generic curve, by the degree theorem."""
-        return self._generic((p.jet, p.above - p.below) for p in self.powers if self._kept(p))
+        return self._generic(self.kept)
 
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
         if self.is_zero:
@@ -185,7 +188,7 @@ class Part:
         return all(c.is_zero for c in self.core)
 
     def data(self) -> dict[str, object]:
-        """The part for a program."""
+        """The part as data."""
         found = self.true
         return {
             "part": self.role,
@@ -206,7 +209,7 @@ class Part:
 
     @property
     def text(self) -> str:
-        """The reduced form by the names of what it is made of."""
+        """The reduced form in terms of named factors."""
         if self.is_zero:
             return "0"
         names = [str(self.rooted)] if self.role != GENERATOR and self.rooted.powers else []
@@ -267,8 +270,8 @@ def reduce(
     ruled surface.
 
     `dimension` is that of the curve, `polynomial` restricts it to curves with w = 1, `parameter` is that in which
-    degrees are counted: the first one where none is named. Without a dimension a formula is taken at its word and a
-    plain function tried in the plane and then in space.
+    degrees are counted: the first one where none is named. Without a dimension a formula is read in its own dimension,
+    and a plain function is tried in the plane and then in space.
 
     >>> from exactspline.papers import find, owner
     >>> part = reduce(find("curvature_squared_derivative")).main
@@ -277,7 +280,7 @@ def reduce(
     >>> part.true.j, part.generic
     (0, 11d − 18)
 
-    Raises `FormulaError` when the function returns nothing of the kind, `ShapeError` when it does not fit the
+    Raises `FormulaError` when the function returns anything else, `ShapeError` when it does not fit the
     dimension.
     """
     known = _dimensions(formula)
@@ -310,7 +313,7 @@ def _dimensions(formula: Any) -> list[int]:
 
 
 def _kind(formula: Any) -> Kind:
-    """What a formula is handed; any other function a curve."""
+    """The kind of argument of a formula; a curve for any other function."""
     return formula.kind if isinstance(formula, Formula) else CURVE
 
 
@@ -368,7 +371,7 @@ def _part(role: str, naive: Degree, value: Any, parameter: Parameter) -> Part:
     below = _irreducible(ring, denominator.powers if denominator is not None else Powers(), mpq(1))
     common, cores = _content(ring, numerator, [base.polynomial for base, _ in below.powers])
     above = _irreducible(ring, common, mpq(1))
-    is_scalar = not isinstance(value, Vector) and not getattr(value, "is_vector", False)
+    is_scalar = not getattr(value, "is_vector", False)
     core, core_name, unit = _named(ring, cores, is_scalar)
     constant = (
         unit * above.constant / below.constant / (rational_of(denominator.unit) if denominator is not None else 1)
@@ -383,7 +386,7 @@ def _irreducible(ring: JetRing, powers: Powers, constant: mpq) -> Factor:
     for base, e in powers:
         factor = factored(ring, base, ring.context.constant(1))
         if factor.fraction()[0] != base * int(factor.constant.denominator):
-            raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
+            raise ReductionError("the product of the factors is not what was factored", remedy="report this")
         constant *= factor.constant**e
         found = found * factor.powers**e
     return Factor(constant, found, ring)
@@ -433,8 +436,8 @@ def _over_one_denominator(value: Any) -> tuple[list[FactoredJet], FactoredJet | 
 def _content(
     ring: JetRing, components: list[FactoredJet], divisors: list[fmpq_mpoly]
 ) -> tuple[Powers, list[fmpq_mpoly]]:
-    """The greatest common divisor of the components and their quotients by it; what they are known to share first, to
-    spare large computations.
+    """The greatest common divisor of the components and their quotients by it; known common factors are divided out
+    first, to avoid large computations.
     """
     present = [c for c in components if not c.is_zero]
     if not present:
@@ -454,12 +457,12 @@ def _content(
     content = content / content.leading_coefficient()
     cores = [p / content for p in rests]
     if any(core * content != p for core, p in zip(cores, rests, strict=True)):
-        raise ReductionError("the factors do not multiply to what was factored", remedy="report this")
+        raise ReductionError("the product of the factors is not what was factored", remedy="report this")
     return (common * Powers([(content, 1)]) if content.total_degree() > 0 else common), cores
 
 
 def _divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list[fmpq_mpoly]]:
-    """A common factor q taken out as often as it goes."""
+    """A common factor q divided out as often as possible."""
     times = 0
     while True:
         results = [divmod(p, q) for p in polynomials]

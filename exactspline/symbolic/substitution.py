@@ -12,10 +12,11 @@ from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.kinds import Symbol
 from exactspline.language.operand import CONSTANTS
+from exactspline.language.surface_kind import Surface
 from exactspline.readings.jet import Jet
 
 
-def substitute(jet: Jet, curve: Curve[T] | Pair[T]) -> T:
+def substitute(jet: Jet, curve: Curve[T] | Pair[T] | Surface[T]) -> T:
     """A jet polynomial on a concrete curve: the variables replaced by the derivatives of p and w.
 
     >>> from exactspline.splines.examples import example
@@ -64,7 +65,7 @@ class Substitution:
         self.unit = mpq(1, below)
         monomials = [tuple(map(int, exponents)) for exponents in jet.polynomial.monoms()]
         numbers = [int(c.p) * (below // int(c.q)) for c in coefficients]
-        #: For each inner value its variable and the steps, what it needs before it.
+        #: For each inner value its variable and steps, after those that it needs.
         self.nodes: list[tuple[int, list[Step]]] = []
         self._known: dict[tuple[tuple[int, ...], ...], int] = {}
         self.whole = self._value(sorted(zip(monomials, numbers, strict=True), reverse=True), 0)
@@ -93,7 +94,7 @@ class Substitution:
             self.nodes.append((i, steps))
         return unit, self._known[key]
 
-    def on(self, curve: Curve[T] | Pair[T]) -> T:
+    def on(self, curve: Curve[T] | Pair[T] | Surface[T]) -> T:
         """The value on a curve."""
         known = curve.operands()
         symbols = self.ring.symbols

@@ -1,4 +1,4 @@
-"""What claims about two curves, or about a curve and a point, are checked on when one curve is given."""
+"""The arguments on which claims about two curves, or about a curve and a point, are checked when one curve is given."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ from exactspline.splines.integral import integral
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 
-#: Segments of either curve that a pair is made of: more would show nothing new, and the patches grow with their square.
+#: How many segments of either curve are used in a pair: more would show nothing new, and the number of patches is their
+#: product.
 SEGMENTS = 1
-#: What constants are on one curve: values without a meaning.
+#: Values of constants on one curve, chosen arbitrarily.
 CONSTANTS = tuple(mpq(p, q) for p, q in ((37, 29), (-53, 41), (61, 17), (19, 67), (-71, 83), (97, 47)))
 
 
 def point_beside(curve: Nurbs) -> tuple[mpq, ...]:
-    """A point beside the curve: the mean of its control points, moved by unequal parts of their extent.
+    """A point beside the curve: the mean of its control points, moved by unequal fractions of their extent.
 
     >>> from exactspline.splines.examples import example
     >>> point_beside(example("circle"))
@@ -62,9 +63,9 @@ def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
 
 
 def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
-    """What formulas of a kind are handed on one curve, and what is said of it beside the curve.
+    """The argument of formulas of a kind on one curve, and its description beside the name of the curve.
 
-    Raises `InapplicableError` for a kind of which one curve alone is no example.
+    Raises `InapplicableError` for a kind of which one curve alone is not an example.
     """
     asked = kind_of(kind)
     if isinstance(asked, PairKind):

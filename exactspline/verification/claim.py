@@ -1,4 +1,4 @@
-"""What all claims have in common, and how their fields are read and checked."""
+"""The base of all claims, and how their fields are read and checked."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from exactspline.readings.degree import parse
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import speaking_of
+from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import curve_named, curve_names
@@ -43,7 +44,7 @@ V = TypeVar("V")
 
 
 def read(check: Callable[[Claim, str, V], object]) -> dict[str, object]:
-    """What makes a field of a claim more than free text: `check` reads its value, or raises `ClaimError`."""
+    """Metadata of a field that is not free text: `check` reads its value, or raises `ClaimError`."""
     return {"check": check}
 
 
@@ -53,7 +54,11 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 
 def formula_name(claim: Claim, name: str, value: str) -> str:
-    """The name of a formula that can be handed what the claim speaks of."""
+    """The name of a formula that applies to the arguments of the claim."""
+    if value in WEIGHTS:
+        raise ClaimError(
+            f"a formula called {value!r}, which is a denominator in factors", where=name, remedy="give it another name"
+        )
     formula, handed = claim.find(value), claim.kind_of_field(name)
     if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
@@ -133,16 +138,18 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-#: No count that a claim states may be larger.
+#: The largest count that a claim may state.
 LARGEST = 1000
 
 
 def count_from(least: int) -> Callable[[Claim, str, object], int]:
-    """A whole number, at least so large."""
+    """A whole number with a lower bound."""
 
     def check(claim: Claim, name: str, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= LARGEST:
-            raise ClaimError(f"{value!r} is no number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number")
+            raise ClaimError(
+                f"{value!r} is not a number ≥ {least} and ≤ {LARGEST}", where=name, remedy="a whole number"
+            )
         return value
 
     return check
@@ -163,13 +170,13 @@ class Claim(Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
-    ones of the source and ``place`` is where they stand. ``curve`` is what it speaks of (a kind of argument), ``of``
-    whether of polynomial curves, of rational ones or of both. ``assumes`` are assumptions of
-    `exactspline.symbolic.assumptions`; ``context`` says in words what the letters mean. ``error`` joins the statements
-    that fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
+    words of the source and ``place`` is where they stand. ``curve`` is the kind of its arguments, ``of`` says whether
+    it is about polynomial curves, rational ones or both. ``assumes`` are assumptions of
+    `exactspline.symbolic.assumptions`; ``context`` explains the letters in words. ``error`` groups the statements that
+    fail for one reason. ``witness`` is the example curve that is tried first where a counterexample is wanted, and
     ``vacuous`` lists the example curves on which there is nothing to decide.
 
-    Raises `ClaimError` for a word, a name or a combination that says nothing.
+    Raises `ClaimError` for a word, a name or a combination without meaning.
     """
 
     kind: ClassVar[str] = ""
@@ -201,7 +208,7 @@ class Claim(Displayed):
             if check is not None:
                 object.__setattr__(self, name, check(self, name, value))
             elif not isinstance(value, str):
-                raise ClaimError(f"{value!r} is no text", where=name, remedy="write a text")
+                raise ClaimError(f"{value!r} is not a text", where=name, remedy="write a text")
             elif not value.replace("\n", "").isprintable():
                 raise ClaimError("a text that cannot be printed", where=name, remedy="leave control characters out")
         self._validate_common()
@@ -229,11 +236,11 @@ class Claim(Displayed):
             )
 
     def validate(self) -> None:
-        """Refuse combinations that say nothing, with `ClaimError`."""
+        """Refuse combinations without meaning, with `ClaimError`."""
 
     @property
     def begin_of_key(self) -> str:
-        """The id as it stands in the key."""
+        """The id as it is written in the key."""
         return re.sub(r"[ .]+", "", self.id)
 
     @property
@@ -247,12 +254,12 @@ class Claim(Displayed):
         return tuple(name for name in chosen if name)
 
     def kind_of_field(self, name: str) -> Kind:
-        """What the formula in that field is handed."""
+        """The kind of argument of the formula in that field."""
         return kind_of(self.curve)
 
     @property
     def source_paper(self) -> Paper:
-        """The paper that makes it."""
+        """The paper that makes the claim."""
         return paper_named(self.paper)
 
     def find(self, name: str) -> Formula:
@@ -288,7 +295,7 @@ class Claim(Displayed):
         return kind_of(self.curve).dimensions
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it says anything about single curves of that dimension and kind: splines have no roots."""
+        """Whether it applies to single curves of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
         return told and dimension in self.dimensions and polynomial in self.of.worlds
@@ -296,7 +303,7 @@ class Claim(Displayed):
     @property
     @abstractmethod
     def latex(self) -> str:
-        """What it says, as LaTeX."""
+        """The statement as LaTeX."""
 
     @property
     def claims(self) -> str:
@@ -304,7 +311,7 @@ class Claim(Displayed):
         return ""
 
     def prove(self) -> tuple[str, Finding]:
-        """The reading in which it is decided for all curves, and what was found: the worst of all the cases, the
+        """The reading in which it is decided for all curves, and the finding: the worst of all cases, the
         rational and the polynomial curves of every dimension of which it speaks.
         """
         found = [self.decide(n, polynomial) for polynomial in self.of.worlds for n in self.dimensions]
@@ -312,10 +319,10 @@ class Claim(Displayed):
 
     @abstractmethod
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """What holds for all curves of a dimension, with w = 1 or with any w."""
+        """The finding for all curves of a dimension, with w = 1 or with any w."""
 
     def check(self, curve: Nurbs | Operands | Evaluation) -> Finding:
-        """What one curve (or the `Evaluation` of one) says of it."""
+        """The finding on one curve (or on the `Evaluation` of one)."""
         own = evaluation(curve)
         argument = own.handed(self.curve)
         if gone := self.missing(argument):
@@ -327,10 +334,10 @@ class Claim(Displayed):
 
     @abstractmethod
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """What holds on one curve, as the argument of its formulas."""
+        """The finding on one curve, given as the argument of the formulas."""
 
     def beside(self, own: Evaluation) -> str:
-        """What is said of a check beside the name of the curve."""
+        """The description of a check beside the name of the curve."""
         return own.beside(self.curve)
 
     def missing(self, argument: Handed) -> str:
@@ -364,16 +371,16 @@ class Claim(Displayed):
 
 @dataclass(frozen=True, kw_only=True)
 class ExampleClaim(Claim):
-    """What is claimed of one example curve alone."""
+    """A claim about one example curve alone."""
 
     example: str = field(metadata=read(example_name))
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """It speaks of its example alone."""
+        """It applies to its example alone."""
         return False
 
     def prove(self) -> tuple[str, Finding]:
-        """What the example says."""
+        """The finding on the example."""
         own = Evaluation(self.curve_named(self.example))
         return self.reading, self.examine(own.handed(self.curve), own)
 
@@ -383,13 +390,13 @@ class ExampleClaim(Claim):
 
 
 def worst(found: list[Finding]) -> Finding:
-    """The least favourable finding: a refutation, then what is undecided, then what holds on the curves tried."""
+    """The least favourable finding: a refutation, then undecided, then what holds on the curves tried."""
     order = (REFUTED, UNDECIDED, VERIFIED, PROVED)
     return min(found, key=lambda finding: order.index(finding.verdict))
 
 
 def combined(claim: Claim) -> tuple[str, Finding]:
-    """The one verdict on a claim: the proof for all curves, held against every example curve of which it speaks.
+    """The one verdict on a claim: the proof for all curves, compared with every example curve to which it applies.
 
     Raises `ContradictionError` when it is proved and fails on one of them.
     """
@@ -408,10 +415,8 @@ def only_component(claim: Claim, name: str, components: Sequence[V]) -> V:
 
 
 def fitting(claim: Claim, call: Callable[[], V]) -> V:
-    """What a call decides of a claim.
-
-    Raises `ClaimError` where formulas of others do not fit what is claimed of them; those that come with the library
-    do, and whatever goes wrong with them is a mistake of ours.
+    """The result of a call that decides a claim. Raises `ClaimError` where formulas of users do not fit the claim; an
+    exception from formulas of the library is a defect of the library.
     """
     try:
         return call()
@@ -470,5 +475,5 @@ def _checks(kind: type[Claim]) -> tuple[tuple[str, Callable[[Claim, str, Any], o
 
 
 def entries(kind: type[Claim]) -> dict[str, Field[object]]:
-    """The fields of a kind of claims that its entry may have."""
+    """The fields that an entry of a kind of claims may have."""
     return {f.name: f for f in fields(kind) if f.name != "paper"}

@@ -1,9 +1,9 @@
 """The claims of the papers as data: what is claimed of which formulas, where it stands, and the verdict that is on
 record.
 
-The tables lie beside the formulas of each paper. An entry names formulas of `exactspline.papers`, never transcribes
-one; it is read as an object of its kind (`exactspline.verification.kinds`), and whatever says nothing is refused.
-Several entries may share the id of the paper's claim; each has a key of its own.
+The tables are stored beside the formulas of each paper. An entry names formulas of `exactspline.papers` and never
+transcribes one; it is read as an object of its kind (`exactspline.verification.kinds`), and anything without meaning is
+refused. Several entries may share the id of the paper's claim; each has a key of its own.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim, entries
 from exactspline.verification.kinds import KINDS
 
-#: No text of a claim is longer.
+#: The largest length of a text of a claim.
 LONGEST = 2000
 
 
@@ -32,7 +32,7 @@ def claim_of(table: Table, source: Paper) -> Claim:
     >>> claim_of(table, paper("lifted")).latex
     '\\\\mathrm{inflections\\\\_lifted} = f_2'
 
-    Raises `ClaimError` that names file and entry and says what would be right.
+    Raises `ClaimError`, which names file and entry and suggests a correction.
     """
     try:
         return _read(table.entry, source)
@@ -43,7 +43,7 @@ def claim_of(table: Table, source: Paper) -> Claim:
 
 
 def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
-    """An entry with what goes without saying: where words or a place are given it is printed, else it is ours."""
+    """An entry with its defaults: where words or a place are given it is printed, else it is ours."""
     told = dict(entry)
     told.setdefault("status", "printed" if told.get("words") or told.get("place") else "ours")
     told.setdefault("source", told.get("place") or source.title)
@@ -76,24 +76,24 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     claim = kind(paper=source.name, **values)
     if claim.error and claim.error not in source.errors:
         raise ClaimError(
-            f"no error is called {claim.error!r}", where="error", remedy=nearest(claim.error, list(source.errors))
+            f"there is no error called {claim.error!r}", where="error", remedy=nearest(claim.error, list(source.errors))
         )
     _check_words_of_key(claim)
     return claim
 
 
 def _shape(declared: str, value: object) -> str:
-    """Why a value has not the shape of its field, whose type is declared; empty where it has."""
+    """Why a value does not have the declared type of its field; empty where it does."""
     if declared.startswith("tuple"):
         good = isinstance(value, list) and all(isinstance(each, str) and len(each) <= LONGEST for each in value)
-        return "" if good else "no list of texts"
+        return "" if good else "not a list of texts"
     if declared == "int":
-        return "" if type(value) is int else "no whole number"
-    return "" if isinstance(value, str) and len(value) <= LONGEST else f"no text of at most {LONGEST} letters"
+        return "" if type(value) is int else "not a whole number"
+    return "" if isinstance(value, str) and len(value) <= LONGEST else f"not a text of at most {LONGEST} letters"
 
 
 def _check_words_of_key(claim: Claim) -> None:
-    """Each word of a key stands elsewhere in the entry too, so that no key is misspelled unnoticed."""
+    """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is noticed."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
     known = set(claim.kind.split())
     for f in reversed(fields(claim)):  # those of its own kind first: mostly they are all it takes
@@ -104,7 +104,7 @@ def _check_words_of_key(claim: Claim) -> None:
     for each in words:
         if each not in known:
             raise ClaimError(
-                f"the word {each!r} of the key {claim.key!r} stands nowhere else in the entry",
+                f"the word {each!r} of the key {claim.key!r} does not occur elsewhere in the entry",
                 where="key",
                 remedy=f"use names of its formulas and words of its fields; {nearest(each, sorted(known))}",
             )
@@ -128,7 +128,7 @@ def key_words(value: object) -> set[str]:
 def claims_of(source: Paper | str) -> tuple[Claim, ...]:
     """The claims of one paper, in its order.
 
-    Raises `ClaimError` for an entry that says nothing, and for a key that occurs twice.
+    Raises `ClaimError` for an invalid entry, and for a key that occurs twice.
     """
     return _claims(paper(source) if isinstance(source, str) else source)
 
@@ -149,7 +149,7 @@ def _claims(source: Paper) -> tuple[Claim, ...]:
 
 @cache
 def all_claims() -> tuple[Claim, ...]:
-    """Every claim of the papers that are meant where none is named, in the order of the papers.
+    """Every claim of the default papers, in the order of the papers.
 
     >>> [claim.factor for claim in all_claims() if claim.id == "C4.1a"]
     ['w', 'w^-3']
@@ -163,8 +163,8 @@ def claims_in(sources: Iterable[Paper]) -> tuple[Claim, ...]:
 
 
 def select(ids: Iterable[str], claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
-    """The claims with the given ids or keys, all of them for none; an id also selects what it begins (``C3`` all of
-    §3). They are sought among `claims`, without these among those that are meant where no paper is named.
+    """The claims with the given ids or keys, all of them for none; an id also selects all that begin with it (``C3``
+    all of §3). They are sought among `claims`, by default among those of the default papers.
 
     Raises `ClaimError` with the nearest ids.
     """

@@ -1,4 +1,4 @@
-"""The kernel of Coq as a judge: the theorems are compiled, and asked what they assume."""
+"""The kernel of Coq as a judge: the theorems are compiled, and their assumptions printed."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.coq.emission import ROOT, Library, Stated, claims_header, library
 from exactspline.verification.vocabulary import Verdict
 
-#: What Coq answers about a theorem that assumes nothing.
+#: Coq's answer for a theorem without assumptions.
 CLOSED = "Closed under the global context"
-#: What the column says where there is no Coq.
+#: The text of the column where Coq is not installed.
 MISSING = "Coq is not installed"
-#: What stands before every answer.
+#: The mark before every answer.
 MARK = "about"
-#: How long one file may take.
+#: The time limit for one file, in seconds.
 SECONDS = 600
 
 
 @dataclass(frozen=True)
 class Opinion:
-    """What the kernel says of a claim: the theorem, or why there is none; and what the theorem assumes."""
+    """The kernel's opinion on a claim: the theorem, or why there is none, and the assumptions of the theorem."""
 
     theorem: str
     says: str
@@ -37,9 +37,8 @@ class Opinion:
 
 
 def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
-    """What the kernel says of claims, by paper and key; nothing of claims that are no equalities.
-
-    Every theorem of the claims is compiled; without Coq every opinion says so.
+    """The kernel's opinions on claims, by paper and key; none on claims that are not equalities. Every theorem of the
+    claims is compiled; without Coq every opinion says so.
     """
     wanted = {(claim.paper, claim.key) for claim in claims}
     made = library()
@@ -71,7 +70,7 @@ def _together(own: list[Opinion]) -> Opinion:
 
 
 def _compiled(made: Library, chosen: dict[str, tuple[Stated, ...]]) -> dict[str, str]:
-    """What the theorems that are accepted assume, by their names."""
+    """The assumptions of the accepted theorems, by name."""
     found: dict[str, str] = {}
     with tempfile.TemporaryDirectory() as room:
         place = Path(room)
@@ -103,7 +102,7 @@ def _alone(place: Path, name: str, theorem: Stated) -> bool:
 
 
 def assumptions(place: Path, module: str, theorems: Iterable[str]) -> dict[str, str]:
-    """What compiled theorems of a module assume, each in one line."""
+    """The assumptions of compiled theorems of a module, each in one line."""
     names = list(theorems)
     logical = f"{ROOT}.{module.replace('/', '.')}"
     asked = "".join(

@@ -1,4 +1,4 @@
-"""What checks on one concrete curve share: all of it exact, by multiplication and never by sampling."""
+"""Shared by checks on one concrete curve: all exact, by multiplication and never by sampling."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def common_zeros(components: list[BSpline]) -> BSpline:
 
 
 def extra_zero(a: BSpline, b: BSpline) -> str:
-    """Where a vanishes and b does not, as text; empty when nowhere.
+    """A place where a vanishes and b does not, as text; empty when there is none.
 
     >>> t = BSpline.identity(0, 1)
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)
@@ -59,7 +59,7 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
             return segment(a, i)
         low, high = a.breakpoints[i : i + 2]
         rest, n = _without(p, q)
-        found = zero_on_segment(rest, n) if n > 0 else None
+        found = zero_on_segment(rest, n)
         if found and not (found[0] == found[1] == 1 and q and q[b.degree] == 0):
             return between(low, high, found)
         if p[a.degree] == 0 and q and q[b.degree] != 0:

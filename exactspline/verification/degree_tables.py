@@ -36,7 +36,7 @@ from exactspline.verification.minimality import attained, witness
 
 @dataclass(frozen=True)
 class DegreeRow:
-    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the curve at hand, with the time it
+    """One line of a degree table: symbolic in d (``nominal``, ``generic``) and on the given curve, with the time it
     took.
 
     ``grading`` is ``k, m, j`` of a homogeneous polynomial, or of the numerator of a quotient in lowest terms (see
@@ -56,7 +56,7 @@ class DegreeRow:
     seconds: float = 0
 
     def data(self) -> dict[str, object]:
-        """The row for a program."""
+        """The row as data."""
         return vars(self)
 
 
@@ -121,7 +121,7 @@ def _in_pieces(c: Construction, variant: Variant, nominal: str, curve: Nurbs, se
 
 
 def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -> str:
-    """k, m and j of a polynomial formula, and of the numerator of the minimal form."""
+    """k, m and j of a polynomial formula or of the numerator of the minimal form."""
     if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
@@ -151,8 +151,8 @@ WITNESSES = range(2, 7)
 
 @dataclass(frozen=True)
 class GenericRow:
-    """One line of the table for the generic curve of degree d: what Table 1 counts for each variant, and what the
-    degree theorem proves.
+    """One line of the table for the generic curve of degree d: the count of Table 1 for each variant, and the degree
+    that the theorem proves.
 
     ``k``, ``m``, ``j`` are those of the reduced form; of a quotient in lowest terms, of its numerator or denominator,
     whichever has the larger true degree. ``attained`` are the degrees d at which a certified witness attains the true
@@ -274,8 +274,8 @@ class _Fixed:
 
 
 def _bisected(kind: Kind, curve: Nurbs) -> Any:
-    """A curve with what it is bisected with: a point, or the derivatives of a second curve at one parameter; primes,
-    for want of accidents.
+    """A curve and its counterpart in a bisector: a point, or the derivatives of a second curve at one parameter; prime
+    numbers avoid coincidences.
     """
     primes = iter((2, 3, 5, 7, 11, 13, 17, 19))
     if kind is not PAIR:
@@ -287,17 +287,15 @@ def _bisected(kind: Kind, curve: Nurbs) -> Any:
 
 
 def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> list[Callable[[], DegreeRow]]:
-    """The rows for every formula that speaks of such a curve, as calls: of some, or of all that are meant where no
-    paper is named.
-    """
+    """The rows for every formula that applies to such a curve, as calls: of some papers, or of the default papers."""
     known = measurable(curve.dimension) if formulas is None else [f for f in formulas if speaks_of(f, curve.dimension)]
     return [partial(_formula_row, f, curve) for f in known]
 
 
 @dataclass(frozen=True)
 class FormulaDegrees:
-    """A formula of the generic curve of degree d: what Table 1 counts, what cancels, the degree of the reduced form,
-    and that of the value in lowest terms; a reason where the degree theorem says nothing.
+    """A formula of the generic curve of degree d: the count of Table 1, what cancels, the degree of the reduced form,
+    and that of the value in lowest terms; a reason where the degree theorem does not apply.
     """
 
     formula: str

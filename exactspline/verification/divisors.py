@@ -1,7 +1,7 @@
-"""What the formulas of a claim divide by, although nothing that the claim assumes keeps it from vanishing.
+"""The divisors in the formulas of a claim that its assumptions do not keep from vanishing.
 
-There the statement speaks of nothing: it is one about quotients, which hold or fail where they exist. Formulas over
-the roots of a frame are left out: they divide by what the frame divides by, which their claims assume.
+Where they vanish the statement does not apply: it is about quotients where these exist. Formulas over the roots of a
+frame are left out: their divisors are those of the frame, on which their claims have assumptions.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from exactspline.verification.coq.denominators import Evaluation, factored
 
 #: The denominators of curves and of the operands of Table 1: none has a zero.
 WEIGHTS = ("w", "W", "w1", "w2")
-#: Where the velocity vanishes on a whole segment, so does whatever is a product with it.
+#: Products with the velocity, which vanish on a whole segment where the velocity does.
 WITH_VELOCITY = (
     *("[γ′ γ″]", "γ′×γ″", "[γ′ γ″ γ‴]", "[γ′ γ−Q]", "γ′×(γ−Q)"),
     *("(γ′×(γ−Q))₁", "(γ′×(γ−Q))₂", "(γ′×(γ−Q))₃"),
@@ -50,7 +50,7 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
     evaluation, known = Evaluation(argument), list(_known(claim, formula.kind, argument))
     try:
         evaluation(tree)
-    except FormulaError:  # too long to be multiplied out: then nothing is known of what it divides by
+    except FormulaError:  # too long to be multiplied out: then nothing is known of its divisors
         yield from map(print_text, _divided_by(tree))
         return
     for node, value in evaluation.denominators:
@@ -81,7 +81,7 @@ def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly
         try:
             yield assumed.polynomial(argument).top
         except ExactSplineError:
-            continue  # of more derivatives than the formula has: nothing that it divides by
+            continue  # with more derivatives than the formula has, so that it cannot be a divisor
 
 
 def _all(assumed: tuple[Assumption, ...]) -> Iterator[Assumption]:

@@ -1,7 +1,6 @@
-"""Where a paper is wrong: what is printed, what is true, why, and how to check it in three lines.
-
-Nothing here is written by hand: the list is made from the printed claims whose verdict is REFUTED, joined by the error
-to which they belong, and from those that say what holds instead.
+"""Errors of a paper: what is printed, what is true, why, and how to check it in three lines. Nothing here is written by
+hand: the list is made from the printed claims whose verdict is REFUTED, grouped by error, and from those that state
+what holds instead.
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ class Erratum(Displayed):
         return self.statements[0].id
 
     def data(self) -> dict[str, object]:
-        """The error for a program."""
+        """The error as data."""
         return {"key": f"{self.paper}: {self.error}"} | asdict(self)
 
 
@@ -73,7 +72,7 @@ def errata(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
 
 
 def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
-    """What fails too, in the same form, although no paper says it: what one might read into it.
+    """Misreadings: statements that also fail, in the same form, although no paper makes them.
 
     >>> [each.error for each in remarks()]
     ['second-parameter']
@@ -82,7 +81,7 @@ def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
 
 
 def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum]:
-    """The statements of one status that fail, joined by the error to which they belong."""
+    """The statements of one status that fail, grouped by error."""
     for source in default_papers() if sources is None else sources:
         claims = claims_of(source)
         for error, title in source.errors.items():
@@ -97,7 +96,7 @@ def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum
 
 
 def _unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
-    """What fails though nobody has recorded it: each statement is an error of its own."""
+    """Unrecorded failures: each statement is a separate error."""
     for claim in claims:
         if not claim.error and claim.expected != REFUTED and (found := _refuted(claim)):
             why = (claim.note,) if claim.note else ()
@@ -115,7 +114,9 @@ def _refuted(claim: Claim) -> Refuted | None:
 
 
 def _equation(claim: Claim, factor: str) -> str:
-    """What holds of the two sides of an identity: ``left = factor · right``; empty where no factor is known."""
+    """The true relation between the two sides of an identity: ``left = factor · right``; empty where no factor is
+    known.
+    """
     if not isinstance(claim, Identity) or not factor:
         return ""
     return f"{name_of(claim, claim.left)} = {'' if factor == '1' else f'{factor} · '}{name_of(claim, claim.right)}"
@@ -128,7 +129,7 @@ def name_of(claim: Claim, formula: str) -> str:
 
 
 def _truth(claims: list[Claim]) -> tuple[str, ...]:
-    """What holds instead: the corrected statements that are decided in the affirmative."""
+    """What holds instead: the corrected statements that are proved or verified."""
     decided = [(claim, combined(claim)[1].verdict) for claim in claims if claim.status == Status.MEANT]
     return tuple(f"{numbered(claim)} [{verdict}]" for claim, verdict in decided if verdict in (PROVED, VERIFIED))
 
@@ -160,7 +161,7 @@ def check(claim: Claim) -> tuple[str, ...]:
     d, source = claim.dimensions[0], claim.source_paper
 
     def named(formula: str) -> str:
-        """What `find` finds it by."""
+        """The name by which `find` finds it."""
         return formula if source.default else f"{source.name}:{formula}"
 
     if isinstance(claim, Identity) and _has_factor(claim, d):

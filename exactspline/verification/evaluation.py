@@ -1,4 +1,4 @@
-"""One curve, evaluated for many claims: what formulas are handed, and which assumptions hold."""
+"""One curve, evaluated for many claims: the arguments of formulas, and which assumptions hold."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import ArgumentKind
 
-#: What formulas are handed on one curve: the curve, beside it a point or a second curve, or operands of Table 1.
+#: The arguments of formulas on one curve: the curve, with a point or a second curve, or operands of Table 1.
 Handed = Evaluated
 
 
@@ -42,15 +42,15 @@ class Evaluation:
         return self._handed[kind]
 
     def handed(self, kind: str) -> Handed:
-        """What formulas of a kind are handed; it remembers their values."""
+        """The argument of formulas of a kind; it remembers their values."""
         return self.curve if kind == ArgumentKind.TABLE else self._argument(kind)[0]
 
     def beside(self, kind: str) -> str:
-        """What is said of it beside the curve."""
+        """Its description beside the name of the curve."""
         return "" if kind == ArgumentKind.TABLE else self._argument(kind)[1]
 
     def failing(self, kind: str, assumed: Iterable[Assumption]) -> str:
-        """The first of the assumptions that fails on this curve, with the place; empty when all hold."""
+        """The first assumption that fails on this curve, with the place; empty when all hold."""
         for each in assumed:
             if (kind, each) not in self._failing:
                 place = _fails(each, self.handed(kind))

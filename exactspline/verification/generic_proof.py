@@ -1,4 +1,4 @@
-"""What proofs for all curves share: quotients of formulas in the jet ring, and what formulas are handed."""
+"""Shared by proofs for all curves: quotients of formulas in the jet ring, and arguments of formulas."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, nam
 
 
 def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
-    """The quotient of the numerators of two formulas as they come, nothing cancelled; None when they are not
+    """The quotient of the numerators of two formulas, with nothing cancelled; None when they are not
     proportional.
 
     >>> str(factor_of_numerators(find("f0"), find("f2"), 2))
@@ -53,7 +53,7 @@ def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polyn
 
 
 def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
-    """The irreducible factors of a denominator as it comes."""
+    """The irreducible factors of a denominator, with nothing cancelled."""
     argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
     below: FactoredJet | None = split(formula(argument))[1]
     found, one = Factorization[Named](), ring.context.constant(1)

@@ -26,8 +26,8 @@ Task = Callable[[], Row]
 def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Iterator[Row]:
     """The rows of the ledger, one by one.
 
-    Without curves: every claim decided for all curves, and then checked on every example curve it speaks of. With
-    curves: checked on these.
+    Without curves: every claim decided for all curves, and then checked on every example curve to which it applies.
+    With curves: checked on these.
 
     >>> from exactspline.verification.claims import select
     >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
@@ -40,9 +40,8 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Ite
 
 
 def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> list[Task]:
-    """The checks to be made, as calls that give a row each: so that progress can be shown.
-
-    Every curve is evaluated by an object of this run, so that runs in several threads can share curves.
+    """The checks as calls that return a row each, so that progress can be shown. Each run evaluates curves with its own
+    objects, so that runs in several threads can share curves.
     """
     chosen, proofs = list(claims), Proofs()
     calls: list[Task] = []
@@ -62,7 +61,7 @@ def _curves_of(source: Paper) -> list[Nurbs]:
 
 
 def _on_curves(claims: Iterable[Claim], curves: Iterable[Nurbs], proofs: Proofs) -> list[Task]:
-    """Curve by curve the claims that speak of it; what is evaluated on a curve is evaluated once."""
+    """Curve by curve, the claims that apply to it; formulas are evaluated once per curve."""
     calls: list[Task] = []
     for curve in curves:
         own = Evaluation(curve)
@@ -110,7 +109,7 @@ def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
 
 
 def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
-    """A claim checked on one curve. What is refuted there must not be proved for all curves."""
+    """A claim checked on one curve. A claim refuted there must not be proved for all curves."""
     start = perf_counter()
     try:
         with speaking_of(claim.source_paper):
@@ -121,6 +120,6 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
         finding = undecided(claim.claims, error)
     if finding.verdict == REFUTED:
         contradict(claim, proofs[claim][1], finding)
-    is_example = claim.source_paper.default and name in example_names() and own.curve is example(name)
+    is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -15,7 +15,7 @@ from exactspline.splines.nurbs import Nurbs
 
 @dataclass(frozen=True)
 class Measure:
-    """What one formula costs on one curve.
+    """The cost of one formula on one curve.
 
     ``nominal`` symbolic in d, ``represented`` and ``true`` as numbers (−1 for what vanishes identically; no true degree
     where a denominator vanishes on a whole segment), ``control_points`` of the representation.
@@ -42,10 +42,10 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
 
 
 def speaks_of(formula: Formula, dimension: int) -> bool:
-    """Whether a formula speaks of curves of this dimension, and of nothing beside them."""
+    """Whether a formula applies to curves of this dimension alone."""
     return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
 
 
 def measurable(dimension: int) -> list[Formula]:
-    """The formulas that speak of curves of this dimension."""
+    """The formulas that apply to curves of this dimension."""
     return [formula for formula in all_formulas().values() if speaks_of(formula, dimension)]

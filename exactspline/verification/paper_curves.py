@@ -42,5 +42,5 @@ def curve_named(source: Paper, name: str) -> Nurbs:
     if name in own:
         return own[name]
     if name not in example_names():
-        raise ClaimError(f"no example curve is called {name!r}", remedy=nearest(name, curve_names(source)))
+        raise ClaimError(f"there is no example curve called {name!r}", remedy=nearest(name, curve_names(source)))
     return example(name)

@@ -1,7 +1,5 @@
-"""What a user asks of formulas: whether one is another times a factor, for all curves or on this one, and what
-cancels.
-
-Formulas are given themselves or by name.
+"""Questions about formulas: whether one is another times a factor, for all curves or on one, and what cancels. Formulas
+are given as objects or by name.
 """
 
 from __future__ import annotations
@@ -38,16 +36,16 @@ class Proof:
     factor: str
     dimension: int
     holds: bool
-    #: What the left side over the right one is in truth; None for vectors that are not parallel, and over roots.
+    #: The true quotient of the left side by the right one; None for vectors that are not parallel, and over roots.
     quotient: Factor | None
-    #: Whether roots are adjoined: then a quotient is no product of polynomials.
+    #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
 
     def __bool__(self) -> bool:
         return self.holds
 
     def data(self) -> dict[str, object]:
-        """The answer for a program."""
+        """The answer as data."""
         told = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
         quotient = None if self.quotient is None else str(self.quotient)
         return told | {"factor": self.factor, "dimension": self.dimension, "holds": self.holds, "quotient": quotient}
@@ -88,7 +86,7 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives.
 
     A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the lowest in which both formulas are
-    defined is taken. The answer tells the true quotient as well.
+    defined is taken. The answer holds the true quotient as well.
 
     >>> print(prove("f1", "f2", "w"))
     f1 = w · f2 for all curves in R2
@@ -123,12 +121,12 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
-    """The identity that a text states between formulas of anybody, decided: ``file.py:left = w^3 * file.py:right``.
+    """Decide an identity between any formulas, stated as text: ``file.py:left = w^3 * file.py:right``.
 
     >>> print(proof_of("f1 = w * f2"))
     f1 = w · f2 for all curves in R2
 
-    Raises `FormulaError` for a text that states none, and whatever `exactspline.papers.resolve` and `prove` raise.
+    Raises `FormulaError` for any other text, and the errors of `exactspline.papers.resolve` and `prove`.
     """
     left, equal, right = text.partition("=")
     *factor, last = right.replace("·", " ").replace("*", " ").split() or [""]
@@ -146,7 +144,7 @@ def proof_of(text: str, *, trust: bool = False) -> Proof:
 
 @dataclass(frozen=True)
 class DegreeAnswer:
-    """The answer of `degree`: what Table 1 counts, and what the value in lowest terms has on the generic curve."""
+    """The answer of `degree`: the degree by Table 1, and that of the value in lowest terms on the generic curve."""
 
     formula: str
     dimension: int
@@ -163,7 +161,7 @@ def degree(formula: Named, *, dimension: int | None = None, polynomial: bool = F
     >>> print(degree("g2"))
     g2 in R2: nominal 9d − 6, in lowest terms 9d − 12
 
-    Raises `FormulaError` for an unknown formula, and where the degree theorem says nothing of its argument.
+    Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
     """
     (wanted,) = _formulas(formula)
     n = wanted.kind.dimensions[0] if dimension is None else dimension
@@ -182,8 +180,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
-    Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, two that have
-    not as many components, and one that does not exist on all of the curve.
+    Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, two with
+    different numbers of components, and one that does not exist on all of the curve.
     """
     sides = _formulas(left, right)
     for f in sides:
@@ -224,7 +222,7 @@ def reduction(
 
 
 def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> None:
-    """Refuse what has no value on the argument on which the others are compared."""
+    """Refuse a formula that has no value on the common argument."""
     for f in formulas:
         if not kind.takes(f.kind, dimension):
             raise FormulaError(

@@ -1,4 +1,4 @@
-"""A claim spelled out: what it says in text and in LaTeX, its naive and its reduced side with their degrees, the
+"""A claim spelled out: the statement as text and as LaTeX, its naive and its reduced side with their degrees, the
 factor, the verdict.
 
 Nothing is written by hand: formulas come from the tree reading, degrees from the degree reading, the verdict from the
@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exactspline.errors import InapplicableError
+from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
@@ -31,7 +32,7 @@ NAIVE, REDUCED = "naive", "reduced"
 
 @dataclass(frozen=True)
 class Side:
-    """One formula of a claim: its role, its name and source, what it is in text and in LaTeX, its degree for a rational
+    """One formula of a claim: its role, its name and source, its text and LaTeX, its degree for a rational
     and a polynomial curve.
     """
 
@@ -65,7 +66,7 @@ class Statement(Displayed):
         return self.finding.verdict == self.claim.expected
 
     def data(self) -> dict[str, object]:
-        """The statement for a program."""
+        """The statement as data."""
         c, f = self.claim, self.finding
         head: dict[str, object] = {
             "id": c.id,
@@ -116,7 +117,7 @@ def statements(wanted: str) -> Iterator[Statement]:
 
 
 def statement(claim: Claim) -> Statement:
-    """A claim spelled out, with its one verdict: the proof, held against the example curves."""
+    """A claim spelled out, with its one verdict: the proof, compared with the example curves."""
     reading, finding = combined(claim)
     return Statement(claim, latex_of(claim), sides(claim), reading, finding)
 
@@ -136,8 +137,7 @@ def _side(name: str, role: str, claim: Claim) -> Side:
     formula = claim.find(name)
     tree = telling_tree(formula, _dimension(formula, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    counted = [_degree(name, claim, polynomial) for polynomial in (False, True)]
-    degrees = ["–" if degree is None else str(degree) for degree in counted]
+    degrees = [_degrees(name, claim, polynomial) for polynomial in (False, True)]
     return Side(
         role,
         name,
@@ -154,16 +154,23 @@ def _dimension(formula: Formula, claim: Claim) -> int:
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
-def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
-    """The degree of a formula, None where it has none: over roots, of functions that are given by an equation."""
+def _degrees(name: str, claim: Claim, polynomial: bool) -> str:
+    """The degree of a formula, of a surface that in each parameter."""
+    parameters = (claim.parameter,) if isinstance(claim, DegreeClaim) else claim.find(name).kind.counted
+    found = [_degree(name, claim, polynomial, parameter) for parameter in parameters]
+    return ", ".join("–" if degree is None else str(degree) for degree in found) or "–"
+
+
+def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> Degree | None:
+    """The degree of a formula, None where it has none: over roots, for functions given by an equation."""
     formula = claim.find(name)
-    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
+    counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
         degree: Degree = formula(degree_table()).degree
         return degree
     if formula.kind.adjoins_roots:
         return None
-    dimension, reading = _dimension(formula, claim), DegreeReading("d", *counts)
+    dimension, reading = _dimension(formula, claim), DegreeReading("d", parameter, counting)
     try:
         degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
     except InapplicableError:
@@ -172,13 +179,14 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
 
 
 def _size(name: str, claim: Claim) -> int:
-    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
+    parameter = next(iter(claim.find(name).kind.counted), Parameter.FIRST)
+    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL, parameter)
     return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:
-    """The tree of a formula; where it would only repeat the symbol (the derivative of something with a name) the names
-    in it are spelled out.
+    """The tree of a formula; where it would only repeat the symbol (the derivative of a named formula) the names in it
+    are expanded.
 
     >>> from exactspline import find
     >>> telling_tree(find("curvature_squared_derivative"), 2)
@@ -190,7 +198,7 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
 
 
 def latex_of(claim: Claim) -> str:
-    r"""What a claim says, as LaTeX.
+    r"""The statement of a claim as LaTeX.
 
     >>> latex_of(select(["C4.1a"])[0]), latex_of(select(["C4.2g"])[0])
     ('f_1 = w\\,f_2', '\\deg g_2 = 9d - 6')

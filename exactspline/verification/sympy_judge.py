@@ -56,7 +56,7 @@ def _argument(claim: Claim, dimension: int, polynomial: bool) -> Any:
 
 @singledispatch
 def decide(claim: Claim, c: object) -> Finding:
-    """What sympy says of a claim on the indeterminate argument."""
+    """The finding of sympy on a claim for the indeterminate argument."""
     return Finding(UNDECIDED, claim.claims, witness="sympy does not decide this kind of claim")
 
 

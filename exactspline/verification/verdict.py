@@ -1,4 +1,4 @@
-"""What the ledger says: one row a claim, a reading and a curve."""
+"""The ledger: one row per claim, reading and curve."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED
 #: What `witness` says where both sides vanish: no success, and no failure either.
 VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
-#: How `witness` begins where a curve is none of those of which the claim speaks.
+#: How `witness` begins where the claim does not apply to a curve.
 OUTSIDE = "the claim says nothing of this curve: "
 #: Why a curve of lower degree decides nothing about the generic one.
 LOWER_HERE = "the degree is lower on it, as it may be on special curves"
@@ -27,7 +27,7 @@ class ContradictionError(ExactSplineError):
 
 @dataclass(frozen=True)
 class Finding:
-    """What one check found: computed value, factor, witness and verdict, before it is held against the record.
+    """What one check found: computed value, factor, witness and verdict, before it is compared with the record.
 
     ``relation`` is the one that was decided, ``assumptions`` the names of those that the decision rests on.
     """
@@ -52,7 +52,7 @@ class Finding:
 
 
 def undecided(claimed: str, error: ExactSplineError) -> Finding:
-    """Nothing decided, because of an error: where it says that nothing is said of such arguments, nothing is."""
+    """Undecided because of an error; inapplicable where the error says so."""
     outside = OUTSIDE if isinstance(error, InapplicableError) else ""
     return Finding(Verdict.UNDECIDED, claimed, witness=f"{outside}{error}")
 
@@ -92,15 +92,14 @@ class Row(Displayed):
         return self.verdict in self.expected.split(" or ")
 
     def data(self) -> dict[str, object]:
-        """The row for a program."""
+        """The row as data."""
         return asdict(self)
 
 
 def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float, *, is_example: bool = False) -> Row:
-    """A finding held against the record.
-
-    The record speaks of all curves. On one curve a claim that holds must be VERIFIED, unless it is vacuous there, which
-    is on record for the example curves; one that fails in general may well hold there.
+    """A finding compared with the record. The record is about all curves. On one curve a claim that holds must be
+    VERIFIED, unless it is vacuous there, which is on record for the example curves; one that fails in general may well
+    hold there.
     """
     f = finding
     return Row(

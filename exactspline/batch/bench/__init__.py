@@ -1,1 +1,1 @@
-"""`exactspline bench`: what is computed, and how long it takes, here and with others, in one run on the same input."""
+"""`exactspline bench`: times of this library and of others, in one run on the same input."""

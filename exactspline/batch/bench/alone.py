@@ -1,5 +1,5 @@
-"""Heavy cases, each in a process of its own: so that its memory is its own, and that it can be ended when it takes too
-long.
+"""Heavy cases, each in a separate process, so that its memory can be measured and that it can be ended when it takes
+too long.
 
 ``python -m exactspline.batch.bench.alone NAME COUNT`` prints what a case took.
 """
@@ -15,13 +15,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import process_time
 
-#: Wall-clock seconds for each second of processor time, on a machine that does other things.
+#: Wall-clock seconds for each second of processor time, on a machine that is not idle.
 PATIENCE = 4
 
 
 @dataclass(frozen=True)
 class Took:
-    """Processor seconds, and by how many MB the largest resident size grew (where the system tells)."""
+    """Processor seconds, and by how many MB the largest resident size grew (where the system reports it)."""
 
     seconds: float | None = None
     megabytes: float | None = None
@@ -96,7 +96,7 @@ CASES: dict[str, Callable[[int], Callable[[], object]]] = {
 
 
 def peak() -> float | None:
-    """The largest resident size of this process so far in MB, where the system tells."""
+    """The largest resident size of this process so far in MB, where the system reports it."""
     try:
         found = re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text(encoding="ascii"))
     except OSError:
@@ -114,7 +114,7 @@ def main() -> None:
         so_far = int(process_time())
         resource.setrlimit(resource.RLIMIT_CPU, (so_far + limit, so_far + limit + 5))
     except (ImportError, ValueError):
-        pass  # then the clock on the wall ends it
+        pass  # then the wall clock ends it
     before, start = peak(), process_time()
     call()
     seconds, after = process_time() - start, peak()

@@ -22,7 +22,7 @@ OCC = "Open CASCADE"
 FOUND = "inflections and extrema of a curve, mean of 400"
 MADE = "construction of a curve, mean of 400"
 BATCH = "inflections and extrema of a cubic segment of a batch"
-#: Cubic segments of the batch; the issue's 10⁵ where all is asked for.
+#: The number of cubic segments of the batch; 10⁵ in a full run.
 SOME, ALL = 5_000, 100_000
 #: Degree, knots, control points and weights (None for all 1) in doubles.
 Floats = tuple[int, list[float], list[tuple[float, ...]], list[float] | None]
@@ -140,7 +140,7 @@ LINEAR = "linear"
 
 
 def linear_rows(options: Options) -> Iterator[Row]:
-    """What must grow no faster than the number of segments, each case in a process of its own."""
+    """Cases whose time must grow no faster than the number of segments, each in a separate process."""
     for count in (100, 1_000, 10_000, 100_000):
         took = alone.run("inspect", count, options.limit)
         each = None if took.seconds is None else 1000 * took.seconds / count
@@ -155,7 +155,7 @@ def linear_rows(options: Options) -> Iterator[Row]:
 
 
 def memory_rows(options: Options) -> Iterator[Row]:
-    """The resident size that a sweep needs at most must not grow with its corpus."""
+    """The largest resident size of a sweep must not grow with its corpus."""
     few, many = (alone.run("sweep", count, options.limit) for count in (500, 5_000))
     if few.megabytes is None or many.megabytes is None:
         yield Row("memory", "a sweep", OURS, None, "MB", note=few.note or many.note)

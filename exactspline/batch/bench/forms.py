@@ -1,4 +1,4 @@
-"""Forms of one segment and of many: ours against the same by hand over other polynomials; growth with degree, segments
+"""Forms of one segment and of many: ours compared with inline code over other polynomials; growth with degree, segments
 and bits.
 """
 
@@ -29,7 +29,7 @@ from exactspline.splines.tensor import surface_pair
 
 FORMS, GROWTH = "forms", "growth"
 INLINE, SYMPY, ON_FLINT, FRACTION = "python-flint inline", "sympy", "sympy on FLINT", "Fraction"
-#: What is written by hand, by the name of the formula.
+#: The inline versions, by the name of the formula.
 BY_HAND: dict[str, Callable[..., Any]] = {"f2": inline.f2, "g2": inline.g2, "vertices_lifted": inline.vertices}
 #: Ours at most twice python-flint inline; sympy at least ten times ours on one segment, thirty times from ten on.
 TWICE, TENTH, THIRTIETH = Fraction(2), Fraction(1, 10), Fraction(1, 30)
@@ -57,7 +57,7 @@ def growth_rows(options: Options) -> Iterator[Row]:
 
 
 def _afresh(formula: Formula, c: Nurbs) -> Timed:
-    """A formula on a curve that was just made: nothing of it is remembered."""
+    """A formula on a curve that was just made, without any memoized values."""
 
     def call(made: object) -> object:
         assert isinstance(made, Nurbs)
@@ -89,8 +89,8 @@ def _form(
     yield from compared(section, case, took, targets)
 
 
-#: sympy's own polynomials, and those that it hands to FLINT, which is told when it is first imported; under the
-#: library's formulas, and under the same by hand.
+#: sympy's own polynomials, and those that it delegates to FLINT, which is chosen when it is first imported; with the
+#: library's formulas, and with inline code.
 GROUNDS = {SYMPY: "gmpy", ON_FLINT: "flint", "sympy inline": "gmpy", "sympy on FLINT inline": "flint"}
 IN_SYMPY = """
 import json, sys

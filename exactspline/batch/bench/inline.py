@@ -15,7 +15,7 @@ U_PLUS_V = fmpz_poly([1, 1])
 
 
 class Polynomial(Protocol):
-    """A polynomial of whatever library."""
+    """A polynomial of any library."""
 
     def __add__(self, other: Self, /) -> Self: ...
     def __sub__(self, other: Self, /) -> Self: ...
@@ -96,7 +96,7 @@ def torsion(p: Sequence[P], w: P, n: int, d: D[P]) -> tuple[P, P]:
 
 
 def one_parameter(x: P, y: P, z: P, w: P, degree: int, d: D[P]) -> tuple[P, ...]:
-    """What the symmetric bisector needs of one curve: D1, its height, the squared length of p, p, w and w²."""
+    """The data of one curve for the symmetric bisector: D1, its height, the squared length of p, p, w and w²."""
     x1, y1, z1, w1 = (d(p, degree) for p in (x, y, z, w))
     a = x1 * w - x * w1, y1 * w - y * w1, z1 * w - z * w1
     return (*a, x * a[0] + y * a[1] + z * a[2], x * x + y * y + z * z, x, y, z, w, w * w)

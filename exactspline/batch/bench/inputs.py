@@ -1,4 +1,4 @@
-"""What the benchmarks run on: random curves from fixed seeds, as this library's and as bare polynomials."""
+"""The input of the benchmarks: random curves from fixed seeds, as objects of this library and as bare polynomials."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MIXED = Family.parsed("degree=2-5 segments=1-4 rational=half bits=10 count=400 s
 
 
 def curve(degree: int, segments: int = 1, dimension: int = 2, bits: int = 10, seed: int = 1) -> Nurbs:
-    """A rational curve with uniform knots, integer control points of so many bits, weights from 1 to 20."""
+    """A rational curve with uniform knots, integer control points of a given number of bits, weights from 1 to 20."""
     chance, most = Random(seed), 1 << bits
     points = [tuple(chance.randint(-most, most) for _ in range(dimension)) for _ in range(degree + segments)]
     weights = [chance.randint(1, 20) for _ in points]
@@ -24,14 +24,14 @@ def curve(degree: int, segments: int = 1, dimension: int = 2, bits: int = 10, se
 
 
 def along(segments: int, dimension: int = 2) -> Nurbs:
-    """A polynomial cubic spline that runs along x and otherwise is random."""
+    """A polynomial cubic spline that is monotone in x and otherwise random."""
     chance = Random(1)
     points = [[i, *(chance.randint(-9, 9) for _ in range(dimension - 1))] for i in range(segments + 3)]
     return Nurbs(3, [0] * 3 + list(range(segments + 1)) + [segments] * 3, points)
 
 
 def wandering(degree: int, segments: int, *, rational: bool) -> Nurbs:
-    """A plane curve that goes on to the right."""
+    """A plane curve that proceeds to the right."""
     chance, x, y, points = Random(1), 0, 0, []
     for _ in range(degree + segments):
         x, y = x + chance.randint(1, 9), y + chance.randint(-9, 9)

@@ -1,4 +1,4 @@
-"""The picture: how many times as long as ours a peer takes, case by case; and how ours grows."""
+"""The picture: the ratio of a peer's time to ours, case by case, and the growth of ours."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MARKS = {
     "geomdl": ("<", PURPLE),
     "scipy": (">", SKY),
 }
-#: What of the growth is drawn: the beginning of the case, and the name of its axis.
+#: The growth cases that are drawn: the beginning of the case, and the name of its axis.
 DEGREES = "g2 by degree: "
 AXES = {DEGREES: "degree", "g2 by segments: ": "segments", "g2 by bits: ": "bits of a coordinate"}
 

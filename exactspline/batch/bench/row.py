@@ -1,4 +1,4 @@
-"""A row of the table: what was measured, of whom, against what target."""
+"""A row of the table: what was measured, for which library, and the target."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from time import process_time
 OURS = "exactspline"
 #: A round of the stopwatch lasts so many milliseconds at least, and the best of so many rounds counts.
 ROUND, ROUNDS = 20, 5
-#: Peer → the distribution whose version is told, and the module that must be there.
+#: Peer → the distribution whose version is shown, and the module that it needs.
 PEERS = {
     OURS: ("exactspline", "exactspline"),
     "python-flint inline": ("python-flint", "flint"),
@@ -57,7 +57,7 @@ class Row:
         return version_of(self.peer)
 
     def data(self) -> dict[str, object]:
-        """The row for a program."""
+        """The row as data."""
         return asdict(self) | {"key": f"{self.section}: {self.case}: {self.peer}", "version": self.version}
 
 
@@ -96,17 +96,17 @@ def installed(peer: str) -> bool:
 
 
 def missing(section: str, case: str, peer: str) -> Row:
-    """The row of a peer that is not there."""
+    """The row of a peer that is not installed."""
     return Row(section, case, peer, None, "", note="not installed")
 
 
-#: What is timed, and what makes its argument afresh, outside the time.
+#: The call that is timed, and the call that makes its argument, which is not timed.
 Timed = tuple[Callable[[object], object], Callable[[], object]]
 
 
 def best(timed: Mapping[str, Timed]) -> dict[str, float]:
-    """The least processor time of a call of each, in milliseconds: in turns, so that the load of the machine falls on
-    all alike, and without the collection of garbage.
+    """The least processor time of a call of each, in milliseconds: in turns, so that the load of the machine affects
+    all alike, and without garbage collection.
 
     >>> took = best({"a": (lambda x: sum(range(1000)), lambda: None), "b": (lambda x: sum(range(9000)), lambda: None)})
     >>> took["a"] < took["b"]

@@ -1,4 +1,4 @@
-"""What all spline libraries do: points, a knot inserted, a degree raised; ours exactly."""
+"""Operations of all spline libraries: points, knot insertion, degree elevation; ours exactly."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Sweeps over the fonts that matplotlib ships: contours a second, the same lines everywhere, killed and gone on
-with.
+"""Sweeps over the fonts that matplotlib ships: contours per second, the same lines on every backend, and continuation
+after a kill.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
 
 SWEEP = "sweep"
-#: Contours of the sample that is taken where not all is asked for, and of that which is killed.
+#: Contours of the sample in a short run, and of the sweep that is killed.
 SAMPLE, KILLED = 600, "cmss10.ttf"
-#: The results are complete but killed before their end: after so many lines.
+#: The complete results are cut after so many lines.
 EARLY = 20
 
 
@@ -68,7 +68,7 @@ def _fonts() -> list[Path]:
 
 
 def _rate(sources: list[Source], most: int | None, jobs: int, kept: dict[str, list[Line]]) -> float:
-    """Contours a second, the start of the processes left out; the first lines are kept."""
+    """Contours per second, without the start of the processes; the first lines are kept."""
     backend, work = "processes" if jobs > 1 else "serial", Work.of()
     lines = mapped(work.lines, islice(items(sources), most), backend, jobs)
     start, first, seen, own = monotonic(), 0, 0, kept.setdefault(backend, [])
@@ -82,7 +82,7 @@ def _rate(sources: list[Source], most: int | None, jobs: int, kept: dict[str, li
 
 
 def _killed(corpus: list[str]) -> Iterator[Row]:
-    """A sweep into a file, killed, and gone on with: lines that are not what an undisturbed one gives."""
+    """A sweep into a file, killed and continued: the lines that differ from an undisturbed sweep."""
     with TemporaryDirectory() as folder:
         place = Path(folder) / "lines.jsonl"
         command = [sys.executable, "-m", "exactspline", "sweep", *corpus, "-o", str(place), "-q"]

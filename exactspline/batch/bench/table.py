@@ -1,4 +1,4 @@
-"""All sections, the table for people, and the picture."""
+"""All sections, the table, and the picture."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def chosen_sections(names: Iterable[str]) -> tuple[str, ...]:
     wanted = set(names)
     for name in wanted:
         if name not in SECTIONS:
-            raise FormulaError(f"no section of the benchmarks is called {name!r}", remedy=nearest(name, SECTIONS))
+            raise FormulaError(f"there is no section of the benchmarks called {name!r}", remedy=nearest(name, SECTIONS))
     return tuple(name for name in SECTIONS if not wanted or name in wanted)
 
 
@@ -44,7 +44,7 @@ def rows(sections: Iterable[str], options: Options) -> Iterator[Row]:
 
 
 def sheet(given: Iterable[Row]) -> Sheet:
-    """The table: a row a measured value; a ratio is ours divided by the peer's."""
+    """The table: one row per measured value; a ratio is ours divided by the peer's."""
     columns = ("case", "who", "version", "value", "ours / theirs", "target", "met", "remark")
     made = Sheet(*columns, numbers=("value", "ours / theirs"), prose=("case", "remark"), heads=2)
     for row in given:

@@ -1,4 +1,4 @@
-"""Whole commands, as a user starts them: `prove` cold, files inspected, what an import costs."""
+"""Whole commands, as a user starts them: `prove` cold, files inspected, the cost of an import."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from exactspline.geometry.inspection import inspect_curve
 from exactspline.splines.examples import example_names
 
 COMMANDS = "commands"
-#: The least of so many runs counts.
+#: The number of runs, of which the fastest counts.
 RUNS = 3
 
 
 def command_rows(options: Options) -> Iterator[Row]:
-    """Processor time of processes of their own, and of files in this one."""
+    """Processor time of separate processes, and of files inspected in this process."""
     took, _ = processor_time(["-m", "exactspline", "prove", "-q"], runs=1)
     yield bounded(COMMANDS, "prove, whole and cold", took, "s", 5)
     loaded = imported_by(["prove", "--curve", "rational_cubic", "-q"])
@@ -75,7 +75,7 @@ def imported_by(arguments: Sequence[str]) -> list[str]:
 
 
 def _files(folder: str) -> Iterator[Row]:
-    """All curves of a folder, or the examples, inspected in this process, each read afresh."""
+    """All curves of a folder, or the examples, inspected in this process, each read again."""
     told = f"all curves of {Path(folder).name or folder}" if folder else "all example curves"
     places = [folder] if folder else list(example_names())
     found, count = None, 0

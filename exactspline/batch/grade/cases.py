@@ -1,4 +1,4 @@
-"""The cases: curves whose numbers are doubles, in families, the same for the same version whatever runs beside."""
+"""The cases: curves whose numbers are doubles, in families, the same for the same version in every run."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from exactspline.errors import ExactSplineError
 from exactspline.exact import double, from_float, mpq
 from exactspline.splines.nurbs import Nurbs
 
-#: Grows whenever a case changes.
+#: Increased whenever a case changes.
 VERSION = 1
-#: Powers of two that the dial of the near-degenerate family stands at.
+#: The exponents k of the near-degenerate family.
 DIAL = range(2, 53, 2)
 
 
@@ -57,7 +57,7 @@ def made(
     link: str = "",
     note: str = "",
 ) -> Case | None:
-    """A case of these doubles, None where they are no curve."""
+    """A case of these doubles, None where they are not a curve."""
     try:
         curve = Nurbs.from_floats(degree, knots, points, weights, name=key)
     except ExactSplineError:
@@ -91,7 +91,7 @@ def _random(chance: random.Random) -> Iterator[Case]:
 
 
 def _integers(chance: random.Random) -> Iterator[Case]:
-    """The smallest first, so that the first that fails is a small example."""
+    """The smallest cases first, so that the first failure is a small example."""
 
     def curves() -> Iterator[Case | None]:
         number = 0
@@ -112,7 +112,7 @@ def _integers(chance: random.Random) -> Iterator[Case]:
 
 
 def _fonts(chance: random.Random) -> Iterator[Case]:
-    """Contours and segments as type designers draw them: whole units, points at extremes, smooth joins, serifs."""
+    """Contours and segments as in type design: whole units, points at extremes, smooth joins, serifs."""
 
     def curves() -> Iterator[Case | None]:
         for number in range(700):
@@ -146,7 +146,7 @@ def _contour(number: int, chance: random.Random) -> Case | None:
 
 
 def _cad(chance: random.Random) -> Iterator[Case]:
-    """Arcs by rounded weights, decimal millimetres far from the origin, uneven knots, higher degrees."""
+    """Arcs with rounded weights, decimal millimetres far from the origin, uneven knots, higher degrees."""
 
     def curves() -> Iterator[Case | None]:
         for number in range(900):
@@ -186,7 +186,7 @@ def _near(chance: random.Random) -> Iterator[Case]:
         "degree": lambda e: [(0, 0), (2, 2 + e), (4, 2), (6, e)],
         # the handle is on the end for ε = 0
         "no handle": lambda e: [(0, 0), (e, e / 2), (1, 2), (3, 0)],
-        # x stands still at an end for ε = 0
+        # x′ = 0 at an end for ε = 0
         "extremum at an end": lambda e: [(0, 0), (e, 1), (2, 2), (3, 1)],
     }
 

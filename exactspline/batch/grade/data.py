@@ -1,15 +1,15 @@
-"""What passes between the grader, the processes of the libraries and the file of exact answers, as JSON."""
+"""The JSON exchanged between the grader, the processes of the libraries and the file of exact answers."""
 
 from __future__ import annotations
 
 from typing import NotRequired, TypedDict
 
-#: Control points, a row each.
+#: Control points, one row each.
 Rows = list[list[float]]
 
 
 class GivenData(TypedDict):
-    """A curve as a library is given it; `finer` is the curve from which a knot is to be removed."""
+    """A curve as it is passed to a library; `finer` is the curve from which a knot is to be removed."""
 
     degree: int
     knots: list[float]
@@ -20,14 +20,14 @@ class GivenData(TypedDict):
 
 
 class Request(TypedDict):
-    """What a library's process is asked."""
+    """A request to a library's process."""
 
     given: GivenData
     questions: list[str]
 
 
 class Reply(TypedDict, total=False):
-    """What becomes of a question: an answer, of whatever kind the library has; that it declines; what it raises."""
+    """The reply to a question: an answer of any kind, a refusal, or an exception."""
 
     answer: object
     declined: str
@@ -50,7 +50,7 @@ class ExactCurve(TypedDict):
 
 
 class CurveData(ExactCurve):
-    """A curve as the independent checker is given it: exact text, homogeneous control points."""
+    """A curve as it is passed to the independent checker: exact text, homogeneous control points."""
 
     rational: bool
 

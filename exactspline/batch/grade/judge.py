@@ -22,21 +22,24 @@ RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "off", "missed", "invented", "c
 DECLINED = "declined"
 OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED)
 WRONG = (OFF, MISSED, INVENTED, CRASHED)
-#: What is one place, as a part of the domain; below which part of its size a form counts as zero.
+#: The distance within which parameters are one place, as a fraction of the domain; the fraction of its size below which
+#: a form counts as zero.
 PLACE, ZERO = mpq(1, 1 << 16), mpq(1, 1 << 32)
-#: How far a parameter may be from the place that it is a value below `ZERO` for.
+#: The largest distance of a parameter from a place where the form is below `ZERO`.
 NEAR = mpq(1, 1 << 8)
 #: Below which part of ‖γ′‖² over the domain γ′ × γ″ is that of a curve that counts as straight.
 STRAIGHT = mpq(1, 1 << 20)
-#: How many times more is allowed to control points that take divisions.
+#: The factor of the tolerance for control points that take divisions.
 DIVIDED = 1 << 16
-#: The relative error of a length that is right.
+#: The relative error allowed for a length.
 LENGTH = mpq(1, 10**6)
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an answer is: right, off by so many ulps, or else; in words where that needs some."""
+    """The verdict on an answer: right, off by a number of ulps, or something else, explained in words where
+    necessary.
+    """
 
     outcome: str
     ulps: float = 0
@@ -45,7 +48,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class _Size:
-    """What errors of a curve are measured by: the unit in the last place of its largest coordinate, and factors."""
+    """The scale of errors of a curve: the unit in the last place of its largest coordinate, and factors."""
 
     unit: mpq
     coordinate: mpq
@@ -86,10 +89,10 @@ def _middles(truth: Answer) -> list[mpq]:
 
 
 def _errors(exact: Sequence[mpq], found: Sequence[float]) -> list[mpq] | None:
-    """The absolute errors, None where a number is none."""
+    """The absolute errors, None where a number is NaN or missing."""
     values = [float(x) for x in found]
     if len(values) != len(exact):
-        raise ValueError("another number of numbers")
+        raise ValueError("a different count of numbers")
     if not all(map(isfinite, values)):
         return None
     return [abs(from_float(x) - y) for x, y in zip(values, exact, strict=True)]
@@ -113,7 +116,7 @@ def _norms(case: Case) -> list[mpq]:
 
 
 def _quotient(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
-    """Tangent, curvature and torsion: quotients, to which the errors of the derivatives go through."""
+    """Tangent, curvature and torsion: quotients, to which the errors of the derivatives propagate."""
     size, (v, a, j), exact = _Size.of(case.curve), _norms(case), _middles(truth)
     errors = _errors(exact, answer)
     if errors is None:
@@ -163,7 +166,9 @@ def _rows(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
 
 
 def _as_functions(case: Case, size: _Size, answer: Any) -> Verdict:
-    """A curve over knots of its own beside the exact one: with other control points, but perhaps the same function."""
+    """A curve over other knots compared with the exact one: its control points differ, but it may be the same
+    function.
+    """
     curve, found = case.curve, answer["rows"]
     n = case.curve.dimension
     weights = None if curve.polynomial else [float(row[n]) for row in found]
@@ -248,7 +253,7 @@ class _Form:
         return bool(abs(at(c, (t - a) / (b - a))) * (1 << len(c)) <= ZERO * max(map(abs, c)) * (1 << len(c)))
 
     def places(self, soft: Sequence[mpq]) -> list[_Place]:
-        """Zeros that are one place taken together; it must be named where the sign changes inside the domain."""
+        """Zeros grouped into places; it must be named where the sign changes inside the domain."""
         groups: list[list[tuple[mpq, mpq, bool]]] = []
         for root in self.roots:
             if groups and root[0] - groups[-1][-1][1] <= PLACE * self.width:
@@ -268,7 +273,7 @@ class _Form:
         return bool(low - reach * self.width <= t <= high + reach * self.width)
 
     def explains(self, t: mpq, places: Sequence[_Place], soft: Sequence[mpq]) -> bool:
-        """Whether a parameter that a library names is no invention."""
+        """Whether a parameter that a library names is not spurious."""
         if any(self._near(t, p.low, p.high) for p in places) or any(self._near(t, s, s) for s in self.jumps):
             return True
         if any(self._near(t, s, s, NEAR) for s in soft):
@@ -279,7 +284,7 @@ class _Form:
         return bool(a <= t <= b and self.is_small(t))
 
     def names(self, t: mpq, place: _Place) -> bool:
-        """Whether a parameter names a place: near it, or as near as the form lets it tell."""
+        """Whether a parameter names a place: near it, or as near as the form can resolve."""
         if self._near(t, place.low, place.high):
             return True
         inside = self.breaks[0] <= t <= self.breaks[-1]
@@ -287,7 +292,7 @@ class _Form:
 
 
 def _is_straight(curve: Nurbs) -> bool:
-    """Whether the direction of a polynomial plane curve turns by less than what a tolerance may overlook: γ′ × γ″ times
+    """Whether the direction of a polynomial plane curve turns by less than the tolerance: γ′ × γ″ times
     the length of the domain is nowhere more than a part of ‖γ′‖².
     """
     if not curve.polynomial:
@@ -300,13 +305,13 @@ def _is_straight(curve: Nurbs) -> bool:
 def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     soft: list[mpq] = []
     if question in ("inflections", "extrema") and _is_straight(case.curve):
-        return Verdict(RIGHT, note="straight within the tolerance: whatever is named is right")
+        return Verdict(RIGHT, note="straight within the tolerance: any answer is right")
     if question in ("inflections", "extrema"):
         soft = [root.low for root in analyse(case.curve).speed.zeros]
         soft += case.curve.breakpoints[1:-1]
     missed, invented = list[str](), list[str]()
     if len(answer) != len(truth["certificates"]):
-        raise ValueError("another number of lists")
+        raise ValueError("a different count of lists")
     for certificate, parameters in zip(truth["certificates"], answer, strict=True):
         form = _Form(certificate)
         values = [float(t) for t in parameters]
@@ -322,7 +327,7 @@ def _places(case: Case, question: str, truth: Answer, answer: Any) -> Verdict:
     return Verdict(RIGHT)
 
 
-#: An answer of a library may be anything: what is no answer of the kind asked for raises, and counts as off.
+#: An answer of a library may be anything: anything else raises, and counts as off.
 _JUDGES: dict[str, Callable[[Case, str, Answer, Any], Verdict]] = {
     **dict.fromkeys(("value", "first", "second"), _vector),
     **dict.fromkeys(("tangent", "curvature", "torsion"), _quotient),

@@ -1,4 +1,6 @@
-"""Cases from public bug reports, each with its link: their numbers, or a small curve that shows the same."""
+"""Cases from public bug reports, each with its link: the reported numbers, or a small curve that shows the same
+defect.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,7 @@ def _bezier(key: str, link: str, note: str, points: list[tuple[float, ...]], par
 
 
 def _levels(values: list[float]) -> list[tuple[float, ...]]:
-    """A function as a curve: its Bézier points over their places."""
+    """A function as a curve: its graph."""
     return [(i, y) for i, y in enumerate(values)]
 
 
@@ -120,7 +122,7 @@ NAMED: list[Named] = [
     _bezier(
         "svg-path-bbox-112b",
         GITHUB + "mondeja/svg-path-bbox/issues/112",
-        "the same, the other way round",
+        "the same, reversed",
         [(90, 100), (90, 110), (110, 110)],
     ),
     _bezier(

@@ -1,4 +1,4 @@
-"""The questions that libraries are asked, and what counts as the same answer."""
+"""The questions to libraries, and what counts as the same answer."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Asked:
-    """A question: its name, what is asked, and what a right answer is allowed to be off by."""
+    """A question: its name, its meaning, and the error allowed."""
 
     name: str
     meaning: str

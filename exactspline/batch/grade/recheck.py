@@ -1,5 +1,5 @@
-"""Checks exact answers without anything of exactspline but the checker of zero sets (and GMP's fractions): its own way
-to every number.
+"""Checks exact answers without anything of exactspline but the checker of zero sets (and GMP's fractions): its own
+computation of every number.
 
 The curve is evaluated by the recursion of Cox and de Boor on truncated Taylor series. Curves with other
 control points are compared with the given one at as many parameters as determine a rational function of their degree;
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 TERMS = 4
 #: Up to this degree zeros are counted a second way, by a Sturm sequence.
 STURM = 6
-#: How many chords are held against a length.
+#: How many chords are compared with a length.
 CHORDS = 24
 Jet = list[list[mpq]]
 
@@ -108,7 +108,7 @@ def _is(interval: list[str], value: mpq) -> bool:
 
 
 def _is_root(interval: list[str], square: mpq, sign: int = 1) -> bool:
-    """Whether ``± √square`` is in an interval, narrow enough to mean it."""
+    """Whether ``± √square`` is in an interval, which is narrow enough to identify it."""
     low, high = sorted(sign * mpq(x) for x in interval)
     narrow = high - low <= mpq(1, 10**30) + abs(high) / 10**15
     return narrow and max(low, mpq(0)) ** 2 <= square <= high**2 and high >= 0
@@ -267,7 +267,7 @@ def _box(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
 
 
 def _length(curve: Curve, t: mpq, question: str, answer: Answer) -> None:
-    """A chord is shorter; with more chords the sum grows, and what it lacks falls to a quarter, or less fast."""
+    """Chords are shorter than the arc; with twice as many the deficit falls to a quarter, or more slowly."""
     low, high = map(mpq, answer["numbers"][0])
     sums = []
     for chords in (CHORDS, 2 * CHORDS):

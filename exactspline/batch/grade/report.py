@@ -1,4 +1,4 @@
-"""What grading found: as data for programs, and as the page in the documents."""
+"""The results of grading: as data, and as the page in the documentation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactspline.batch.grade.runner import Judged, Report
 from exactspline.batch.grade.shrink import Defect
 from exactspline.exact import double, mpq, text
 
-#: How the outcomes are told in a cell, behind the share of right answers.
+#: How the other outcomes are abbreviated in a cell, after the share of right answers.
 SHORT = {"off": "off", "missed": "missed", "invented": "invented", "crashed": "crashed", "declined": "declined"}
 
 
@@ -64,15 +64,15 @@ def _ulps(ulps: float) -> str:
     return f"off by {ulps:.3g} ulps"
 
 
-HEAD = """# Libraries held against exact answers
+HEAD = """# Libraries compared with exact answers
 
 Made by `exactspline grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}),
 {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that
 the independent checker (`exactspline/batch/grade/recheck.py`, `exactspline/roots/checker.py`) accepted in this run;
-{uncertified} answers were left out because it did not. A library is asked only what it offers for the curve at hand,
+{uncertified} answers were left out because it did not. A library is asked only what it offers for the given curve,
 in its own calls (`exactspline/batch/grade/adapters`), and is judged by what the question allows a tolerance to do
-(below). A cell tells right answers of those asked, then what the others are; *declined* is a library that says itself
-that it has no answer.
+(below). A cell shows the right answers out of those asked, then the other outcomes; *declined* is a library that
+reports itself that it has no answer.
 """
 
 
@@ -162,7 +162,7 @@ def _curve(one: Judged) -> str:
 
 
 def _short(x: mpq) -> str:
-    """A number as it stands where it is short, otherwise the double that it is."""
+    """A number in full where it is short, otherwise as a double."""
     return text(x) if len(text(x)) <= 8 else repr(double(x))
 
 

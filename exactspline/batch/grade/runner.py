@@ -25,7 +25,7 @@ from exactspline.splines.nurbs import Nurbs
 
 #: Seconds that a library has for all questions about a case.
 PATIENCE = 20
-#: Every so many cases the arc length is asked for: its balls take longer than all the rest.
+#: The arc length is asked for only in every n-th case: it takes longer than all other questions.
 LENGTH_EVERY = 4
 
 
@@ -50,12 +50,12 @@ class Report:
 
 
 def questions_for(case: Case, number: int) -> list[str]:
-    """What is asked about a case."""
+    """The questions about a case."""
     return [q for q in QUESTIONS if q != "length" or number % LENGTH_EVERY == 0 or case.family == "named"]
 
 
 def given_data(curve: Nurbs, case: Case) -> GivenData:
-    """A curve as a library is given it."""
+    """A curve as it is passed to a library."""
     return {
         "degree": curve.degree,
         "knots": [double(t) for t in curve.knots],
@@ -66,13 +66,13 @@ def given_data(curve: Nurbs, case: Case) -> GivenData:
 
 
 def request_data(case: Case) -> GivenData:
-    """A case as a library is given it."""
+    """A case as it is passed to a library."""
     finer = inserted(case)
     return {**given_data(case.curve, case), "finer": None if finer is None else given_data(finer, case)}
 
 
 def curve_data(curve: Nurbs) -> CurveData:
-    """A curve as the independent checker is given it."""
+    """A curve as it is passed to the independent checker."""
     rows = [[*lifted(p, w), w] for p, w in zip(curve.control_points, curve.weights, strict=True)]
     return {
         "degree": curve.degree,
@@ -177,7 +177,7 @@ class Worker:
 def grade(
     libraries: Iterable[str], cases: Iterable[Case], place: Path | None = None, tick: Callable[[], None] = lambda: None
 ) -> tuple[list[Report], Truths]:
-    """The reports of the libraries that are installed, and the exact answers that they were held against."""
+    """The reports of the libraries that are installed, and the exact answers that they were compared with."""
     workers = []
     for library in libraries:
         try:

@@ -1,4 +1,6 @@
-"""The smallest integer example of a defect: found among the cases that show it, then made smaller while it stays."""
+"""The smallest integer example of a defect: found among the cases that show it, then simplified as long as it
+persists.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exact answers to the questions that libraries are asked, each with what the independent checker needs to prove it.
+"""Exact answers to the questions that libraries are asked, each with the data for the independent checker to prove it.
 
 Answers are data: exact numbers as text, roots as certificates (see `exactspline.roots.certificate`), so that they can
 be kept in a file and checked again by `exactspline.batch.grade.recheck`, which shares no arithmetic with this.
@@ -91,7 +91,7 @@ def _curves(case: Case, *curves: Nurbs) -> Answer:
 
 
 def inserted(case: Case) -> Nurbs | None:
-    """The curve with a knot more, where all its numbers are doubles: what a library is to remove a knot from."""
+    """The curve with one more knot, where all its numbers are doubles: from it a library is to remove the knot."""
     if case.parameter in case.curve.breakpoints:
         return None
     finer = case.curve.insert_knot(case.parameter)

@@ -1,7 +1,7 @@
-"""One library in a process of its own: ``python -m exactspline.batch.grade.worker scipy``.
+"""One library in a separate process: ``python -m exactspline.batch.grade.worker scipy``.
 
-A line of JSON with a curve and questions in, a line with the answers out. Whatever the library prints goes nowhere, and
-what it raises is an answer; when it takes the process with it, the runner sees that.
+A line of JSON with a curve and questions in, a line with the answers out. The output of the library is discarded, and
+an exception is an answer; if the process dies, the runner notices.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def answers(library: Adapter, request: Request) -> dict[str, Reply]:
             found[question] = {"answer": library.ask(question, given)}
         except (DeclinedError, NotImplementedError) as error:
             found[question] = {"declined": f"{error}"[:300]}
-        except Exception as error:  # what a library raises is its answer
+        except Exception as error:  # an exception of a library is its answer
             found[question] = {"raised": f"{type(error).__name__}: {error}"[:300]}
     return found
 

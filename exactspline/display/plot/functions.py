@@ -35,10 +35,10 @@ from exactspline.splines.knots import greville_abscissae
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: A control polygon so many times higher than its graph, or a graph so many times higher than its median, gets no
-#: linear scale.
+#: A control polygon this many times higher than its graph, or a graph this many times higher than its median, is not
+#: drawn with a linear scale.
 POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
-#: Into how many pieces a leg of a control polygon is cut where the scale bends it.
+#: The number of pieces of a leg of a control polygon where the scale bends it.
 BENDS = 64
 SCALES = ("linear", "symlog", "clip")
 
@@ -73,7 +73,7 @@ def plot_function(
             f"the graph of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
         )
     if scale is not None and scale not in SCALES:
-        raise PlotError(f"{shown(scale)} is no scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
+        raise PlotError(f"{shown(scale)} is not a scale", where="scale", remedy=f"scales are {', '.join(SCALES)}")
     ax = axes_for(ax)
     spread: list[Point | None] = []
     for samples in sampled(f, f.breakpoints):
@@ -174,7 +174,7 @@ def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
 
 
 def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
-    """What is marked as a root, and what as a jump through zero."""
+    """The parameters marked as roots, and those marked as jumps through zero."""
     return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
 
 
@@ -182,7 +182,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     """Certified roots with their isolating intervals, one above the other: each interval a bar that holds one root and
     no other, the root a dot.
 
-    What is drawn is the interval at hand: `Root.refine` makes it narrower. Intervals on which the function vanishes are
+    What is drawn is the current interval: `Root.refine` makes it narrower. Intervals on which the function vanishes are
     thick bars at the bottom.
 
     >>> from exactspline.roots.zero_set import zeros

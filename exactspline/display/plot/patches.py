@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import BLACK, GREEN, GREY, VERMILLION, draw, library, new_figure
 from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
-from exactspline.display.plot.surfaces import framed, shaded
+from exactspline.display.plot.surfaces import shaded
 from exactspline.display.plot.visibility import Visibility
 from exactspline.exact import mpq
 from exactspline.geometry.surface.forms import in_parameters
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 #: Colours of elliptic, hyperbolic and flat points.
 ELLIPTIC, HYPERBOLIC, FLAT = "#F3C46B", "#7FBFE6", "#D9D9D9"
-#: Rows and columns of faces, in all and at least so many a patch.
+#: Rows and columns of faces, in all and at least so many per patch.
 GRID, LEAST = 72, 6
-#: How much larger than matplotlib's the surface is drawn, for there are no axes around it.
-ZOOM = 1.45
+#: How much of the axes a surface fills, beside the norm of its extents, by which matplotlib scales.
+FILLED = 0.93
 #: Points of an arc that is drawn.
 STEPS = 4
 
@@ -78,7 +78,7 @@ def _colour(one: PatchInspection, sign: float) -> str:
 
 def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -> None:
     """The shaded surface with what is on it."""
-    to_rgb = library("matplotlib.colors").to_rgb
+    np, to_rgb = library("numpy"), library("matplotlib.colors").to_rgb
     faces, shades = [], []
     for one in found.patches:
         points, signs = samples.points[one.patch], samples.signs[one.patch]
@@ -107,9 +107,11 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
         points = [surface(*p) for p in places]
         dots = [p for p in points if seen.of([[float(x) for x in p]])[0]]
         _dots(ax, dots, color, marker)
-    framed(ax, [p for face in faces for p in face])
-    ax.set_box_aspect(None, zoom=ZOOM)
-    ax.set_aspect("equal")
+    lows, highs = (pick([p for face in faces for p in face], axis=0) for pick in (np.min, np.max))
+    extent = np.maximum(highs - lows, (highs - lows).max() / 1000)
+    for axis, low, length in zip("xyz", lows, extent, strict=True):
+        getattr(ax, f"set_{axis}lim")(low, low + length)
+    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / seen.seen)
     ax.set_axis_off()
 
 

@@ -37,7 +37,7 @@ from exactspline.splines.values import SplineSurface
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Where the light comes from (a unit vector), and how dark a face is that looks away from it.
+#: The direction of the light (a unit vector), and the brightness of a face turned away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
 
 
@@ -52,7 +52,7 @@ def plot_mesh(
 ) -> Axes:
     """A surface given by its points: shaded faces, and its control net with the number of points in the legend.
 
-    Raises `PlotError` without matplotlib, for axes in the plane, where nothing is left to draw, and for numbers beyond
+    Raises `PlotError` without matplotlib, for axes in the plane, where nothing can be drawn, and for numbers beyond
     1e100.
     """
     ax = axes_for(ax, 3)
@@ -87,7 +87,7 @@ def plot_mesh(
             label=_counted(mesh),
             zorder=2.1,
         )
-    framed(ax, [p for face in faces for p in face])
+    _framed(ax, [p for face in faces for p in face])
     legend_below(ax)
     return ax
 
@@ -107,7 +107,7 @@ def _counted(mesh: SurfaceMesh) -> str:
     return f"control net ({mesh.points} points{hidden})"
 
 
-def framed(ax: Any, points: Iterable[Point]) -> None:
+def _framed(ax: Any, points: Iterable[Point]) -> None:
     """Equal scales on the three axes, and all points in sight."""
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)
@@ -127,8 +127,8 @@ def plot_ruled_surface(
 ) -> Axes:
     """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
 
-    Where its denominator has a zero the surface goes to infinity: it is cut there, and what is far from most of it is
-    not shown (nor outside `box`, two opposite corners, when that is given).
+    Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
+    not shown (nor those outside `box`, two opposite corners, where that is given).
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
@@ -194,7 +194,7 @@ def plot_bisector(
     found = find(formula or default)
     if found.kind is not kind:
         raise FormulaError(
-            f"{found.name} is no bisector of these",
+            f"{found.name} is not a bisector of these",
             where="formula",
             remedy=f"its argument is of the kind {found.curve!r}, not {kind.name!r}",
         )
@@ -210,7 +210,7 @@ def plot_bisector(
 
 
 def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
-    """The kind of formula, the formula by default, and what it is handed."""
+    """The kind of formula, the default formula, and its argument."""
     if isinstance(other, Curve):
         if curve.dimension != 3 or other.dimension != 3:
             raise ShapeError("a bisector of curves that are not in space", remedy="give two curves in space")

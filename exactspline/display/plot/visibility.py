@@ -1,4 +1,4 @@
-"""What of the lines on a surface is not hidden behind it, for pictures: by a buffer of depths."""
+"""The visible parts of lines on a surface, for pictures: by a depth buffer."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from typing import Any
 
 from exactspline.display.plot.canvas import library
 
-#: Cells of the buffer along the larger side, points that each face gives in each direction, and how far behind the
-#: nearest point something may be (a part of the size).
-CELLS, EACH, TOLERANCE = 180, 4, 0.035
+#: Cells of the buffer along the larger side, the most points that each face gives in each direction, and how far behind
+#: the nearest point something may be (a part of the size).
+CELLS, MOST, TOLERANCE = 160, 24, 0.03
 
 
 class Visibility:
@@ -30,9 +30,15 @@ class Visibility:
         view = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
         right, up = (-sin(a), cos(a), 0.0), (-sin(e) * cos(a), -sin(e) * sin(a), cos(e))
         self.frame = self.np.array([right, up, view]).T
-        points = self.np.concatenate([_dense(self.np, patch).reshape(-1, 3) for patch in patches]) @ self.frame
-        self.low = points.min(axis=0)
-        self.size = float((points.max(axis=0) - self.low).max()) or 1.0
+        own = [patch @ self.frame for patch in patches]
+        corners = self.np.concatenate([patch.reshape(-1, 3) for patch in own])
+        self.low = corners.min(axis=0)
+        extent = corners.max(axis=0) - self.low
+        self.size = float(extent.max()) or 1.0
+        #: The larger of its width and height as it is seen.
+        self.seen = float(extent[:2].max()) or 1.0
+        cell = self.size / CELLS
+        points = self.np.concatenate([_dense(self.np, patch, cell).reshape(-1, 3) for patch in own])
         shape = (CELLS + 1, CELLS + 1)
         self.depth = self.np.full(shape, -self.np.inf)
         cells = self._cells(points)
@@ -59,11 +65,13 @@ class Visibility:
             start += count
 
 
-def _dense(np: Any, patch: Any) -> Any:
-    """A grid of points with more of them between, by straight lines."""
+def _dense(np: Any, patch: Any, cell: float) -> Any:
+    """A grid of points with more of them between, by straight lines, so that neighbours are in neighbouring cells."""
     for axis in (0, 1):
         own = np.moveaxis(patch, axis, 0)
-        parts = [own[:-1] + (own[1:] - own[:-1]) * (k / EACH) for k in range(EACH)]
+        steps = own[1:] - own[:-1]
+        each = min(MOST, max(1, int(abs(steps).max() / cell * 1.5) + 1))
+        parts = [own[:-1] + steps * (k / each) for k in range(each)]
         joined = np.stack(parts, axis=1).reshape(-1, *own.shape[1:])
         patch = np.moveaxis(np.concatenate([joined, own[-1:]]), 0, axis)
     return patch

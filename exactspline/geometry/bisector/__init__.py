@@ -1,5 +1,4 @@
-"""Bisectors of two curves and of a curve and a point: surfaces, trimmed curves, and what is beside the surface (lines,
-planes, single pairs, poles).
-
-What the complete answer is, and why it is complete, is told in ``docs/bisectors.md``.
+"""Bisectors of two curves and of a curve and a point: surfaces, trimmed curves, and the exceptional parts beside the
+surface (lines, planes, single pairs, poles). The complete answer, and the proof that it is complete, are in
+``docs/bisectors.md``.
 """

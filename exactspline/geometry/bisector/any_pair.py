@@ -1,4 +1,4 @@
-"""The bisector of two curves, or of a curve and a point, whichever of them is given."""
+"""The bisector of two curves, or of a curve and a point."""
 
 from __future__ import annotations
 

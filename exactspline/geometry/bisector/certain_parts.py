@@ -1,4 +1,4 @@
-"""Certain answers in front of exact ones: where a family of forms is certainly negative somewhere, or nowhere.
+"""Quick certain answers before exact ones: where a family of forms is certainly negative somewhere, or nowhere.
 
 A family has one form in u for every local parameter z; it is given by rows, forms of degree n in z, one for each power
 of u, and judged by its sign against that of a form e.
@@ -34,7 +34,7 @@ def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Part]
         low, high, depth, below, forms = todo.pop()
         sign = _sign(below, n)
         signs = {_sign(form, n) for form in forms}
-        # where e has a zero, forms of both signs leave nothing on either side of it
+        # where e has a zero, forms of both signs exclude both of its sides
         if -sign in signs if sign else {1, -1} <= signs:
             continue
         if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):

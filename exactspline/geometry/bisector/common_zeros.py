@@ -1,6 +1,6 @@
 """The common zeros of two polynomials in two parameters on a rectangle, each certified.
 
-Resultants give all parameters that a common zero can have; balls exclude the pairs that are none. A pair that is left
+Resultants give all parameters that a common zero can have; balls exclude the other pairs. A pair that is left
 is proved by interval Newton in Krawczyk's form: a box around it holds a common zero, and no other root of the
 resultants. A pair of rational parameters is decided by its values.
 
@@ -32,7 +32,7 @@ from exactspline.roots.root import Root
 
 #: A pair of parameters.
 Place = tuple[Parameter, Parameter]
-#: The most common zeros, real and complex, that an elimination is tried with.
+#: The largest number of common zeros, real and complex, for which an elimination is tried.
 REACH = 700
 #: Primes modulo which a factor of a resultant is tried.
 PRIMES = ((1 << 61) - 1, (1 << 61) - 31, (1 << 62) - 57, (1 << 62) - 87)
@@ -42,7 +42,7 @@ MARGIN, RADII = 16, (12, 24, 40, 80, 160)
 
 class CommonZeros(NamedTuple):
     """Certified pairs, and pairs of which it could not be decided (the precision did not suffice, or the zero is a
-    multiple one); ``out_of_reach`` tells that nothing was tried.
+    multiple one); ``out_of_reach`` says that nothing was tried.
     """
 
     places: list[Place]
@@ -53,7 +53,7 @@ class CommonZeros(NamedTuple):
 def common_zeros(
     f: fmpz_mpoly, g: fmpz_mpoly, sides: Sides, also: Sequence[fmpz_mpoly] = (), known: Sequence[Place] = ()
 ) -> CommonZeros:
-    """The common zeros of two coprime polynomials on a closed rectangle, but for those at which one of the others is
+    """The common zeros of two coprime polynomials on a closed rectangle, except those at which one of the others is
     certainly not zero.
 
     `known` are zeros that are proved already.
@@ -94,7 +94,7 @@ class _Known(NamedTuple):
     side: Interval
 
     def around(self, t: Root, bits: int) -> Interval | None:
-        """An interval around a root that holds no other one, nor an end of what is known."""
+        """An interval around a root that contains no other root and no end of the known intervals."""
         low, high = t.refine(bits // 3 + 8)
         radius = mpq(self.side[1] - self.side[0]) / (1 << bits)
         first, last = low - 2 * radius, high + 2 * radius

@@ -1,4 +1,4 @@
-"""What there is beside the surface, as values: lines along a curve of pairs, planes, single pairs, poles."""
+"""The parts of a bisector beside its surface: lines along a curve of pairs, planes, single pairs, poles."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _EXCHANGED = {
 
 
 class Correspondence(StrEnum):
-    """How the pairs of a curve of pairs belong together."""
+    """How the parameters of a curve of pairs are related."""
 
     ALL = "all pairs"
     FIRST_FIXED = "s fixed"
@@ -68,7 +68,7 @@ class PairEquation:
     ('s - t', mpq(0,1))
     """
 
-    #: The powers of s and t, and the integers before them.
+    #: The exponents of s and t, and the integer coefficients.
     terms: tuple[tuple[tuple[int, int], int], ...]
 
     @classmethod
@@ -79,7 +79,7 @@ class PairEquation:
 
     @property
     def polynomial(self) -> fmpz_mpoly:
-        """As a polynomial of FLINT in s and t."""
+        """The equation as a polynomial of FLINT in s and t."""
         return CONTEXT.from_dict(dict(self.terms))
 
     @property
@@ -101,8 +101,8 @@ class PairEquation:
 class LinePiece:
     """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 when that is s, 1 when it is t.
 
-    The other parameter is a constant, a quotient of splines, or None where any will do. Directrix and generator are
-    splines over the whole segment.
+    The other parameter is a constant, a quotient of splines, or None where any value will do. Directrix and generator
+    are splines over the whole segment.
     """
 
     of: int
@@ -278,7 +278,7 @@ class SinglePair:
 class PoleCurve:
     """An irreducible factor of the surface's determinant: along its zeros on the rectangle the surface is at infinity.
 
-    ``certain`` tells that it has zeros there: it takes both signs.
+    ``certain`` says that it has zeros there: it takes both signs.
     """
 
     equation: PairEquation
@@ -320,7 +320,7 @@ class SpecialPairs:
 
 
 def _conditions(cause: Cause) -> Conditions:
-    """The planes that are conditions: a curve without a tangent has no normal plane."""
+    """The effective planes: a curve without a tangent has no normal plane."""
     void = {
         Cause.FIRST_CUSP: Conditions.FIRST,
         Cause.SECOND_CUSP: Conditions.SECOND,
@@ -340,7 +340,7 @@ def _other(correspondence: Correspondence) -> Correspondence:
 
 
 def interval_text(side: Interval) -> str:
-    """An interval for people.
+    """An interval as text.
 
     >>> interval_text((mpq(0), mpq(1, 2)))
     '[0, 1/2]'

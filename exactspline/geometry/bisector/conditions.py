@@ -1,4 +1,4 @@
-"""Where a point that moves along a bisector is as near to no other point of the curve: one condition a segment.
+"""Where a point that moves along a bisector is nearer to no other point of the curve: one condition per segment.
 
 For B(s) = (x, y)/e that of a segment a/w of the curve (moved so that Q is the origin) is that the quotient
 ``(e ‖a(u)‖² − 2 w (x, y)·a(u))/e`` is negative for no u. Boxes of coefficients decide most; what they leave is decided
@@ -29,7 +29,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
 
-#: So many segments at most are asked first whether an arc is on the true bisector at all.
+#: How many segments at most are tested first to see whether an arc is on the true bisector at all.
 ASKED_FIRST = 24
 #: An exact parameter: rational, or a certified root.
 Parameter = mpq | Root
@@ -39,7 +39,7 @@ Parameter = mpq | Root
 class _Family:
     """The condition of one segment of the curve on B(s): a form in u for every s, packed, and its rows by powers of u.
 
-    On the segment that B has its foot on every member is a square times what `rest` holds.
+    On the segment with the foot of B every member is a square times `rest`.
     """
 
     whole: fmpz_poly
@@ -95,7 +95,7 @@ class Conditions:
                 common = common.lcm(m)
             self.rows.append([form * (common // m) for form, m in forms])
 
-        #: What is not on the true bisector mostly fails where the curve comes near Q, or on both sides of Q.
+        #: Arcs off the true bisector mostly fail where the curve comes near Q, or on both sides of Q.
         starts = [Vector(*[x(t) / c.w(t) for x in c.p]) for t in c.w.breakpoints[:-1]]
         #: ``‖a‖²`` and a at the beginning of every segment.
         self.starts = [(norm2(x), *x) for x in starts]
@@ -117,10 +117,10 @@ class Conditions:
         self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq], own: int | None = None
     ) -> list[tuple[Parameter, Parameter]]:
         """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
-        split where B is infinite. `own` is the segment of the curve that B has its foot on, at the same parameter.
+        split where B is infinite. `own` is the segment of the curve with the foot of B, at the same parameter.
 
-        Parts of the segment on which one condition fails certainly are set aside first, and conditions that hold
-        certainly on the rest. At a border between both a condition fails, so that it is none of the latter.
+        Parts of the segment on which one condition certainly fails are set aside first, and conditions that certainly
+        hold on the rest. At a border between both a condition fails, so that it is not part of the result.
         """
         e, build = forms[2], self._builder(forms, n, own)
         asked = {self._most_against(forms, n, mpq(k, 8)) for k in (1, 3, 5, 7)}
@@ -154,7 +154,7 @@ class Conditions:
         return _on_parts(found, open_parts, segment)
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
-        """What makes the family of a segment; `own` is that on which B has its foot."""
+        """The maker of the family of a segment; `own` is the one with the foot of B."""
         x, y, e = forms
         stride = tensor_bernstein.stride_for(n)
 

@@ -28,7 +28,7 @@ from exactspline.geometry.bisector.single_pairs import divisor, shown, zeros_of_
 from exactspline.geometry.bisector.system import Piece, System
 from exactspline.roots.root import Root
 
-#: What is left of the conditions where the first curve has no tangent.
+#: The remaining conditions where the first curve has no tangent.
 WITHOUT_FIRST = Conditions.SECOND | Conditions.MIDDLE
 
 
@@ -50,7 +50,7 @@ def standing(system: System) -> SpecialPairs:
 
 
 def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
-    """Where the second curve runs through the point that the first one is, and at its cusps."""
+    """Where the second curve runs through the single point of the first one, and at its cusps."""
     side = system.second.interval
     meetings, cusps = roots_in(in_one(divisor(system.chord), 1), *side), cusps_of(system.second)
     planes = [

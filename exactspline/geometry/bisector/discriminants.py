@@ -13,8 +13,8 @@ from exactspline.exact import mpz
 def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """The discriminant by u of ``Σ rows[j](z) uʲ``, of degree m > 1 in u.
 
-    It is a form of degree 2m − 2 in the rows, so that its degree in z is bounded; its values at so many successive
-    whole numbers, at which the leading row does not vanish, tell it.
+    It is a form of degree 2m − 2 in the rows, so that its degree in z is bounded; its values at sufficiently many
+    successive whole numbers, at which the leading row does not vanish, determine it.
 
     >>> discriminant([fmpz_poly([0, 1]), fmpz_poly([3]), fmpz_poly([1, 1])])
     (-4)*x^2 + (-4)*x + 9

@@ -17,7 +17,7 @@ Number = TypeVar("Number", mpq, arb)
 
 
 class Conditions(Flag):
-    """The planes of the system that are conditions: a curve without a tangent has no normal plane."""
+    """The effective planes of the system: a curve without a tangent has no normal plane."""
 
     FIRST = auto()
     SECOND = auto()
@@ -83,7 +83,7 @@ def _sum(one: Any, other: Any) -> tuple[Any, ...]:
 
 
 def _size(x: Any) -> Any:
-    """Which of several normals to take: any that is not zero will do, so that a rounded size is enough."""
+    """The choice among several normals: any one that is not zero will do, so that a rounded size is enough."""
     return x.lower() if isinstance(x, arb) else x
 
 

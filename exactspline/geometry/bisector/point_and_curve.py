@@ -1,5 +1,5 @@
-"""The ruled bisector surface of a point and a space curve, before any trimming: in pieces that cover what there is, and
-the places where there is nothing.
+"""The ruled bisector surface of a point and a space curve, before any trimming: in pieces that cover all of it, and the
+places where there is none.
 
 Parameters and coordinates are unitless exact numbers. "Bisector" means equal *critical* distances;
 `exactspline.geometry.bisector.trimmed` keeps the points of equal distance to a point and a plane curve.
@@ -36,7 +36,7 @@ class PointVariant(StrEnum):
     DIRECT = "direct"
 
 
-#: Formulas by variant; those of the direct approach go by the component that is moved.
+#: Formulas by variant; those of the direct approach are named by the component that is moved.
 POINT_FORMS = {PointVariant.NAIVE: "point_bisector", PointVariant.EXPLICIT: "point_bisector_polynomial"}
 AXES = "xyz"
 
@@ -121,7 +121,7 @@ def _singular(generator: Vector[BSpline], segments: list[Interval]) -> tuple[Roo
 
 
 def _merged(parts: list[tuple[mpq, mpq, int]]) -> list[tuple[mpq, mpq, int]]:
-    """Neighbours with one component moved as one piece."""
+    """Adjacent pieces with the same moved component, merged."""
     merged: list[tuple[mpq, mpq, int]] = []
     for a, b, k in parts:
         if merged and merged[-1][1:] == (a, k):

@@ -30,7 +30,7 @@ ThreeOfTwo = list[fmpz_mpoly]
 #: A patch as its rows in z = (s − a)/(b − s), one for each power of (t − c)/(d − t).
 Rows = list[fmpz_poly]
 
-#: Halvings before a box is believed to hold a common zero, and boxes before the search stops.
+#: Halvings before a box is assumed to hold a common zero, and boxes before the search stops.
 DEPTH, BOXES = 9, 3000
 #: The product of two degrees up to which it is decided exactly whether a polynomial vanishes at two irrational numbers.
 ALGEBRAIC = 64
@@ -200,7 +200,7 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
     with ctx.workprec(400):
         at_s = arb_poly([arb_poly(row)(ball(s, 60)) for row in rows_of(p)])
         own = ball(t, 60)
-        found: list[tuple[acb, int]] = second.complex_roots()  # type: ignore[assignment]  # the stubs forget the multiplicity
+        found: list[tuple[acb, int]] = second.complex_roots()  # type: ignore[assignment]  # the stubs omit the multiplicity
         roots = [root for root, _ in found]
         others = [root for root in roots if not (root.imag.contains(0) and root.real.overlaps(own))]
         alone = len(others) == len(roots) - 1 and not any(acb_poly(at_s)(root).contains(0) for root in others)

@@ -1,4 +1,4 @@
-"""Single pairs of a patch: where the curves meet, touch, or their three planes happen to have a line in common."""
+"""Single pairs of a patch: where the curves meet, touch, or their three planes happen to share a line."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from exactspline.geometry.bisector.system import System
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root
 
-#: Combinations of the components of a vector, to be tried one after the other.
+#: Combinations of the components of a vector, tried one after the other.
 COMBINATIONS = ((3, 5, -7), (11, -2, 1), (1, 13, 4), (-5, 1, 17))
-#: Digits up to which balls are asked whether something is not zero.
+#: Digits up to which balls are refined to show that a value is not zero.
 PATIENCE = 240
 
 Found = tuple[list[Place], tuple[str, ...]]
@@ -78,7 +78,7 @@ def _where(sides: Sides) -> str:
 
 
 def shown(place: Place) -> str:
-    """A pair of parameters for people."""
+    """A pair of parameters as text."""
     return "(" + ", ".join(f"{x.mpf(6)}…"[:9] + "…" if isinstance(x, Root) else str(x) for x in place) + ")"
 
 
@@ -152,7 +152,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         if not combined or determinant.gcd(combined).total_degree() > 0:
             continue
         found = common_zeros(determinant, combined, system.sides, numerators, meetings)
-        # what lies on an equation has its line already, single or not
+        # a pair on an equation has its line already
         known = [place for place in found.undecided if any(_lies_on(g, place) for g in factors)]
         found = found._replace(undecided=[place for place in found.undecided if not _among(place, known)])
         places, left_out = [], _undecided(found, system.sides)

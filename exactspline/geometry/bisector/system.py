@@ -30,7 +30,7 @@ from exactspline.splines.nurbs import Nurbs
 class Piece:
     """One segment of a curve as polynomials in its parameter: the point ``p/w`` and the tangent without its zeros.
 
-    ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; where the curve stands still
+    ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; where γ′ vanishes identically
     the tangent is zero.
     """
 
@@ -85,7 +85,7 @@ class System:
     second: Piece
 
     def __reduce__(self) -> tuple[object, ...]:
-        # what was computed is computed again when it is asked for
+        # computed values are recomputed when needed
         return System, (self.first, self.second)
 
     @property
@@ -131,8 +131,8 @@ class System:
 
     @cached_property
     def factor(self) -> fmpz_mpoly:
-        """What determinant and numerators have in common: along its zeros the system is singular, and the minors do not
-        say that it has no solution. Zero where all of them vanish.
+        """The common factor of determinant and numerators: along its zeros the system is singular, and the minors do
+        not say that it has no solution. Zero where all of them vanish.
         """
         found = self.determinant
         for f in self.numerators:

@@ -40,7 +40,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 class PieceKind(StrEnum):
-    """What a piece has for its feet."""
+    """The kind of feet of a piece."""
 
     ARC = "arc"
     END_POINT = "end point"
@@ -92,8 +92,8 @@ def _rational(t: Parameter) -> mpq | None:
 
 @dataclass(frozen=True)
 class TrimmedBisector:
-    """The true bisector in pieces; ``missing`` tells of segments without an arc, and of corners without a line, with
-    the reason.
+    """The true bisector in pieces; ``missing`` lists segments without an arc and corners without a line, with the
+    reason.
     """
 
     pieces: tuple[TrimmedPiece, ...]
@@ -158,8 +158,8 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
     """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the
     quotient.
 
-    The reason instead where there is none, or but a point: where that is on the true bisector, pieces beside it end
-    there.
+    The reason instead where there is none, or only a point; where that point is on the true bisector, neighbouring
+    pieces end there.
     """
     a, b = c.w.breakpoints[i : i + 2]
     part = c.mapped(lambda f: f.restrict(a, b))
@@ -178,7 +178,9 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     ones are named as missing.
     """
     a, b = curve.domain
-    has_ends = not curve.closed or find("D1")(curve).is_zero  # a curve that is one point is closed, and all end
+    has_ends = (
+        not curve.closed or find("D1")(curve).is_zero
+    )  # a curve that is a single point is closed, and consists of ends
     found = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
     found += [(PieceKind.CORNER, joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
     for feature in singular_points(curve):

@@ -60,8 +60,8 @@ class CurveBisector:
     """The bisector of two space curves: the surface in patches, the rectangles on which no pair in general position has
     one point, each with the reason, and (computed when first asked for) all pairs that have more than a point.
 
-    Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, but for
-    what ``left_out`` names; along ``poles`` the surface is at infinity.
+    Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
+    for the cases named in ``left_out``; along ``poles`` the surface is at infinity.
     """
 
     variant: SurfaceVariant

@@ -1,1 +1,1 @@
-"""What the surface at hand has: certified signs, curves and points where its curvature is special."""
+"""The features of a surface: certified signs, curves and points where its curvature is special."""

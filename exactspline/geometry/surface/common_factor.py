@@ -44,6 +44,23 @@ def divided(form: PatchForm, factor: PatchForm) -> PatchForm:
     return as_form(quotient)
 
 
+def without_powers(form: PatchForm, factor: PatchForm, *, even: bool = False) -> PatchForm:
+    """A form divided by a factor as often as it goes; with `even` by its square, so that signs stay.
+
+    >>> square = PatchForm.of_net([[4, -4, 4]])  # 4 (1 − 2y)²
+    >>> without_powers(square, PatchForm.of_net([[1, -1]])).degree
+    (0, 0)
+    """
+    p, q = as_polynomial(form), as_polynomial(factor)
+    if even:
+        q = q * q
+    while True:
+        quotient, rest = divmod(p, q)
+        if rest:
+            return as_form(p)
+        p = quotient
+
+
 def square_free(form: PatchForm) -> PatchForm:
     """The product of the factors that depend on a parameter, each once."""
     _, factors = as_polynomial(form).factor_squarefree()

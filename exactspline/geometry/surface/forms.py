@@ -1,6 +1,6 @@
 """The forms of a surface whose signs and zeros are asked for, from the formulas of `exactspline.papers.surfaces`.
 
-Each is evaluated on the surface at hand and brought to its lowest degree; on a patch it is then a `PatchForm`, without
+Each is evaluated on the given surface and brought to its lowest degree; on a patch it is then a `PatchForm`, without
 the factors that vanish on a border of the patch, which poles bring with them.
 """
 

@@ -1,4 +1,4 @@
-"""What a surface has, patch by patch and as a whole: the sign of K, parabolic curves, umbilics, what is degenerate."""
+"""What a surface has, patch by patch and as a whole: the sign of K, parabolic curves, umbilics, degeneracies."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from enum import StrEnum
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge
-from exactspline.geometry.surface.common_factor import odd_part, square_free
+from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, on_patch, sides_of
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.places import Parameter, Place
-from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
+from exactspline.geometry.surface.signs import Point, Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, same_place, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
 from exactspline.splines.patch_forms import Box, Interval, PatchForm
 from exactspline.splines.surface import Along, NurbsSurface
 
 
 class PatchKind(StrEnum):
-    """What is proved of the Gaussian curvature on a whole patch, but for edges that are told."""
+    """What is proved of the Gaussian curvature on a whole patch, except on edges that are listed."""
 
     PLANAR = "planar"
     DEVELOPABLE = "developable"
@@ -84,6 +84,14 @@ class PatchInspection:
             return ()
         return tuple(part for part in self.curve.parts if not self._is_singular(part))
 
+    @property
+    def parabolic_points(self) -> tuple[Point, ...]:
+        """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
+        found = () if self.signs is None or self.curve is not None else self.signs.zeros
+        singular = {place.exact for place in self.singular.places}
+        points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
+        return tuple((u, v) for (u, _), (v, _) in points if (u, v) not in singular)
+
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
             all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(zero.box, cell, strict=True))
@@ -131,8 +139,12 @@ class SurfaceInspection:
 
     @property
     def singular_points(self) -> tuple[Place, ...]:
-        """The single points without a tangent plane."""
-        return tuple(place for one in self.patches for place in one.singular.places)
+        """The single points without a tangent plane; one on a border of patches once."""
+        found: list[Place] = []
+        for place in (place for one in self.patches for place in one.singular.places):
+            if place.inner is not None or not any(same_place(place, known) for known in found):
+                found.append(place)
+        return tuple(found)
 
     @property
     def complete(self) -> bool:
@@ -190,12 +202,14 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     if umbilics.everywhere:
         radius = 1 / _curvature_inside(forms, sides)
         return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
-    signs = sign_on_patch(own.form)
+    form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
+    signs = sign_on_patch(form)
     curve = None
-    if signs.sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-        curve = ZeroCurve(square_free(own.form), singular.zeros)
+    if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
+        bare = form if singular.factor is None else without_powers(form, singular.factor)
+        curve = ZeroCurve(square_free(bare), singular.zeros)
     kind = _BY_SIGN[signs.sign]
-    if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(own.form)):
+    if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(form)):
         kind = PatchKind.ELLIPTIC_BUT if signs.positive else PatchKind.HYPERBOLIC_BUT
     return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, edges, curve)
 
@@ -249,7 +263,7 @@ def _equal(one: Parameter, other: Parameter, closed: bool, side: Interval) -> bo
 
 
 def _sided(umbilic: Umbilic, breaks: list[list[mpq]], closed: Sequence[Along]) -> Umbilic:
-    """The umbilic, told to be one-sided where not all the patches that meet there have it."""
+    """The umbilic, marked as one-sided where not all the patches that meet there have it."""
     if umbilic.place.inner is not None:
         return umbilic
     expected = 1

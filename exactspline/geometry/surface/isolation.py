@@ -1,10 +1,9 @@
 """The common zeros of two polynomials on a patch, each certified: exact subdivision in Bernstein form.
 
 A box is left out where the coefficients of one of the polynomials, or of their combination by the inverse of their
-Jacobian at hand, have one strict sign. Around a simple zero the combinations G₁, G₂ are nearly ``x − x₀`` and
-``y − y₀``: where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where
-G₁ has opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in
-integers.
+Jacobian there, have one strict sign. Around a simple zero the combinations G₁, G₂ are nearly ``x − x₀`` and ``y − y₀``:
+where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where G₁ has
+opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in integers.
 
 Source: Miranda, Un'osservazione su un teorema di Brouwer, Bollettino UMI 1940; Mourrain and Pavone, Subdivision methods
 for solving polynomial equations, 2009 (the preconditioning).
@@ -23,7 +22,7 @@ from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Size
 
 #: By how much of its width a box grows on each side before it is certified.
 MARGIN = mpq(1, 4)
-#: Halvings of a box, and boxes, before what is left is told to be undecided.
+#: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
 DEPTH, BOXES = 48, 20_000
 #: Bits of a box in which a simple rational zero is looked for, and the largest denominator that is tried.
 SIMPLE_BITS, SIMPLE = 60, 4096
@@ -48,7 +47,7 @@ class Zero:
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
-        """Both coordinates where they are simple rational numbers, told by evaluating there."""
+        """Both coordinates where they are simple rational numbers, verified by evaluation there."""
         if self._exact is None:
             box = self.refine(SIMPLE_BITS)
             place = simplest(*box[0]), simplest(*box[1])
@@ -97,7 +96,7 @@ class Zeros(NamedTuple):
 
 
 def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (), box: Box = UNIT) -> Zeros:
-    """The common zeros of two forms of one degree, over one constant, that lie in a closed box or next to it, but for
+    """The common zeros of two forms of one degree, over one constant, that lie in a closed box or next to it, except
     those at which one of the others is certainly not zero.
 
     Every zero in the box is in the region of one of the zeros or in an undecided box; a region may reach beyond.
@@ -200,12 +199,12 @@ def _apart(one: Box, other: Box) -> bool:
 
 
 def _rounded(a: mpq, b: mpq, low: mpq, high: mpq) -> Interval:
-    """An interval around [a, b] with short ends, inside [low, high]; at most half as wide where nothing was gained."""
-    width = b - a
-    if width == 0:
-        return a, b
-    scale = mpq(1 << (int(64 / width).bit_length()))
-    return max(low, mpq((a * scale) // 1) / scale), min(high, mpq(-((-b * scale) // 1)) / scale)
+    """An interval around [a, b] with short ends, inside [low, high], never a single point: a box that is a line has no
+    Jacobian.
+    """
+    pad = max((b - a) / 64, (high - low) / 1024)
+    scale = mpq(1 << int(1 / pad).bit_length())
+    return max(low, mpq(((a - pad) * scale) // 1) / scale), min(high, mpq(-((-(b + pad) * scale) // 1)) / scale)
 
 
 def simplest(low: mpq, high: mpq) -> mpq:

@@ -1,5 +1,5 @@
 """Maps of a rectangle into the plane: whether the determinant of the Jacobian keeps its sign, which isogeometric
-analysis asks of a parametrization.
+analysis requires of a parametrization.
 """
 
 from __future__ import annotations

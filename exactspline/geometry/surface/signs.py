@@ -10,7 +10,7 @@ from itertools import product
 from exactspline.exact import mpq
 from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, halved
 
-#: Boxes and halvings before what is left is told to be undecided.
+#: Boxes and halvings before the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 40
 
 Point = tuple[mpq, mpq]
@@ -22,7 +22,7 @@ class Sign(StrEnum):
     POSITIVE = "positive"
     NEGATIVE = "negative"
     BOTH = "both signs"
-    #: Zero at points that are told, otherwise of one sign.
+    #: Zero at points that are listed, otherwise of one sign.
     NOT_NEGATIVE = "positive but for single zeros"
     NOT_POSITIVE = "negative but for single zeros"
     ZERO = "zero"

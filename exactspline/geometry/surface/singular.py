@@ -1,11 +1,12 @@
-"""Points at which a surface has no tangent plane: isolated and certified inside patches, told along their borders."""
+"""Points at which a surface has no tangent plane: isolated and certified inside patches, listed along their borders."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along
-from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
+from exactspline.geometry.surface.common_factor import common_factor, divided
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.isolation import Zero, isolate
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
@@ -18,8 +19,8 @@ BITS = 400
 
 @dataclass(frozen=True)
 class SingularPoints:
-    """Where the normal of a patch vanishes: `degenerate` all over it; along whole `edges`; at `places` inside and on
-    the border; `undecided` are boxes of parameters.
+    """Where the normal of a patch vanishes: `degenerate` all over it; along whole `edges`; along the zeros of a common
+    `factor` of its coordinates inside; at `places` inside and on the border; `undecided` are boxes of parameters.
     """
 
     degenerate: bool = False
@@ -28,11 +29,12 @@ class SingularPoints:
     #: The certified zeros inside, in the parameters of the patch.
     zeros: tuple[Zero, ...] = ()
     undecided: tuple[Box, ...] = ()
+    factor: PatchForm | None = None
 
     @property
     def regular(self) -> bool:
         """Whether there are none but along edges."""
-        return not (self.degenerate or self.places or self.undecided)
+        return not (self.degenerate or self.places or self.undecided or self.factor)
 
 
 def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
@@ -51,9 +53,18 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
     ]
     if sign_on_patch(area.form).sign is Sign.POSITIVE:
         return SingularPoints(False, edges, tuple(places))
-    zeros, undecided = _inner(forms, patch, area, sides)
+    normal = [None if own is None else own.form for own in (on_patch(f, patch) for f in forms.normal)]
+    factor = common_factor([f for f in normal if f is not None])
+    if factor is not None:
+        normal = [None if f is None else divided(f, factor) for f in normal]
+        if sign_on_patch(factor).sign in (Sign.POSITIVE, Sign.NEGATIVE):
+            factor = None
+    zeros, undecided = _inner(forms, patch, normal, sides)
+    if factor is not None:
+        places = [place for place in places if not _is_on(factor, place, sides)]
     inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
-    return SingularPoints(False, edges, (*places, *inner), tuple(zeros), tuple(undecided))
+    boxes = tuple(in_parameters(box, sides) for box in undecided)
+    return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor)
 
 
 def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
@@ -61,25 +72,39 @@ def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
     return bool(root == edge.value(sides))
 
 
-def _inner(forms: SurfaceForms, patch: Patch, area: Reduced, sides: Box) -> tuple[list[Zero], list[Box]]:
-    """The zeros of the normal n inside: where two components vanish and the third one of S_u or S_v does not, n = 0."""
-    normal = [on_patch(f, patch) for f in forms.normal]
+def _is_on(factor: PatchForm, place: Place, sides: Box) -> bool:
+    """Whether a point of the border is a zero of a form."""
+    for edge in EDGES:
+        own, other = (place.u, place.v)[edge.direction], (place.u, place.v)[1 - edge.direction]
+        if own == edge.value(sides) and isinstance(other, Root):
+            return other.is_root_of(along(factor, edge, sides))
+    return False
+
+
+def _inner(
+    forms: SurfaceForms, patch: Patch, normal: list[PatchForm | None], sides: Box
+) -> tuple[list[Zero], list[Box]]:
+    """The zeros of the normal n inside, its coordinates without common factors: where two of them vanish and the third
+    one of S_u or S_v does not, n = 0.
+    """
+    if any(f is not None and f.sign in (1, -1) for f in normal):
+        return [], []
     tangents = [[PatchForm.of(f, *patch) for f in side] for side in forms.tangents]
     certain: list[Zero] = []
     rest: list[list[Box]] = []
     for k in range(3):
-        pair = [normal[i] for i in range(3) if i != k]
-        if pair[0] is None or pair[1] is None:
-            continue
-        degree = _common_degree([pair[0].form, pair[1].form])
+        first, second = (normal[i] for i in range(3) if i != k)
         third = normal[k]
-        also = [] if third is None else [third.form]
-        found = isolate(pair[0].form.elevated(degree), pair[1].form.elevated(degree), [*also, area.form])
+        if first is None or second is None:
+            continue
+        degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
+        also = [] if third is None else [third]
+        found = isolate(first.elevated(degree), second.elevated(degree), also)
         left = list(found.undecided)
         for zero in found.zeros:
             if is_inside(zero, sides) is False:
                 continue
-            verdict = _is_singular(zero, [side[k] for side in tangents], area.form)
+            verdict = _is_singular(zero, [side[k] for side in tangents], third)
             if verdict is None:
                 left.append(zero.box)
             elif verdict and not any(same(zero, known) for known in certain):
@@ -90,15 +115,15 @@ def _inner(forms: SurfaceForms, patch: Patch, area: Reduced, sides: Box) -> tupl
     return certain, min(rest, key=len, default=[])
 
 
-def _is_singular(zero: Zero, components: list[PatchForm], area: PatchForm) -> bool | None:
+def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | None) -> bool | None:
     """Whether a zero of two components of the normal is one of the third."""
     bits = 16
     while bits <= BITS:
         box = zero.refine(bits)
-        if any(f.part(box).sign for f in components):
-            return True
-        if area.part(box).sign:
+        if third is not None and third.part(box).sign in (1, -1):
             return False
+        if third is None or any(f.part(box).sign for f in components):
+            return True
         bits *= 2
     return None
 
@@ -119,7 +144,3 @@ def same(one: Zero, other: Zero) -> bool:
             return True
         other.refine(bits)
         bits *= 2
-
-
-def _common_degree(forms: list[PatchForm]) -> tuple[int, int]:
-    return max(f.degree[0] for f in forms), max(f.degree[1] for f in forms)

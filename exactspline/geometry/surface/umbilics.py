@@ -12,13 +12,14 @@ from enum import StrEnum
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, is_inside, roots_along
-from exactspline.geometry.surface.common_factor import common_factor, divided
+from exactspline.geometry.surface.common_factor import common_factor, divided, square_free, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.isolation import Zero, isolate
 from exactspline.geometry.surface.multiple import Multiple, multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, same, singular_points
+from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.splines.patch_forms import Box, PatchForm
 
 #: Bits to which a zero is refined before it is given up to tell whether it is an umbilic.
@@ -50,15 +51,15 @@ class Umbilic:
 class UmbilicsOfPatch:
     """The umbilics of one closed patch.
 
-    `everywhere`: all points of the patch; `edges`: those along which all points are umbilics or singular; `curve`: a
-    common factor of the equations, which has zeros on the patch or could not be shown to have none; `undecided`: boxes
-    of parameters in which there may be more.
+    `everywhere`: all points of the patch; `edges`: those along which all points are umbilics; `curve`: the zeros of a
+    common factor of the equations, where there are some or may be; `undecided`: boxes of parameters in which there may
+    be more.
     """
 
     umbilics: tuple[Umbilic, ...] = ()
     everywhere: bool = False
     edges: tuple[Edge, ...] = ()
-    curve: PatchForm | None = field(default=None, compare=False)
+    curve: ZeroCurve | None = field(default=None, compare=False)
     undecided: tuple[Box, ...] = ()
 
 
@@ -117,15 +118,18 @@ class _Search:
                     found.append(Umbilic(place, self._kind(place.box(30))))
         return tuple(edges), found
 
-    def inside(self) -> tuple[list[Umbilic], PatchForm | None, tuple[Box, ...]]:
-        """The umbilics inside, a curve of zeros, and what could not be decided."""
+    def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
+        """The umbilics inside, a curve of them, and what could not be decided."""
         given = {k: f.form for k, f in enumerate(self.own) if f is not None}
+        if self.singular.factor is not None:
+            given = {k: without_powers(f, self.singular.factor) for k, f in given.items()}
         factor = common_factor(list(given.values()))
         curve = None
         if factor is not None:
-            if sign_on_patch(factor).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-                curve = factor
             given = {k: divided(f, factor) for k, f in given.items()}
+            if sign_on_patch(factor).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+                curve = ZeroCurve(square_free(factor))
+                curve = curve if curve.may_have_zeros else None
         if any(f.sign is not None for f in given.values()):
             return [], curve, ()
         best: tuple[list[Umbilic], tuple[Box, ...]] | None = None
@@ -221,4 +225,4 @@ def _in_patch(box: Box, sides: Box) -> Box:
 
 def same_place(one: Place, other: Place) -> bool:
     """Whether two points on borders have the same parameters."""
-    return bool(one.u == other.u and one.v == other.v)
+    return bool(one.inner is None and other.inner is None and one.u == other.u and one.v == other.v)

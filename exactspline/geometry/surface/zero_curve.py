@@ -1,7 +1,7 @@
 """The zeros of a form on a patch: their topology, exactly, by boxes in which the curve is a graph.
 
 A box is done where the form keeps its sign, or where one of its derivatives does: then the curve meets every line
-across at most once, and which of its zeros on the border of the box are joined is told by signs at rational points.
+across at most once, and which of its zeros on the border of the box are joined is decided by signs at rational points.
 Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross or a point is alone no such
 box exists: there the critical point is certified, and shown to be of one of the two kinds, in a cell of its own.
 """
@@ -29,7 +29,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
 
-#: Halvings of a box, and boxes, before what is left is told to be undecided.
+#: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
 DEPTH, BOXES = 30, 4000
 #: Where the square is first cut: no line that a symmetric surface would have its zeros on.
 FIRST_CUT = mpq(29, 61)
@@ -183,6 +183,11 @@ class ZeroCurve:
     def complete(self) -> bool:
         """Whether every zero is accounted for."""
         return not self.undecided
+
+    @property
+    def may_have_zeros(self) -> bool:
+        """Whether there are zeros, or may be."""
+        return not self.complete or bool(self.parts)
 
     @property
     def is_of_points(self) -> bool:

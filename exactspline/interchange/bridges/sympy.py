@@ -40,7 +40,7 @@ def to_sympy(curve: Nurbs | BSpline, symbol: sympy.Symbol) -> tuple[sympy.Expr, 
 
 
 def _polynomials(spline: BSpline, symbol: sympy.Symbol) -> list[sympy.Expr]:
-    """One polynomial a segment, in powers of the symbol."""
+    """One polynomial per segment, in powers of the symbol."""
     import sympy
 
     found = []

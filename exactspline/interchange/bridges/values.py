@@ -16,16 +16,16 @@ def exact(value: object) -> mpq:
     >>> exact(3), exact(0.5)
     (mpq(3,1), mpq(1,2))
 
-    Raises `NumberError` for NaN, infinities, complex numbers and what is no number.
+    Raises `NumberError` for NaN, infinities, complex numbers and what is not a number.
     """
     if isinstance(value, type(mpq())):
         return value
     if is_float(value):
         return from_float(value)
     try:
-        return mpq(operator.index(value))  # type: ignore[arg-type]  # asked whether it is an integer
+        return mpq(operator.index(value))  # type: ignore[arg-type]  # tested for being an integer
     except TypeError:
-        raise NumberError(f"{shown(value)} is no finite number", remedy="pass integers or floats") from None
+        raise NumberError(f"{shown(value)} is not a finite number", remedy="pass integers or floats") from None
 
 
 def exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:

@@ -1,6 +1,6 @@
 """The formats: one module each. A new format is a module with a `FORMAT` and its name in this list.
 
-A file is told by its content, formats earlier in the list asked first.
+A file is recognized by its content; formats earlier in the list are tried first.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ def read(source: Source) -> Reading:
 
 
 def _curve(found: Collector, words: Tokens, dimension: int, where: str) -> bool:
-    """Read one curve; whether the curve that it rests on follows."""
+    """Read one curve; return whether its basis curve follows."""
     kind = words.whole()
     if kind in (BEZIER, BSPLINE):
         (_bezier if kind == BEZIER else _spline)(found, words, dimension, where)
@@ -53,7 +53,7 @@ def _curve(found: Collector, words: Tokens, dimension: int, where: str) -> bool:
         _ellipse(found, words, dimension, where, kind)
     elif kind in (TRIMMED, OFFSET):
         words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
-        found.skip(NAMES[kind], where, "only the curve it rests on is read")
+        found.skip(NAMES[kind], where, "only its basis curve is read")
     elif kind in NAMES:
         frame = {LINE: 2, PARABOLA: 3, HYPERBOLA: 3}[kind] + (dimension == 3 and kind != LINE)
         words.numbers(frame * dimension + {LINE: 0, PARABOLA: 1, HYPERBOLA: 2}[kind])
@@ -111,7 +111,7 @@ def _unrolled(pairs: Sequence[tuple[mpq, int]], degree: int) -> tuple[list[mpq],
     once = knots[pairs[0][1] :]
     rounds = more // len(once) + 1
     after = [t + period * (r + 1) for r in range(rounds) for t in once][:more]
-    # what stands before the first knot is what stands before the last one, a period earlier
+    # the knots before the first one are those before the last one, a period earlier
     cycle = knots[: len(knots) - pairs[-1][1]]
     before = [t - period * (r + 1) for r in reversed(range(more // len(cycle) + 1)) for t in cycle]
     return [*before[len(before) - more :], *knots, *after], more
@@ -162,7 +162,7 @@ def _written(curve: Nurbs, numbers: NumberText) -> list[str]:
 
 
 def _shapes(curves: Sequence[Nurbs]) -> list[str]:
-    """Two vertices and an edge a curve, in one compound; a shape is named by its place counted from the end."""
+    """Two vertices and an edge for each curve, in one compound; a shape is named by its place counted from the end."""
     total = 3 * len(curves) + 1
     lines = [f"TShapes {total}"]
     for i, curve in enumerate(curves):

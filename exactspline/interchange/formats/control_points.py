@@ -1,8 +1,8 @@
-"""``.cpt`` and ``.cptw``, control points alone, as geomdl reads them: one point a line, coordinates by comma or blank;
-in ``.cptw`` they are (w x, w y, …, w).
+"""``.cpt`` and ``.cptw``, control points alone, as geomdl reads them: one point per line, coordinates separated by
+commas or blanks; in ``.cptw`` they are (w x, w y, …, w).
 
 Such a file holds neither degree nor knots. Given both it is a curve; given a degree one less than the number of points
-it is a Bézier curve; otherwise nothing is guessed and the points are skipped.
+it is a Bézier curve; otherwise the points are skipped: nothing is guessed.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from exactspline.interchange.records import Format, Reading, Source
 
 
 def looks_like(head: bytes) -> bool:
-    """Rows of numbers look like many things: the suffix decides."""
+    """Rows of numbers occur in many formats: the suffix decides."""
     return False
 
 
 def read(source: Source) -> Reading:
-    """The one curve of a file, where degree and knots are given."""
+    """The curve of a file, where degree and knots are given."""
     found = Collector("cptw", source)
     rows = [line.replace(",", " ").split() for line in source.text.splitlines()]
     points = []

@@ -1,8 +1,8 @@
 """DXF in text form: SPLINE, LINE, CIRCLE, ARC, ELLIPSE and LWPOLYLINE, in the ENTITIES section and in blocks.
 
 Circles are rational and exact; so are the arcs of a polyline, whose bulge is the tangent of a quarter of the angle. An
-ARC or ELLIPSE that ends at a multiple of a right angle is exact, any other has irrational ends and is skipped. What
-lies at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not followed.
+ARC or ELLIPSE that ends at a multiple of a right angle is exact, any other has irrational ends and is skipped. A curve
+at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not followed.
 """
 
 from __future__ import annotations
@@ -74,7 +74,9 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
         if len(code) > 6 or not code.lstrip("-").isdecimal() or not code.isascii():
-            raise CurveFileError(f"{code[:20]!r} is no group code", where=f"line {i + 1}", remedy="codes are integers")
+            raise CurveFileError(
+                f"{code[:20]!r} is not a group code", where=f"line {i + 1}", remedy="codes are integers"
+            )
         found.count(1)
         if code == "0":
             if entity:
@@ -96,7 +98,7 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
 
 
 class _Values:
-    """The numbers of one entity, and the way back into the collector."""
+    """The numbers of one entity, and the collector for its curves."""
 
     def __init__(self, found: Collector, entity: Entity, where: str) -> None:
         self.found, self.entity, self.where = found, entity, where
@@ -124,7 +126,7 @@ class _Values:
         return [self.number(code, x), self.number(code + 10, y), self.number(code + 20, z)]
 
     def points(self, code: int) -> list[list[mpq]]:
-        """All points whose x stands in the group `code`."""
+        """All points whose x is in the group `code`."""
         points: list[list[mpq]] = []
         for group, value in self.entity.pairs:
             if group == code:
@@ -143,7 +145,7 @@ class _Values:
         return across, _cross(normal, across), normal
 
     def add(self, segments: Sequence[Segment]) -> None:
-        """A curve out of segments in space, in the plane where z = 0."""
+        """A curve made of segments in space, a plane curve where z = 0."""
         if all(point[2] == 0 for segment in segments for point in segment):
             segments = [tuple((*point[:2], point[3]) for point in segment) for segment in segments]
         degree, knots, points = joined(segments)
@@ -186,7 +188,7 @@ def _spline(values: _Values) -> None:
         points = [point[:2] for point in points]
     degree = values.flag(71)
     if flags & PERIODIC and len(knots) > degree and knots[0] == knots[degree]:
-        values.notes.append("flagged periodic, but its knots are clamped: read as they stand")
+        values.notes.append("flagged periodic, but its knots are clamped: read as written")
     if flags & RATIONAL and not weights:
         values.notes.append("flagged rational, but without weights: a polynomial curve")
     values.found.add(
@@ -224,7 +226,7 @@ def _ellipse(values: _Values) -> None:
     if turns[0] == turns[1]:
         raise ShapeError("its two parameters agree", remedy="a whole ellipse runs from 0 to 2π")
     if any(text.strip("-+0.") for code in (41, 42) for text in values.entity.texts(code)):
-        values.notes.append("its parameters, decimals, are read as the multiples of π/2 that they round")
+        values.notes.append("its decimal parameters are read as the multiples of π/2 that they round")
     _elliptic(values, values.point(10), major, minor, *turns)
 
 
@@ -251,7 +253,7 @@ def _polyline(values: _Values) -> None:
         if start != end:
             segments += bulged((start[0], start[1]), (end[0], end[1]), bulge)
     if not segments:
-        raise CurveFileError("no two different vertices", remedy="a polyline has some")
+        raise CurveFileError("all vertices coincide", remedy="a polyline has at least two vertices")
     across, up, normal = values.frame()
     lift = [x * values.number(38, 0) for x in normal]
     values.add(mapped(segments, Affine([*zip(across, up, lift, strict=True)])))

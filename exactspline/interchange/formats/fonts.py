@@ -1,4 +1,4 @@
-"""TrueType and CFF outlines by fontTools (the extra `fonts`): one curve a contour, in font units.
+"""TrueType and CFF outlines by fontTools (the extra `fonts`): one curve per contour, in font units.
 
 fontTools gives the numbers of the file unrounded: integers, and for components and CFF fractions exact dyadic doubles.
 A TrueType contour becomes one quadratic B-spline: simple knots within a run of off-curve points, double knots at
@@ -46,10 +46,10 @@ def read(source: Source) -> Reading:
         glyphs = font["glyf"] if "glyf" in font else font.getGlyphSet()
     except ExactSplineError:
         raise
-    # a damaged font raises whatever its bytes happen to hit
+    # a damaged font may raise any exception
     except Exception as error:
         raise CurveFileError(
-            f"is no font that can be read ({type(error).__name__})", remedy="repair the font"
+            f"is not a font that can be read ({type(error).__name__})", remedy="repair the font"
         ) from None
     for name in wanted:
         try:
@@ -71,7 +71,7 @@ def _named(font: TTFont, names: Sequence[str], part: str) -> str:
         return part
     if len(part) == 1 and (name := (font.getBestCmap() or {}).get(ord(part))):
         return str(name)
-    raise CurveFileError(f"no glyph is called {part[:40]!r}", remedy=f"there are {', '.join(names[:5])}, …")
+    raise CurveFileError(f"there is no glyph called {part[:40]!r}", remedy=f"there are {', '.join(names[:5])}, …")
 
 
 class _Glyph:

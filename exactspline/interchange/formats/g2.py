@@ -1,8 +1,8 @@
 """``.g2``, the text format of SISL and GoTools: one object after another, each a header and numbers.
 
 A curve (class 100) is ``dimension rational``, ``number order``, the full knot vector, the control points; points of a
-rational curve are homogeneous, weight last. Surfaces, volumes, point and line clouds are stepped over; what other
-classes hold ends where the next header stands.
+rational curve are homogeneous, weight last. Surfaces, volumes, point and line clouds are skipped; the data of other
+classes end at the next header.
 """
 
 from __future__ import annotations

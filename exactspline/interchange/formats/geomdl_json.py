@@ -78,10 +78,10 @@ def _arrays(found: Collector, data: dict[str, Any]) -> None:
     """The file of 2016: ``controlpoints: {x: […], y: […]}`` and ``weights``, without degree and knots."""
     arrays = data["controlpoints"]
     if not isinstance(arrays, dict):
-        raise CurveFileError("controlpoints is no object", remedy='write {"x": […], "y": […]}')
+        raise CurveFileError("controlpoints is not an object", remedy='write {"x": […], "y": […]}')
     columns = [_row(found, arrays[axis]) for axis in "xyz" if axis in arrays]
     if len({len(column) for column in columns}) != 1:
-        raise CurveFileError("coordinates of different lengths", where="controlpoints", remedy="give one a point")
+        raise CurveFileError("coordinates of different lengths", where="controlpoints", remedy="give one per point")
     points = [list(point) for point in zip(*columns, strict=True)]
     weights = None if data.get("weights") is None else _row(found, data["weights"])
     complete(found, "controlpoints", points, weights)
@@ -95,7 +95,7 @@ def _row(found: Collector, values: Any) -> list[mpq]:
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as one shape; numbers stand as JSON numbers."""
+    """The curves as one shape; numbers as JSON numbers."""
     entries = []
     for named in curves:
         curve = named.curve

@@ -1,4 +1,4 @@
-"""G+Smo XML: ``<Geometry type="BSpline">`` and ``"Nurbs"`` wherever they stand; Cartesian control points."""
+"""G+Smo XML: ``<Geometry type="BSpline">`` and ``"Nurbs"`` anywhere in the file; Cartesian control points."""
 
 from __future__ import annotations
 

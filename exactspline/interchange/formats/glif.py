@@ -1,7 +1,7 @@
-"""GLIF, a glyph of a UFO: one curve a contour, in font units, its decimals as they stand.
+"""GLIF, a glyph of a UFO: one curve per contour, in font units, its decimals as written.
 
 fontTools reads these files too, but turns decimals into doubles; so the XML is read here, and fontTools says what its
-points mean (the extra `fonts`). Components, which stand in other files, are named as skipped.
+points mean (the extra `fonts`). Components, which are defined in other files, are listed as skipped.
 """
 
 from __future__ import annotations
@@ -51,9 +51,9 @@ def read(source: Source) -> Reading:
         except ExactSplineError as error:
             found.skip("contour", where, str(error))
             continue
-        # what the points do not fit together for
+        # the reasons why the points do not form a contour
         except Exception as error:
-            found.skip("contour", where, f"its points do not fit together ({type(error).__name__})")
+            found.skip("contour", where, f"its points do not form a contour ({type(error).__name__})")
             continue
         for degree, knots, places in pen.contours:
             found.add("contour", where, degree, knots, places, name=f"{root.attributes.get('name', 'glyph')}.{number}")
@@ -66,7 +66,7 @@ def _add(points: object, point: Element, source: Source) -> None:
     given = point.attributes
     if given.get("type") not in TYPES or not {"x", "y"} <= set(given):
         raise CurveFileError(
-            "a point without x and y, or of no known type", where=f"line {point.line}", remedy="mend it"
+            "a point without x and y, or of no known type", where=f"line {point.line}", remedy="correct it"
         )
     place = tuple(decimal(given[axis], source.limits) for axis in "xy")
     points.addPoint(place, TYPES[given.get("type")], given.get("smooth") == "yes")  # type: ignore[attr-defined]  # a pen

@@ -32,7 +32,7 @@ PARAMETER_SPACE = "05"
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether column 73 of the first line is S, with a number behind it."""
+    """Whether column 73 of the first line is S, followed by a number."""
     return bool(re.match(rb"[^\r\n]{72}S[ 0]*1\b", head))
 
 
@@ -54,12 +54,12 @@ class _Values:
         return whole(self.text() or "0")
 
     def numbers(self, count: int) -> list[mpq]:
-        """So many decimals, 0 where one was left out."""
+        """A number of decimals, 0 where one was left out."""
         self.found.count(count)
         return [decimal(self.text() or "0", self.found.limits) for _ in range(count)]
 
     def rows(self, count: int) -> list[list[mpq]]:
-        """So many points in space."""
+        """A number of points in space."""
         return [self.numbers(3) for _ in range(count)]
 
 
@@ -94,7 +94,7 @@ def _placement(found: Collector, directory: dict[int, Entry], entry: Entry) -> A
         numbers = _Values(following, found).numbers(12)
         whole_map = Affine([numbers[i : i + 4] for i in (0, 4, 8)]) @ whole_map
         entry = following
-    raise CurveFileError("matrices go round in a circle or are too many", remedy="correct field 7")
+    raise CurveFileError("matrices form a cycle or are too many", remedy="correct field 7")
 
 
 def _spline(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
@@ -112,7 +112,7 @@ def _spline(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
     if flagged_polynomial and len(set(weights)) > 1:
         notes.append("flagged polynomial, but its weights differ: read as rational")
     if periodic and knots[:1] == knots[degree : degree + 1]:
-        notes.append("flagged periodic, but its knots are clamped: read as they stand")
+        notes.append("flagged periodic, but its knots are clamped: read as written")
     equal = len(set(weights)) == 1
     plain = None if equal and weights[0] == 1 and flagged_polynomial else weights
     _add(found, entry, where, (degree, knots, points, plain), notes)
@@ -166,12 +166,12 @@ def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
 
 _READERS = {SPLINE: _spline, LINE: _line, ARC: _arc, CONIC: _conic}
 
-#: A number may not run over the end of a line of 64 columns.
+#: A number must not cross the end of a line of 64 columns.
 LONGEST_NUMBER = 63
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as entities 126; a plane curve stands at z = 0 and is flagged planar."""
+    """The curves as entities 126; a plane curve is placed at z = 0 and flagged planar."""
     numbers.longest = LONGEST_NUMBER
     entities = []
     for i, named in enumerate(curves, 1):

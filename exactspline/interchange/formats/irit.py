@@ -19,7 +19,7 @@ from exactspline.interchange.writing import homogeneous
 
 Node: TypeAlias = "list[str | Node]"
 
-# a string that is not closed runs to the end, so that no quote is tried twice
+# an unclosed string extends to the end, so that no quote is tried twice
 _TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')
 _POINT = re.compile(r"([EP])(\d)")
 SKIPPED = ("SURFACE", "TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")

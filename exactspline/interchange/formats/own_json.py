@@ -58,7 +58,7 @@ def read(source: Source) -> Reading:
 
 def _curve(found: Collector, entry: Any, where: str) -> None:
     if not isinstance(entry, dict):
-        raise CurveFileError("is no object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
+        raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
     if "pieces" in entry or "kind" in entry:
         curve = curve_from_text(json.dumps(_with_whole_degrees(entry)), where)
         found.curves.append(NamedCurve(curve.name, curve, ("what `derive` wrote",)))
@@ -108,7 +108,7 @@ def _point(found: Collector, row: Any) -> Sequence[mpq]:
 
 def _number(value: Any, found: Collector) -> mpq:
     if not isinstance(value, str):
-        raise NumberError("a coordinate that is no number", remedy='write 3, 0.1 or "1/3"')
+        raise NumberError("a coordinate that is not a number", remedy='write 3, 0.1 or "1/3"')
     mark, most = ("p", 4 * found.limits.exponent) if "x" in value.lower() else ("e", found.limits.exponent)
     exponent = value.lower().partition(mark)[2].strip()
     # a few characters of exponent would fill the memory

@@ -1,9 +1,9 @@
-"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded; it works in a process of its
-own.
+"""``.3dm`` by rhino3dm (the extra `3dm`), which gives the doubles of the file unrounded; it runs in a separate process.
 
 NURBS curves, lines and polylines are read, of polycurves every segment, of arcs the full circles, exactly for the
-plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are put back,
-and change nothing, as no point of the domain depends on them. Edges of Breps and all other objects are skipped.
+plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are added
+again, which changes nothing, as no point of the domain depends on them. Edges of Breps and all other objects are
+skipped.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def read(source: Source) -> Reading:
 
 
 def _entries(source: Source) -> list[dict[str, Any]]:
-    """What the library sees, from a process of its own."""
+    """What the library reads, in a separate process."""
     command = [sys.executable, "-m", "exactspline.interchange.rhino_process"]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
@@ -74,7 +74,7 @@ def _entries(source: Source) -> list[dict[str, Any]]:
     except subprocess.TimeoutExpired:
         raise CurveFileError(f"keeps rhino3dm busy for {SECONDS} seconds", remedy="repair the file") from None
     except (subprocess.CalledProcessError, ValueError):
-        raise CurveFileError("is no archive that rhino3dm can read", remedy="repair the file") from None
+        raise CurveFileError("is not an archive that rhino3dm can read", remedy="repair the file") from None
     return entries
 
 
@@ -103,7 +103,7 @@ def _circle(found: Collector, entry: dict[str, Any]) -> None:
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
-    """The curves as objects of an archive of version 7; what is no double needs rounding."""
+    """The curves as objects of an archive of version 7; what is not a double needs rounding."""
     rhino = _rhino()
     model = rhino.File3dm()
     for named in curves:

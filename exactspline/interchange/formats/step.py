@@ -1,9 +1,9 @@
 """STEP part 21: polylines and B-spline curves, plain and rational, of all kinds of knots (with knots, Bézier, uniform,
 quasi-uniform).
 
-Curves stand as they are in the file, in its units; placements of an assembly and the use by edges are not followed.
-Lines, circles and ellipses are read where an edge says from where to where, or, of closed ones, whole; exactly, so only
-where the axes have rational length and the vertices are exactly on the curve. What is not is named as skipped.
+Curves are read as they are in the file, in its units; placements of an assembly and the use by edges are not followed.
+Lines, circles and ellipses are read between the vertices of an edge, closed ones also whole; exactly, so only
+where the axes have rational length and the vertices are exactly on the curve. Everything else is listed as skipped.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
     points = [file.point(reference) for reference in file.texts(base[1])]
     knots = _listed(file, own) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
     weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
-    notes = [] if kind == WITH_KNOTS else [f"{kind}: the knots that the standard lays down"]
+    notes = [] if kind == WITH_KNOTS else [f"{kind}: the knots that the standard defines"]
     file.found.add(kind, where, degree, knots, points, weights, name=_name(name, where), notes=notes)
 
 

@@ -1,9 +1,9 @@
-"""SVG: paths and basic shapes, one curve a subpath, in the coordinates of the outermost ``<svg>``.
+"""SVG: paths and basic shapes, one curve per subpath, in the coordinates of the outermost ``<svg>``.
 
 Lines, quadratics and cubics are exact, elliptic arcs where their centre is rational and their axes are parallel to the
 coordinate axes (or they are circular); a subpath with another arc is skipped. Transforms are applied exactly; one with
 an irrational sine, cosine or tangent skips what it moves. Path data with an error count up to the error, as the
-standard says. What stands in definitions (`defs`, `marker`, …) and copies (`use`) are skipped. svgelements and
+standard says. Definitions (`defs`, `marker`, …) and copies (`use`) are skipped. svgelements and
 svgpathtools hold floats, so the text is parsed here.
 """
 
@@ -68,7 +68,7 @@ def read(source: Source) -> Reading:
 
 def _own_transform(element: Element, is_root: bool, source: Source) -> Affine:
     if element.tag == "svg" and not is_root and {"x", "y", "viewBox"} & element.attributes.keys():
-        raise ShapeError("an inner svg with a view of its own", remedy="flatten the drawing")
+        raise ShapeError("an inner svg with its own view", remedy="flatten the drawing")
     if re.search(r"(?:^|[;\s])transform\s*:", element.attributes.get("style", "")):
         raise ShapeError("a transform in CSS", remedy="write it as an attribute")
     return transform(element.attributes.get("transform", ""), source.limits)
@@ -99,7 +99,7 @@ def _add(found: Collector, what: str, where: str, segments: Sequence[Segment], n
 
 
 def _basic(found: Collector, element: Element) -> list[Segment]:
-    """The segments of a basic shape, in the order the standard draws them."""
+    """The segments of a basic shape, in the order in which the standard draws them."""
 
     def length(attribute: str) -> mpq:
         text = element.attributes.get(attribute, "0").strip()
@@ -111,7 +111,7 @@ def _basic(found: Collector, element: Element) -> list[Segment]:
         circle = element.tag == "circle"
         rx, ry = (length("r"), length("r")) if circle else (length("rx"), length("ry"))
         if rx <= 0 or ry <= 0:
-            raise ShapeError("no positive radius", remedy="nothing is drawn")
+            raise ShapeError("no radius is positive", remedy="nothing is drawn")
         one = (mpq(1), mpq(0))
         return mapped(arc_around_origin(one, one), Affine([[rx, 0, length("cx")], [0, ry, length("cy")]]))
     if element.tag == "rect":

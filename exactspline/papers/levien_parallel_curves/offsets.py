@@ -1,6 +1,6 @@
 """Parallel curves at a distance δ.
 
-The curve at hand is the root of the velocity in complex notation: ``x′ = (u² − v², 2uv)`` for ``p = (u, v)``. Every
+The given curve is the root of the velocity in complex notation: ``x′ = (u² − v², 2uv)`` for ``p = (u, v)``. Every
 regular plane curve has such a root, with ``|x′| = u² + v²``, so that nothing irrational is left in its offset; those
 whose root is a polynomial are the Pythagorean-hodograph curves.
 """

@@ -66,7 +66,7 @@ class LatexPrinter(Printer):
         return "[" + r"\ ".join(parts) + "]"
 
     def perp(self, text: str) -> str:
-        """A vector turned by a right angle."""
+        """A vector rotated by a right angle."""
         return rf"{text}^\perp"
 
     def wedge(self, parts: list[str]) -> str:

@@ -1,6 +1,4 @@
-"""What LaTeX and text have in common: where parentheses go, which products are squares, how a sum is strung
-together.
-"""
+"""What LaTeX and text have in common: where parentheses go, which products are squares, how sums are written."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
 
 
 class Printer(ABC):
-    """A walk over a tree; the subclasses say how each thing looks."""
+    """A walk over a tree; subclasses define how each node is written."""
 
     def __call__(self, node: Node) -> str:
         """The text of a tree."""
@@ -29,7 +27,7 @@ class Printer(ABC):
         if n.op in ATOMS:
             return self.atom(n)
         if n.op is Operation.LEVEL:
-            # one denominator is a step of the computation; what is computed is written as it was
+            # bringing to one denominator is a step of the computation: what is computed is written unchanged
             return self.show(n.args[n.value])
         if n.op in (Operation.PLUS, Operation.MINUS):
             left, right = n.args
@@ -59,7 +57,7 @@ class Printer(ABC):
         return self.product(n)
 
     def at(self, n: Node, least: int) -> str:
-        """The text of an argument that must bind at least so tightly."""
+        """The text of an argument, in parentheses if it binds less tightly than required."""
         text, binding = self.show(n)
         return text if binding >= least else self.parentheses(text)
 
@@ -137,7 +135,7 @@ class Printer(ABC):
 
     @abstractmethod
     def perp(self, text: str) -> str:
-        """A vector turned by a right angle."""
+        """A vector rotated by a right angle."""
 
     @abstractmethod
     def wedge(self, parts: list[str]) -> str:
@@ -145,7 +143,7 @@ class Printer(ABC):
 
 
 def _letters(n: Node) -> tuple[Node, str]:
-    """What derivatives one after the other are taken of, and their parameters, the first one first."""
+    """The innermost operand of nested derivatives, and their parameters, the first one first."""
     letters = ""
     while n.op is Operation.DERIVATIVE and n.value.by in SUBSCRIPTS:
         letters = str(n.value.by) * n.value.order + letters
@@ -154,8 +152,8 @@ def _letters(n: Node) -> tuple[Node, str]:
 
 
 def named_binding(n: Node) -> int:
-    """How tightly the symbol of a named formula binds: one with a power of its own needs parentheses before it gets
-    another.
+    """How tightly the symbol of a named formula binds: one that ends in a power needs parentheses before another
+    power.
     """
     return POWER if "^" in n.value.symbol else ATOM
 
@@ -186,7 +184,7 @@ def number(value: Number) -> tuple[str, int]:
     return text, ATOM if text.isdigit() else PRODUCT
 
 
-#: Names of leaves that people write otherwise.
+#: Names of leaves that are written differently.
 LEAVES = {"point": "Q", "axis_x": "e_1", "axis_y": "e_2", "axis_z": "e_3"}
 
 

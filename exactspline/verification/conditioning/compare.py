@@ -1,4 +1,4 @@
-"""The forms of a zero-set construction side by side, zero by zero."""
+"""The forms of a zero-set construction compared, zero by zero."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class FormAtRoot:
     exact).
 
     `growth` encloses K of the theorem for the factor by which the form exceeds the minimal one: ``C ≤ K^(1/m)
-    C_minimal``; None where the factor vanishes too or is no polynomial. `one_sign` tells that its Bernstein
+    C_minimal``; None where the factor vanishes too or is not a polynomial. `one_sign` says that its Bernstein
     coefficients have one sign, which proves ``C ≤ C_minimal``.
     """
 
@@ -48,21 +48,21 @@ class RootConditions:
 
     def compare(self, form: str) -> int:
         """1 when the minimal form is worse conditioned than the form, −1 when it is better, 0 when the enclosures do
-        not tell them apart.
+        not separate them.
         """
         (a, b), (c, d) = self[Variant.MINIMAL].condition, self[form].condition
         return int(a > d) - int(b < c)
 
     def ratio(self, form: str) -> mpq:
-        """Condition number of the minimal form by that of the form, from the middles of the enclosures."""
+        """Condition number of the minimal form divided by that of the form, from the middles of the enclosures."""
         (low, high), (first, last) = self[Variant.MINIMAL].condition, self[form].condition
         return (low + high) / (first + last)
 
 
 @dataclass(frozen=True)
 class Conditioning:
-    """All zeros of a construction inside the segments of a curve, those that a form invents, and what is left out, in
-    words.
+    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and what is left out,
+    in words.
     """
 
     curve: str
@@ -86,21 +86,20 @@ class Conditioning:
 
 
 def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
-    """The condition of every zero of a zero-set construction in every form.
-
-    Compared are the zeros of the minimal form strictly inside a segment; what is at a knot, a jump or an interval of
-    zeros is listed in `left_out`. With `doubles` the error of double precision is measured too.
+    """The condition of every zero of a zero-set construction in every form. The zeros of the minimal form strictly
+    inside a segment are compared; a zero at a knot, a jump or an interval of zeros is listed in `left_out`. With
+    `doubles` the error of double precision is measured too.
 
     >>> from exactspline.splines.examples import example
     >>> found = conditioning(example("rational_cubic_s"), "zero_curvature", doubles=False)
     >>> [(str(f.form), f.degree, f.one_sign) for f in found.roots[0].forms], found.roots[0].compare("naive")
     ([('naive', 18, True), ('paper', 6, True), ('minimal', 3, True)], 1)
 
-    Raises `FormulaError` for a construction that is no zero set, `ShapeError` for a curve that is not in the plane.
+    Raises `FormulaError` for a construction that is not a zero set, `ShapeError` for a curve that is not in the plane.
     """
     made = construction(name)
     if not made.zero_set:
-        raise FormulaError(f"{name} is no zero set", remedy="choose zero_curvature or critical_curvature")
+        raise FormulaError(f"{name} is not a zero set", remedy="choose zero_curvature or critical_curvature")
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
     splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, Variant.MINIMAL)}
@@ -131,7 +130,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
 def _at_root(
     form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, among: ZeroSet | None
 ) -> FormAtRoot:
-    """What one form is like at a zero; `among` are all its zeros, when double precision is to be tried."""
+    """One form at a zero; `among` are all its zeros, when double precision is to be tried."""
     i = _segment_of(f, root)
     own, n = f.forms[i], f.degree
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
@@ -151,8 +150,8 @@ def _segment_of(f: BSpline, root: Root) -> int:
 
 
 def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
-    """An interval of the local parameter with this zero of the form and no other, halfway to the next ones or to the
-    ends of the segment.
+    """An interval of the local parameter with this zero of the form and no other, reaching reaching halfway to the next
+    ones or to the ends of the segment.
     """
     assert root.segment is not None
     a, b = root.segment

@@ -88,7 +88,7 @@ def _root_below(q: mpq, m: int) -> mpq:
 
 
 def quotient(form: Form, n: int, by: Form, m: int) -> Form | None:
-    """The form of degree n − m that times the second one is the first, up to a constant; None if there is none.
+    """The quotient of the first form by the second one, of degree n − m, up to a constant; None if there is none.
 
     >>> quotient((fmpz_poly([-1, 0, 1]), ONE), 2, (fmpz_poly([-1, 1]), ONE), 1)
     (x + 1, 1)

@@ -1,4 +1,4 @@
-"""The experiment: what double precision makes of a zero. The only place of this room with floats.
+"""The experiment: the error of a zero in double precision. This is the only module of this room with floats.
 
 They come from exact numbers by rounding, once, and go back through `exactspline.exact.from_float`.
 """
@@ -15,14 +15,14 @@ from exactspline.verification.conditioning.condition_number import Interval
 
 #: The rounding unit of double precision.
 UNIT = mpq(1, 2**53)
-#: Bisections, from brackets that shrink towards the zero, of which the worst is told.
+#: Bisections, from brackets that shrink towards the zero, of which the worst is reported.
 STARTS = 3
 
 
 @dataclass(frozen=True)
 class Double:
-    """What double precision makes of a zero: its largest distance from it in the local parameter, over the bisections
-    that could begin.
+    """The result of double precision for a zero: the largest error in the local parameter over all bisections that
+    could start.
 
     `error` is None where none could, with the reason.
     """
@@ -37,11 +37,11 @@ class Double:
 
 
 def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Double:
-    """How far off a zero is when the Bézier points are rounded to doubles and the zero is sought by bisection with de
+    """The error of a zero when the Bézier points are rounded to doubles and the zero is found by bisection with de
     Casteljau's algorithm.
 
     `x` is the zero (or within ``10^−60`` of it), `bracket` an interval with no other zero; all in the local parameter.
-    The bisection begins in the bracket and in two smaller ones. The points are scaled by one power of two, which
+    The bisection starts in the bracket and in two smaller ones. The points are scaled by one power of two, which
     changes nothing but keeps them in range.
 
     >>> from exactspline.splines.bernstein import from_bezier

@@ -19,14 +19,14 @@ SEARCHED = ("zero_curvature", "critical_curvature")
 
 @dataclass
 class Tally:
-    """What the search met in one family, construction and form: zeros at which the reduced (minimal) form is worse or
-    better conditioned.
+    """The results of the search in one family, construction and form: zeros at which the reduced (minimal) form is
+    worse or better conditioned.
 
     `proved` counts the zeros at which the theorem says that it is not better, `contradicted` those among them at which
     it is: none. `smallest` and `largest` are the extreme ratios of the condition number of the reduced form to that of
-    the form, each with its curve. `double_worse` and `double_better` count by the error that double precision makes,
+    the form, each with its curve. `double_worse` and `double_better` count by the error of double precision,
     when that was measured and the two differ by more than one rounding unit (a form in which the zero is not found
-    loses).
+    counts as worse).
     """
 
     family: str
@@ -70,7 +70,7 @@ def search_witnesses(seed: int = 0, count: int = 10, *, doubles: bool = False) -
     The families: positive small integers as weights; the same with one weight near zero; weights of which one is
     negative, such that the denominator comes close to zero inside the segment but stays positive, and the discarded
     denominator with it. One seed always gives the same curves. With `doubles` the errors of double precision are
-    compared too, which takes a second a curve.
+    compared too, which takes about a second per curve.
 
     >>> found = search_witnesses(seed=1, count=2)
     >>> [(t.family, t.worse > 0, t.better > 0) for t in found if t.form == "direct"]

@@ -1,4 +1,4 @@
-"""The theorems of all papers as files of Coq: a base written by hand, formulas and claims written from the papers."""
+"""The theorems of all papers as files of Coq: a base written by hand, formulas and claims generated from the papers."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Stated:
 
 @dataclass(frozen=True)
 class Library:
-    """The files by their names, each after those that it requires, and the theorems by the file in which they stand."""
+    """The files by name, each after those that it requires, and the theorems by file."""
 
     files: dict[str, str]
     theorems: dict[str, tuple[Stated, ...]]
@@ -100,7 +100,7 @@ def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
 
 
 def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
-    """A claim of an equality as theorems, one a dimension: that it holds, or, as its record says, that it fails."""
+    """A claim of an equality as theorems, one per dimension: that it holds, or, as its record says, that it fails."""
     if not isinstance(claim, STATED):
         return []
     kind = kind_of(claim.curve)

@@ -35,10 +35,7 @@ _TYPES: dict[type[Kind], str] = {
 
 
 def type_of(kind: Kind) -> str:
-    """The type of what formulas of a kind are handed.
-
-    Raises `FormulaError` for a kind that the base does not know.
-    """
+    """The type of the argument of formulas of a kind. Raises `FormulaError` for a kind that the base lacks."""
     if isinstance(kind, CurveKind) and kind.constants:
         return "accompanied A"
     if written_for(kind):
@@ -97,7 +94,7 @@ class Formulas:
         texts = {writer(tree) for tree in trees}
         if len(texts) > 1:
             raise FormulaError(
-                f"{formula.name} is another term in every dimension", remedy="write one formula a dimension"
+                f"{formula.name} is another term in every dimension", remedy="write one formula per dimension"
             )
         said = " ".join((formula.__doc__ or "").split()).replace("*)", "* )")
         name = identifier(formula.name)
@@ -127,12 +124,12 @@ def _constants(formulas: Iterable[Formula]) -> list[str]:
 
 
 def comment(text: str) -> str:
-    """A text that can stand in a comment: quotation marks and comment signs would be read."""
+    """A text that is safe in a comment, in which Coq interprets quotation marks and comment signs."""
     return text.replace('"', "”").replace("(*", "( *").replace("``", "`")
 
 
 def result_type(tree: Node) -> str:
-    """The type of what a tree stands for."""
+    """The type of the value of a tree."""
     if surface(tree):
         return "surface A"
     return "list A" if tree.is_vector else "A"

@@ -17,7 +17,7 @@ from exactspline.verification.coq.denominators import Evaluation, Factored, fact
 from exactspline.verification.coq.settings import Setting
 from exactspline.verification.coq.terms import Writer
 
-#: A denominator of more terms is not taken apart into its factors.
+#: A denominator with more terms is not factored.
 LARGE = 100
 #: A polynomial that does not vanish, or a prime number.
 Atom = fmpq_mpoly | int
@@ -49,8 +49,8 @@ class Proof:
     existing: list[Premise] = field(default_factory=list)
 
     def met(self) -> None:
-        """Take all denominators in that were met; one of which nothing is known is assumed not to vanish, since the
-        claim divides by it.
+        """Add all denominators that occur; one of which nothing is known is assumed not to vanish, since the claim
+        divides by it.
         """
         for node, value in self.evaluation.denominators:
             parts = factored(value)
@@ -149,8 +149,8 @@ class Proof:
         return True
 
     def _divides_with_derivative(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
-        """``4 B = b S − S′ S′`` makes S not vanish where B does not: so it is with ‖γ′‖² and ‖γ′ × γ″‖² (in the plane
-        ``[γ′ γ″]²``)."""
+        """``4 B = b S − S′ S′`` implies that S does not vanish where B does not; this applies to ‖γ′‖² and ‖γ′ × γ″‖²
+        (in the plane ``[γ′ γ″]²``)."""
         found = self._whole(polynomial, premise)
         if found is None:
             return False
@@ -220,7 +220,7 @@ class Proof:
 
     @property
     def known_list(self) -> str:
-        """What the checker knows of denominators."""
+        """The denominators known to the checker."""
         pairs = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.known]
         return f"[{'; '.join(pairs)}]"
 

@@ -30,13 +30,13 @@ from exactspline.verification.vocabulary import Scope
 
 @dataclass
 class Units:
-    """Polynomials in t and prime numbers, none of them zero, and the products of them that are met."""
+    """Polynomials in t and prime numbers, none of them zero, and their products that occur."""
 
     atoms: list[tuple[int, ...]] = field(default_factory=list)
     known: list[tuple[tuple[int, ...], tuple[int, ...]]] = field(default_factory=list)
 
     def recognize(self, value: object) -> None:
-        """Take in a function that is not zero."""
+        """Add a function that is not zero."""
         if not isinstance(value, RationalFunction):
             value = RationalFunction(fmpq_poly([int(mpq(value))]))
         exponents: dict[tuple[int, ...], int] = {}
@@ -59,7 +59,7 @@ class Units:
 def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
     """The theorem that a claim fails.
 
-    Raises `ClaimError` where no curve that is tried shows it.
+    Raises `ClaimError` where none of the curves tried is a counterexample.
     """
     for curve in candidates(kind_of(claim.curve), dimension, polynomial=claim.of == Scope.POLYNOMIAL):
         attempt = _Attempt(claim, dimension, named, curve)
@@ -69,7 +69,7 @@ def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) ->
 
 
 class _Attempt(Statement):
-    """A claim held against one explicit curve."""
+    """A claim on one explicit curve."""
 
     def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str], curve: ExplicitCurve) -> None:
         self.claim, self.curve, self.dimension = claim, curve, dimension
@@ -101,7 +101,7 @@ class _Attempt(Statement):
         return True
 
     def components(self, left: Node, right: Node | None) -> Iterator[tuple[Node, str, str]]:
-        """The components in which two trees differ, as differences, with what is denied and how it follows."""
+        """The components in which two trees differ, as differences, with the statement denied and how that follows."""
         a = self.evaluation(left)
         zeros = "[" + "; ".join(["zero K"] * len(a)) + "]" if isinstance(a, Vector) else "zero K"
         said = f"{self.writer(left)} <> {zeros if right is None else self.writer(right)}"
@@ -223,8 +223,10 @@ def _equalities(kind: Kind) -> list[tuple[str, str, str, str]]:
 
 @singledispatch
 def differing(claim: Claim, attempt: _Attempt) -> Iterator[tuple[Node, str, str]]:
-    """The differences that are not zero, with what is denied and how it follows."""
-    raise ClaimError(f"claims of the kind {claim.kind!r} are no equalities", where=claim.key, remedy="state identities")
+    """The differences that are not zero, with the statement denied and how that follows."""
+    raise ClaimError(
+        f"claims of the kind {claim.kind!r} are not equalities", where=claim.key, remedy="state identities"
+    )
 
 
 @differing.register

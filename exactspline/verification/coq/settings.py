@@ -1,5 +1,5 @@
-"""What a theorem quantifies over: the argument of its formulas, as a term and as jets in the position γ instead of the
-numerators p = w γ, in which naive formulas are short.
+"""The quantified argument of a theorem: the argument of its formulas, as a term and as jets in the position γ instead
+of the numerators p = w γ, in which naive formulas are short.
 """
 
 from __future__ import annotations
@@ -51,9 +51,9 @@ class Setting:
 
     @property
     def shape(self) -> str:
-        """Its word in the base: ``plane``, ``space_point``, ``pair``, ``table``.
+        """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``.
 
-        Raises `FormulaError` for a kind of argument of which the base has no word.
+        Raises `FormulaError` for a kind of argument of which the base has no name.
         """
         if isinstance(self.kind, PairKind):
             return "pair"
@@ -67,7 +67,7 @@ class Setting:
 
     @property
     def quantifier(self) -> str:
-        """What the theorem begins with."""
+        """The quantifier of the theorem."""
         words = {
             "plane": "every_plane_curve",
             "space": "every_space_curve",
@@ -133,7 +133,7 @@ class Setting:
         return i + 1
 
     def named(self, name: str) -> str:
-        """The variable of a proof that stands for an operand."""
+        """The variable of a proof for an operand."""
         if self.has_point and name in POINT[: self.dimension]:
             return f"q{POINT.index(name) + 1}"
         return f"{name}_"

@@ -1,4 +1,4 @@
-"""Trees as terms of Coq, in the words of ``theory/Base.v``."""
+"""Trees as terms of Coq, in the vocabulary of ``theory/Base.v``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _INFIX = {
     Operation.TIMES: (PRODUCT, PRODUCT, UNARY),
     Operation.OVER: (PRODUCT, PRODUCT, UNARY),
 }
-#: What is written as a function by its own name.
+#: Operations written as functions with their own names.
 _FUNCTIONS = (
     *(Operation.DOT, Operation.CROSS, Operation.PERP),
     *(Operation.RULED, Operation.DIRECTRIX, Operation.GENERATOR),
@@ -34,7 +34,7 @@ _FIELDS_OF_ARGUMENTS = {"p", "w", "gamma", "point", "sigma", "rho", "gradient_f"
 _FIELDS_OF_ARGUMENTS |= {f"{x}{i}" for x in "pwv" for i in "12"}
 #: The files written by hand that the theorems about papers need, each after those that it requires.
 THEORY = ("Base", "Reflection", "Proofs")
-#: The words of the language, and the names of variables.
+#: The reserved words of the language, and the names of variables.
 _LANGUAGE = (
     "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using where with Prop Set "
     "Type SProp"
@@ -79,7 +79,7 @@ class Writer:
         return self.at(node, SUM)
 
     def at(self, node: Node, least: int) -> str:
-        """The term of a tree that must bind at least so tightly."""
+        """The term of a tree, in parentheses if it binds less tightly than required."""
         text, binding = self.show(node)
         return text if binding >= least else f"({text})"
 
@@ -104,7 +104,7 @@ class Writer:
         return self.applied(node), APPLICATION
 
     def applied(self, node: Node) -> str:
-        """What is written as a function and its arguments."""
+        """An operation written as a function and its arguments."""
         arguments = node.args
         if node.op in (Operation.PLUS, Operation.MINUS):
             name = "vadd" if node.op is Operation.PLUS else "vsub"
@@ -133,7 +133,7 @@ class Writer:
         ):
             name = node.op
         else:
-            raise FormulaError(f"the operation {node.op!r} has no word in Coq", remedy="add one to the base")
+            raise FormulaError(f"the operation {node.op!r} has no equivalent in Coq", remedy="add one to the base")
         return " ".join([name, *[self.at(each, ATOM) for each in arguments]])
 
     def leaf(self, name: str) -> str:

@@ -62,7 +62,7 @@ def _by_hand() -> dict[str, dict[str, str]]:
 
 
 class Statement:
-    """What statements that hold and statements that fail have in common: formulas as trees over the argument."""
+    """Shared by statements that hold and statements that fail: formulas as trees over the argument."""
 
     kind: Kind
     traced: Calling
@@ -77,7 +77,7 @@ class Statement:
         return node
 
     def assumed(self, assumption: Assumption) -> Node:
-        """What an assumption says is not zero; of a vector its squared length."""
+        """The expression that is assumed not to vanish; for a vector its squared length."""
         tree = self.called(find(assumption.formula), "second" if assumption.second else "first")
         return Node(Operation.DOT, (tree, tree)) if tree.is_vector else tree
 
@@ -182,7 +182,7 @@ class _Theorem(Statement):
         inside = Calling(POINT_IN_SPACE, 3)
         directrix = inside.calls(right).directrix
         argument = self.setting.argument
-        assert isinstance(argument, Curve)  # of a plane curve such a claim is made
+        assert isinstance(argument, Curve)  # such a claim is about a plane curve
         in_space = Evaluation(embedded(argument))
         in_space(directrix)
         self.evaluation(left)
@@ -212,7 +212,7 @@ class _Theorem(Statement):
 @singledispatch
 def stated(claim: Claim, theorem: _Theorem) -> tuple[str, list[str]]:
     """The conclusion and the steps that close the proof, the atoms being known."""
-    raise FormulaError(f"claims of the kind {claim.kind!r} are no equalities", remedy="state identities")
+    raise FormulaError(f"claims of the kind {claim.kind!r} are not equalities", remedy="state identities")
 
 
 @stated.register

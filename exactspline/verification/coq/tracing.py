@@ -1,4 +1,4 @@
-"""The tree reading with every call of a formula a node: the formulas of a paper as they build on each other."""
+"""The tree reading in which every call of a formula is a node: the formulas of a paper in terms of each other."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from exactspline.readings.tree import Node, Operation, Traced
 
 
 class Called(NamedTuple):
-    """A formula that is called, and on which part of the argument: ``second.`` or on all of it."""
+    """A called formula, and the part of the argument on which it is called: ``second.`` or on all of it."""
 
     formula: Formula
     path: str

@@ -16,7 +16,7 @@ from exactspline.verification.kinds.square_class import SquareClass
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
 from exactspline.verification.kinds.zero_set import ZeroSet
 
-#: The classes by the word that stands for them in a table of claims.
+#: The classes by their word in tables of claims.
 KINDS: dict[str, type[Claim]] = {
     kind.kind: kind
     for kind in (

@@ -33,7 +33,7 @@ class Coefficients(Claim):
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
 
     def validate(self) -> None:
-        """Refuse what has no coefficients of its own: quotients, two curves, a point."""
+        """Refuse formulas without coefficients: quotients, two curves, a point."""
         if self.curve not in (ArgumentKind.CURVE, ArgumentKind.PLANE, ArgumentKind.SPACE):
             raise ClaimError(f"coefficients of {str(self.curve)!r} are not decided", where="curve", remedy="a curve")
         if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
@@ -50,11 +50,11 @@ class Coefficients(Claim):
         return rf"{self.symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """What is generic says nothing of single curves."""
+        """A generic claim does not apply to single curves."""
         return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial)
 
     def prove(self) -> tuple[str, Finding]:
-        """On every curve it can only be refuted, by one; the generic curve is computed."""
+        """A claim about every curve can only be refuted, by one; the generic curve is computed."""
         if self.curves == Curves.EVERY:
             return "spline", self.refuted_on_examples()
         return "generic", super().prove()[1]

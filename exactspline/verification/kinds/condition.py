@@ -32,11 +32,11 @@ class Condition(ExampleClaim):
     right: str = field(metadata=read(formula_name))
 
     def validate(self) -> None:
-        """Refuse an example of which the claim does not speak, and a form compared with itself."""
+        """Refuse an example to which the claim does not apply, and a form compared with itself."""
         curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
-                f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
+                f"{self.example!r} is not a curve of which the claim speaks", where="example", remedy="name another one"
             )
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
@@ -52,7 +52,7 @@ class Condition(ExampleClaim):
         return rf"{self.symbol(self.left)} \;\text{{is better conditioned than}}\; {self.symbol(self.right)}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """Where enclosures do not tell two condition numbers apart nothing is decided."""
+        """Undecided where enclosures do not separate two condition numbers."""
         f, g = (only_component(self, n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
         theirs = list(zeros(g, periodic=own.curve.closed))
         pairs = [

@@ -1,4 +1,4 @@
-"""Claims of contact: how often something that is laid along a curve at a point meets it there."""
+"""Claims of contact: the order to which a curve or surface attached to a curve at a point meets it there."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ HIGHER_HERE = "the contact is of a higher order on it, as it may be on special c
 BAR = dict(zip((*BARRED, "W"), (*COORDINATES, "w"), strict=True))
 
 
-#: No order is larger.
+#: The largest order.
 LARGEST_ORDER = 12
 
 
@@ -39,12 +39,10 @@ def order_of_contact(claim: Claim, name: str, value: object) -> int:
 
 @dataclass(frozen=True, kw_only=True)
 class Contact(Claim):
-    """What is laid along the curve at the parameter s has contact of ``order`` n with it there.
-
-    The ``formula`` says of the point at s̄ whether it lies in what is laid along the curve at s (in the osculating
-    circle: its squared distance from the centre less the squared radius). It is one of two curves; both are this one.
-    At s̄ = s its value and its derivatives by s̄ up to order n vanish, and for the relation ``=`` the next one does not
-    on the generic curve.
+    """The object attached to the curve at the parameter s has contact of ``order`` n with it there. The ``formula``
+    vanishes where the point at s̄ lies on the object attached at s (in the osculating circle: its squared distance from
+    the centre less the squared radius). It is one of two curves; both are this one. At s̄ = s its value and its
+    derivatives by s̄ up to order n vanish, and for the relation ``=`` the next one does not on the generic curve.
     """
 
     kind: ClassVar[str] = "contact"
@@ -54,9 +52,11 @@ class Contact(Claim):
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
 
     def validate(self) -> None:
-        """Refuse what is no claim of two curves, and upper bounds, which special curves exceed."""
+        """Refuse claims that are not about two curves, and upper bounds, which special curves exceed."""
         if not self.of_pair:
-            raise ClaimError("contact is told of two points of a curve", where="curve", remedy='"pair" or "plane pair"')
+            raise ClaimError(
+                "contact is claimed of two points of a curve", where="curve", remedy='"pair" or "plane pair"'
+            )
         if self.relation == Relation.AT_MOST:
             raise ClaimError("special curves have a higher contact", where="relation", remedy='write "=" or "≥"')
 

@@ -19,7 +19,7 @@ from exactspline.verification.vocabulary import Counter, word
 
 
 def counts(claimed: str) -> list[tuple[int, Counter]]:
-    """The numbers of a caption with what they count.
+    """The numbers of a caption with their units.
 
     >>> [(n, str(what)) for n, what in counts("degree 96, 388 control points")]
     [(96, 'degree'), (388, 'control points')]
@@ -36,7 +36,7 @@ def counts(claimed: str) -> list[tuple[int, Counter]]:
 
 
 def counted(claim: Claim, name: str, value: str) -> str:
-    """Numbers with what they count."""
+    """Numbers with their units."""
     counts(value)
     return str(value)
 
@@ -56,7 +56,7 @@ class Count(ExampleClaim):
         curve = self.curve_named(self.example)
         if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             raise ClaimError(
-                f"{self.example!r} is no curve of which the claim speaks", where="example", remedy="name another one"
+                f"{self.example!r} is not a curve of which the claim speaks", where="example", remedy="name another one"
             )
 
     @property
@@ -70,7 +70,7 @@ class Count(ExampleClaim):
         return rf"{self.symbol(self.formula)}: \;\text{{{self.claimed}}}"
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """Only what is claimed is computed."""
+        """Only the claimed numbers are computed."""
         value = self.find(self.formula)(argument)
         value = joined(value)
         numerators = split(value)[0]

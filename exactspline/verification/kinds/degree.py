@@ -26,7 +26,7 @@ from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import LOWER_HERE, OUTSIDE, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation, Scope
 
-#: What a claim measures, as LaTeX.
+#: The measured degree, as LaTeX.
 MEASURES = {
     Measure.NOMINAL: r"\deg",
     Measure.TRUE: r"\deg_{\mathrm{true}}",
@@ -34,7 +34,7 @@ MEASURES = {
     Measure.REDUCED: r"\deg_{\mathrm{reduced}}",
     Measure.HEIGHT: r"\mathrm{height}",
 }
-#: What a relation is in LaTeX, and what a claimed degree begins with.
+#: Relations in LaTeX, as prefixes of a claimed degree.
 RELATIONS = {Relation.EQUAL: ("=", ""), Relation.AT_MOST: (r"\le", "≤ "), Relation.AT_LEAST: (r"\ge", "≥ ")}
 
 
@@ -43,10 +43,10 @@ class DegreeClaim(Claim):
     """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d from ``least_d`` on.
 
     The ``measure`` is ``nominal`` (Table 1), ``true`` (of a polynomial on the generic curve), ``lowest terms`` (of the
-    value; of a ruled surface of directrix and generator over one denominator), ``reduced`` (of what
-    `exactspline.symbolic.reduction` keeps; of a ruled surface of its generator, whose length is free) or ``height`` (0
-    for a covariant). Of two curves it is the degree in the ``parameter`` s or s̄. All but the nominal degree are degrees
-    of the generic curve: on one curve they are bounds.
+    value; of a ruled surface of directrix and generator over one denominator), ``reduced`` (of the result of
+    `exactspline.symbolic.reduction`; for a ruled surface of its generator, whose length is free) or ``height`` (0 for a
+    covariant). Of two curves it is the degree in the ``parameter`` s or s̄. All but the nominal degree are degrees of
+    the generic curve: on one curve they are bounds.
     """
 
     kind: ClassVar[str] = "degree"
@@ -60,7 +60,7 @@ class DegreeClaim(Claim):
     least_d: int = field(default=1, metadata=read(count_from(1)))
 
     def validate(self) -> None:
-        """Refuse combinations that say nothing."""
+        """Refuse combinations without meaning."""
         table = self.curve == ArgumentKind.TABLE
         kind = kind_of(self.curve)
         if self.parameter not in (known := kind.parameters(kind.dimensions[0])):
@@ -98,7 +98,7 @@ class DegreeClaim(Claim):
         return {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
 
     def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Of one curve nothing is said by a count of another rule, by a height, by a lower bound of the generic one."""
+        """Counts by another rule, heights, and lower bounds for the generic curve do not apply to one curve."""
         silent = (
             self.counting == Counting.PART_BY_PART
             or self.measure == Measure.HEIGHT
@@ -116,7 +116,7 @@ class DegreeClaim(Claim):
         return replace(found, claimed=self.claims, relation=self.relation)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """The degree of the splines at hand. A curve of higher degree refutes what is claimed of the generic one; a
+        """The degree of the given splines. A curve of higher degree refutes what is claimed of the generic one; a
         curve of lower degree may be a special one, and decides nothing.
         """
         claimed = self._claimed(argument)
@@ -172,7 +172,7 @@ class DegreeClaim(Claim):
         return int(degree)
 
     def _profile(self, value: Any) -> Any:
-        """What is in two parameters at a fixed one of the other; any other as it is."""
+        """A spline in two parameters at a fixed value of the other; any other spline unchanged."""
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):
             return value

@@ -1,4 +1,4 @@
-"""Degrees for all curves and all d: by the counting of Table 1, at infinity, and by the degree theorem."""
+"""Degrees for all curves and all d: by Table 1, at infinity, and by the degree theorem."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
-    """What holds of the degree of a claim for every d from its least one on."""
+    """The finding on the degree of a claim for every d from its least one on."""
     formula = claim.find(claim.formula)
     if claim.measure == Measure.NOMINAL:
         return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
@@ -145,8 +145,8 @@ def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: s
         return Finding(PROVED, computed=told, factor=factor)
     d = failing[0] if failing else _first_failure(claim, computed, claimed)
     n = lower.get(d, _at(computed, d))
-    where = " and ".join(f"{name} = {d}" for name in sorted(names)) or "for every d"
-    return Finding(REFUTED, computed=told, factor=factor, witness=f"at {where}: {n}, not {_at(claimed, d)}")
+    where = "at " + " and ".join(f"{name} = {d}" for name in sorted(names)) if names else "for every d"
+    return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {_at(claimed, d)}")
 
 
 def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int:

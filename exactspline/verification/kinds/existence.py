@@ -1,4 +1,4 @@
-"""Claims that something is not rational."""
+"""Claims that a value is not rational."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ NOT = "not rational"
 
 @dataclass(frozen=True, kw_only=True)
 class Existence(Claim):
-    """What ``formula`` gives is not rational: refuted by the formula itself, a quotient of polynomials in the curve,
-    together with the proof that it gives what it says.
+    """The value of ``formula`` is not rational: refuted by the formula itself, a quotient of polynomials in the curve,
+    together with the proof of its meaning.
     """
 
     kind: ClassVar[str] = "existence"
@@ -35,7 +35,7 @@ class Existence(Claim):
         return rf"{self.symbol(self.formula)} \;\text{{is not rational}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """That there is no rational form is refuted by one: a formula without roots, not the constant zero."""
+        """The absence of a rational form is refuted by one: a formula without roots that is not the constant zero."""
         formula = self.find(self.formula)
         components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
         rational = not all(x.is_zero for x in components)

@@ -1,4 +1,4 @@
-"""Claims that something is identically something else, or zero."""
+"""Claims that a formula is identically another one, or zero."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from exactspline.verification.vocabulary import ArgumentKind
 
 
 def stated_factor(claim: Claim, name: str, value: str) -> str:
-    """A factor whose names are formulas that can be handed what the claim speaks of."""
+    """A factor whose names are formulas that apply to the arguments of the claim."""
     for part, _ in factor_parts(value):
         if part in WEIGHTS and claim.curve == ArgumentKind.TABLE:
             raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
@@ -46,7 +46,7 @@ class Identity(Claim):
     factor: str = field(default="1", metadata=read(stated_factor))
 
     def validate(self) -> None:
-        """Refuse a formula that is itself."""
+        """Refuse a formula compared with itself."""
         if self.left == self.right:
             raise ClaimError("both sides are one formula", where="right", remedy="name another one")
 
@@ -88,7 +88,7 @@ class Identity(Claim):
         return Finding(REFUTED, self.factor, str(factor), str(factor), f"the exact quotient is {factor}")
 
     def _over_roots(self, dimension: int, polynomial: bool) -> Finding:
-        """The same where a quotient is no product of polynomials: component by component."""
+        """The same where a quotient is not a product of polynomials: component by component."""
         left, right = self.find(self.left), self.find(self.right)
         formulas = (left, right, *self._factors())
         c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)
@@ -129,8 +129,7 @@ class Identity(Claim):
             return vacuous(self.factor, factor=factor)
         if not all(_numerator(bottom).polynomials) or not all(_denominator(top, bottom)):
             return vacuous(self.factor, "the factor does not exist on all of this curve: 1/0", factor)
-        (tops, a), (bottoms, b) = split(top), split(bottom)
-        left, right = bottoms[0], tops[0]
+        ((right,), a), ((left,), b) = split(top), split(bottom)
         left = left if a is None else left * a
         right = right if b is None else right * b
         left = left if m is None else left * m

@@ -1,4 +1,4 @@
-"""Claims that a formula does not change, or changes by a power of something, when the curve is written otherwise or
+"""Claims that a formula does not change, or changes by a power of something, when the curve is reparametrized or
 moved.
 """
 
@@ -38,7 +38,7 @@ REPARAMETRIZATION, COMMON_FACTOR, MOEBIUS = "reparametrization", "common factor"
 
 
 class Group(StrEnum):
-    """What a curve is subjected to."""
+    """The changes applied to a curve."""
 
     REPARAMETRIZATION = REPARAMETRIZATION
     COMMON_FACTOR = COMMON_FACTOR
@@ -54,20 +54,20 @@ class Group(StrEnum):
 
 
 class Nature(StrEnum):
-    """What the value of a formula is: a number (or numbers), a vector or a point that moves with the curve."""
+    """The nature of the value of a formula: a number (or numbers), a vector or a point that moves with the curve."""
 
     SCALAR = "scalar"
     VECTOR = "vector"
     POINT = "point"
 
 
-#: By what a value is multiplied is told where the sides have fewer terms than this.
+#: The factor of a value is reported where the sides have fewer terms than this.
 SHORT = 400
 #: The name of the function by which a parameter is changed, which no constant can have.
 SPEED = "_speed"
 #: No weight is larger.
 LARGEST_WEIGHT = 200
-#: What the weight is a power of.
+#: The base of the power with the weight as exponent.
 UNITS = {
     Group.REPARAMETRIZATION: "ds/dt",
     Group.COMMON_FACTOR: "the factor",
@@ -85,19 +85,17 @@ GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 def whole_number(claim: Claim, name: str, value: object) -> int:
     """A weight: it may be negative."""
     if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
-        raise ClaimError(f"{value!r} is no weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
+        raise ClaimError(f"{value!r} is not a weight", where=name, remedy=f"a whole number, at most {LARGEST_WEIGHT}")
     return value
 
 
 @dataclass(frozen=True, kw_only=True)
 class Invariance(Claim):
-    """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of what the group
-    has for a unit, and moves along where its ``nature`` is that of a vector or of a point.
-
-    The group ``under`` is one of changes of the curve: a *reparametrization* (unit ds/dt), a *common factor* of
-    numerators and denominator (unit that factor), a translation, a rotation, a motion (no unit), a reflection (unit
-    −1), a scaling or a similarity (unit the scale), an affine or a projective map (unit the determinant), a Möbius map
-    (unit the local scale).
+    """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of the unit of the
+    group, and moves along where its ``nature`` is that of a vector or of a point. The group ``under`` consists of
+    changes of the curve: a *reparametrization* (unit ds/dt), a *common factor* of numerators and denominator (unit that
+    factor), a translation, a rotation, a motion (no unit), a reflection (unit −1), a scaling or a similarity (unit the
+    scale), an affine or a projective map (unit the determinant), a Möbius map (unit the local scale).
     """
 
     kind: ClassVar[str] = "invariance"
@@ -108,14 +106,16 @@ class Invariance(Claim):
     nature: Nature = field(default=Nature.SCALAR, metadata=read(one_of(Nature)))
 
     def validate(self) -> None:
-        """Refuse what says nothing: a weight without a unit, constants whose image nobody states."""
+        """Refuse claims without meaning: a weight without a unit, constants whose image is not stated."""
         kind = kind_of(self.curve)
         if type(kind) is not CurveKind:
             raise ClaimError(f"invariance of {self.curve!r} is not decided", where="curve", remedy="name a curve")
         if self.weight and self.under not in UNITS:
             raise ClaimError(f"a {self.under} has no unit", where="weight", remedy="leave the weight out")
         if kind.constants and self.under not in (Group.REPARAMETRIZATION, Group.COMMON_FACTOR):
-            raise ClaimError("what becomes of the constants?", where="curve", remedy="claim it of a curve alone")
+            raise ClaimError(
+                "the images of the constants are not stated", where="curve", remedy="claim it of a curve alone"
+            )
         if self.nature != Nature.SCALAR and self.under in (Group.REPARAMETRIZATION, Group.COMMON_FACTOR):
             raise ClaimError(f"a {self.under} moves nothing", where="nature", remedy='write "scalar"')
         if self.nature == Nature.VECTOR and self.under in (Group.PROJECTIVE, Group.MOEBIUS):
@@ -123,7 +123,7 @@ class Invariance(Claim):
 
     @property
     def claims(self) -> str:
-        """The weight, with what it is a power of."""
+        """The power of the unit."""
         unit = UNITS.get(self.under)
         return f"weight {self.weight} in {unit}".replace("-", "−") if unit else "no change"
 
@@ -182,7 +182,7 @@ class Invariance(Claim):
         return Finding(VERIFIED, self.claims, self.claims)
 
     def _sides(self, formula: Formula, name: str, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
-        """The components of the value on the changed curve, and what they are claimed to be."""
+        """The components of the value on the changed curve, and their claimed values."""
         if name == REPARAMETRIZATION:
             return self._in_other_parameter(formula, curve, k)
         if name == COMMON_FACTOR:
@@ -197,7 +197,7 @@ class Invariance(Claim):
         return _components(formula(_moved(curve, made, k))), _times(value, unit, self.weight)
 
     def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
-        """Indeterminate curves are differentiated by any other parameter, splines composed with a quadratic one."""
+        """Indeterminate curves are differentiated by another parameter, splines composed with a quadratic function."""
         if SPEED in k:
             rho = k[SPEED]
             changed = curve.mapped(lambda x: InOtherParameter(x, rho))
@@ -217,13 +217,13 @@ class Invariance(Claim):
         return _image(Vector(*value), made, k, one)
 
 
-#: What the constants of a group are on one curve: values without a meaning, with which no determinant vanishes.
+#: Values of the constants of a group on one curve, chosen arbitrarily so that no determinant vanishes.
 NUMBERS = tuple(mpq(p, q) for p, q in zip(range(3, 80, 7), (2, 5, 3, 7, 11, 4, 13, 9, 17, 6, 19), strict=True))
 NUMBERS += tuple(mpq(-p, q) for p, q in ((5, 3), (31, 7), (2, 9), (43, 8), (3, 25), (1, 6), (7, 5), (13, 2), (4, 9)))
 
 
 class _Wider(CurveKind):
-    """The kind of a formula, with the constants of a group and with a function of its own, the speed ρ."""
+    """The kind of a formula, with the constants of a group and with an additional function, the speed ρ."""
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Those of a curve, and ρ."""
@@ -280,7 +280,7 @@ def _image(point: Vector[Any], made: Map, k: Mapping[str, Any], one: Any) -> lis
 
 
 def _line(w: BSpline) -> BSpline:
-    """A positive function that is no constant."""
+    """A positive function that is not a constant."""
     a, _ = w.domain
     rising: BSpline = BSpline.identity(*w.domain) * 2 + (5 - 2 * a)
     return rising

@@ -23,7 +23,7 @@ from exactspline.verification.vocabulary import ArgumentKind
 
 
 class Sign(StrEnum):
-    """What is claimed of a value."""
+    """The claimed sign of a value."""
 
     NONNEGATIVE = "≥ 0"
     POSITIVE = "> 0"
@@ -32,7 +32,7 @@ class Sign(StrEnum):
 
     @property
     def direction(self) -> int:
-        """By what the value is multiplied that it be ≥ 0."""
+        """The sign by which the value is multiplied to be ≥ 0."""
         return 1 if self in (Sign.NONNEGATIVE, Sign.POSITIVE) else -1
 
     @property
@@ -63,7 +63,7 @@ class SignClaim(Claim):
     factor: str = field(default="1", metadata=read(positive_factor))
 
     def validate(self) -> None:
-        """Refuse two curves, Table 1, and a formula that is its own square."""
+        """Refuse two curves, Table 1, and a formula among its own squares."""
         if self.of_pair or self.curve == ArgumentKind.TABLE:
             raise ClaimError(f"signs of {self.curve!r} are not decided", where="curve", remedy="name a curve")
         if self.factor != "1" and not self.squares:
@@ -109,14 +109,14 @@ class SignClaim(Claim):
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
 
     def _strict(self, squares: list[Any]) -> Finding:
-        """One of the squares has no zero by what is assumed: neither it nor a factor."""
+        """One of the squares has no zero by assumption: neither it nor a factor."""
         constant = not any(name[0].isalpha() for name, _ in factor_parts(self.factor))
         for value in squares:
             used = _zero_free(value, self.assumes)
             if used is not None and constant:
                 return Finding(PROVED, self.claims, "a sum of squares, one without a zero", assumptions=used)
         refuted = self.refuted_on_examples()
-        told = "by what is assumed every square may vanish"
+        told = "every square may vanish under the assumptions"
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
@@ -138,7 +138,9 @@ class SignClaim(Claim):
 
 
 def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
-    """The assumptions by which a value (of a vector: its squared length) has no zero; None where they do not say so."""
+    """The assumptions by which a value (of a vector: its squared length) has no zero; None where they do not imply
+    it.
+    """
     parts = split(value)[0]
     square = parts[0] * parts[0]
     for x in parts[1:]:
@@ -155,7 +157,7 @@ def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
 
 
 def _negative(f: BSpline, i: int) -> mpq:
-    """A parameter of a segment at which a spline that is somewhere negative on it is so."""
+    """A parameter of a segment at which a spline that is negative somewhere on it is negative."""
     a, b = f.breakpoints[i : i + 2]
     n = f.degree + 2
     while True:

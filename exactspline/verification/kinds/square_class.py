@@ -63,7 +63,7 @@ class SquareClass(Claim):
         return Finding(verdict, "a square", told, quotient, refuted.witness or told)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """On every segment both are squares up to a constant, or neither is; where one is 0 nothing is said."""
+        """On every segment both are squares up to a constant, or neither is; a segment where one is 0 is skipped."""
         (n, m), (p, q) = [
             (only_component(self, name, numerators), w)
             for name in (self.formula, self.right)

@@ -1,4 +1,4 @@
-"""Claims about ruled surfaces: that two are one, and that a plane curve is a curve on one."""
+"""Claims about ruled surfaces: that two are the same, and that a plane curve lies on one."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class SameSurface(Claim):
         a, b = formulas[0](c), formulas[1](c)
         for name, surface in ((self.left, a), (self.right, b)):
             if not isinstance(surface, RuledSurface):
-                raise ClaimError(f"{name!r} is no ruled surface", where=self.key, remedy="name one")
+                raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
             if all(x.is_zero for x in split(surface.generator)[0]):
                 return Finding(UNDECIDED, ONE, "no surface", witness=f"the generator of {name} vanishes on every curve")
         offset = b.directrix - a.directrix
@@ -117,7 +117,7 @@ class IsoCurve(Claim):
     right: str = field(metadata=read(formula_name))
 
     def kind_of_field(self, name: str) -> Kind:
-        """The right side speaks of the same curve in space."""
+        """The right side takes the same curve in space."""
         return POINT_IN_SPACE if name == "right" else super().kind_of_field(name)
 
     def validate(self) -> None:
@@ -138,7 +138,7 @@ class IsoCurve(Claim):
         )
 
     def missing(self, argument: Handed) -> str:
-        """Nothing is asked beforehand: the right side is handed the curve in space."""
+        """No check beforehand: the right side takes the curve in space."""
         return ""
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:

@@ -22,7 +22,9 @@ ONE = "one zero set"
 
 @dataclass(frozen=True, kw_only=True)
 class ZeroSet(Claim):
-    """All of ``formulas`` have one zero set: of their numerators as they come, or of their values in lowest terms."""
+    """All of ``formulas`` have one zero set: of their numerators, with nothing cancelled, or of their values in lowest
+    terms.
+    """
 
     kind: ClassVar[str] = "zero set"
 
@@ -30,7 +32,7 @@ class ZeroSet(Claim):
     measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
-        """Refuse less than two formulas, and two curves."""
+        """Refuse fewer than two formulas, and two curves."""
         if len(set(self.formulas)) < 2 or len(set(self.formulas)) < len(self.formulas):
             raise ClaimError(
                 "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
@@ -49,8 +51,8 @@ class ZeroSet(Claim):
         return " = ".join(rf"\{{{self.symbol(name)} = 0\}}" for name in self.formulas)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """Neighbours are identical up to factors that have no zero by what is assumed: their values, and their
-        numerators as they come.
+        """Consecutive formulas are identical up to factors that have no zero by assumption: their values, and their
+        numerators.
         """
         formulas = [self.find(name) for name in self.formulas]
         c = jets_for(formulas, dimension, polynomial=polynomial)

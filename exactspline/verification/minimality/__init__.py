@@ -1,10 +1,10 @@
-"""That a form cannot be lowered, as data to be checked again: no common factor on any segment, no degree to drop.
+"""Certificates that the degree of a form cannot be lowered: no common factor on any segment, and full degree.
 
 A quotient is certified segment by segment: modulo a prime, multiples of the components of numerator and denominator add
 up to 1, so they have no common factor, and one of them reaches the full degree at the right end. The form of a zero set
-is certified to have its full degree in the parameter and nothing in common with w; where a prime is found modulo which
+is certified to have its full degree in the parameter and no common factor with w; where a prime is found modulo which
 it is irreducible, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
-`exactspline.verification.minimality.checker` reads the data with nothing but the standard library.
+`exactspline.verification.minimality.checker` checks the data with the standard library alone.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.generic_degree import minimum_at
 
 FORMAT = "exactspline minimality 1"
-#: Primes near 2⁶¹ for common factors; small ones for irreducibility, where a residue field must be met by chance.
+#: Primes near 2⁶¹ for common factors; small ones for irreducibility, where the residue must be irreducible by chance.
 LARGE_PRIMES = (2305843009213693951, 2305843009213693921, 2305843009213693907, 2305843009213693723)
 SMALL_PRIMES = tuple(p for p in range(101, 2000) if all(p % q for q in range(2, 45)))
-#: Beyond this degree no prime of irreducibility is sought.
+#: Beyond this degree no prime of irreducibility is searched for.
 LARGEST = 60
 
 
@@ -117,8 +117,8 @@ def _zero_form(interval: list[str], c: fmpz_poly, n: int, w: fmpz_poly) -> dict[
 
 
 def _bezout(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
-    """A prime and polynomials modulo it that combine the forms to 1; the prime divides the highest coefficient of none
-    that has its full degree.
+    """A prime and polynomials modulo it that combine the forms to 1; the prime divides no highest coefficient of a form
+    of full degree.
     """
     for p in LARGE_PRIMES:
         if all(int(c[n]) % p == 0 for c, n in zip(forms, degrees, strict=True)):
@@ -148,7 +148,7 @@ def _irreducible(c: fmpz_poly, n: int) -> int | None:
 
 
 def witness(dimension: int, degree: int, *, polynomial: bool = False) -> Nurbs:
-    """A Bézier curve with no accident in its data: integers from a generator with a fixed seed.
+    """A Bézier curve without coincidences in its data: integers from a generator with a fixed seed.
 
     >>> witness(2, 3).degree
     3

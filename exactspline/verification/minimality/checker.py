@@ -11,7 +11,7 @@ Polynomial = list[int]
 
 def check(certificate: dict[str, object]) -> int:
     """The largest degree over the segments, of which the certificate proves that it cannot be lowered; a ValueError
-    tells the flaw.
+    names the flaw.
 
     A common factor over ℚ would be one modulo the prime, of the same degree, because the prime spares the highest
     coefficient of a form of full degree; but the cofactors combine the forms to 1. A common zero at the right end (u =
@@ -106,9 +106,7 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
 
 
 def _irreducible(form: Polynomial, p: int) -> bool:
-    """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x has nothing in common with f for every prime q that
-    divides n.
-    """
+    """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x is coprime to f for every prime q that divides n."""
     f, n = [x % p for x in form], len(form) - 1
     if n == 1:
         return True

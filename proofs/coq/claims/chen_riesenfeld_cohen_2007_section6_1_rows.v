@@ -86,17 +86,16 @@ Qed.
 
 (** C6.1b, eq. (26). *)
 Theorem C61b_middle_normal_levelled_middle_normal : every_two_curves (fun K c =>
-  bisector_determinant_symmetric c <> zero K ->
   number 2 <> zero K ->
   middle_normal_levelled c = middle_normal c).
 Proof.
-  apply pair_by_position; intros K x_ y_ z_ w_ X_ Y_ Z_ W_ Hw HW H1 P2.
-  pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ jets s_bar 1 X_ ++ jets s_bar 1 Y_ ++ jets s_bar 1 Z_ ++ jets s_bar 1 W_).
-  pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) (chain 9 1 ++ chain 11 1 ++ chain 13 1 ++ chain 15 1)).
+  apply pair_by_position; intros K x_ y_ z_ w_ X_ Y_ Z_ W_ Hw HW P2.
+  pose (l := jets s 0 x_ ++ jets s 0 y_ ++ jets s 0 z_ ++ jets s 0 w_ ++ jets s_bar 0 X_ ++ jets s_bar 0 Y_ ++ jets s_bar 0 Z_ ++ jets s_bar 0 W_).
+  pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0) (chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0)).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
   pose (roots := [] : list expr).
   assert (Q : roots_hold K l roots) by exact I.
-  pose (c := Pair (homogeneous s [var 1; var 3; var 5] (var 7) []) (homogeneous s_bar [var 9; var 11; var 13] (var 15) [])).
+  pose (c := Pair (homogeneous s [var 1; var 2; var 3] (var 4) []) (homogeneous s_bar [var 5; var 6; var 7] (var 8) [])).
   pose (atoms := [num 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
@@ -110,17 +109,16 @@ Qed.
 
 (** C6.1b, eq. (26). *)
 Theorem C61b_middle_height_levelled_middle_height : every_two_curves (fun K c =>
-  bisector_determinant_symmetric c <> zero K ->
   number 2 <> zero K ->
   middle_height_levelled c = middle_height c).
 Proof.
-  apply pair_by_position; intros K x_ y_ z_ w_ X_ Y_ Z_ W_ Hw HW H1 P2.
-  pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ jets s_bar 1 X_ ++ jets s_bar 1 Y_ ++ jets s_bar 1 Z_ ++ jets s_bar 1 W_).
-  pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) (chain 9 1 ++ chain 11 1 ++ chain 13 1 ++ chain 15 1)).
+  apply pair_by_position; intros K x_ y_ z_ w_ X_ Y_ Z_ W_ Hw HW P2.
+  pose (l := jets s 0 x_ ++ jets s 0 y_ ++ jets s 0 z_ ++ jets s 0 w_ ++ jets s_bar 0 X_ ++ jets s_bar 0 Y_ ++ jets s_bar 0 Z_ ++ jets s_bar 0 W_).
+  pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0) (chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0)).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
   pose (roots := [] : list expr).
   assert (Q : roots_hold K l roots) by exact I.
-  pose (c := Pair (homogeneous s [var 1; var 3; var 5] (var 7) []) (homogeneous s_bar [var 9; var 11; var 13] (var 15) [])).
+  pose (c := Pair (homogeneous s [var 1; var 2; var 3] (var 4) []) (homogeneous s_bar [var 5; var 6; var 7] (var 8) [])).
   pose (atoms := [num 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.

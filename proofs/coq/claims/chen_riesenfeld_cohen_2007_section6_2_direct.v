@@ -153,10 +153,9 @@ Qed.
 
 (** C6.2e, §6.2.2. *)
 Theorem C62e_direct_determinant_z_generator_z : every_space_curve_with_point (fun K c =>
-  dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) <> zero K ->
   direct_determinant_z c = generator_z c).
 Proof.
-  apply space_point_by_position; intros K x_ y_ z_ w_ q1 q2 q3 Hq1 Hq2 Hq3 Hw H1.
+  apply space_point_by_position; intros K x_ y_ z_ w_ q1 q2 q3 Hq1 Hq2 Hq3 Hw.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.

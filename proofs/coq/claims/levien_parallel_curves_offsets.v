@@ -4,6 +4,7 @@
 
 Require Import ZArith List.
 From ExactSpline Require Import Base Reflection Proofs.
+From ExactSpline.formulas Require chen_riesenfeld_cohen_2007.
 From ExactSpline.formulas Require Import levien_parallel_curves.
 Import ListNotations.
 Local Open Scope formula_scope.
@@ -299,33 +300,34 @@ Qed.
 
 (** OC2f, Cleaner parallel curves with Euler spirals. *)
 Theorem OC2f_radii_less_distance : every_plane_curve_with 1 (fun K c =>
+  chen_riesenfeld_cohen_2007.f2 c <> zero K ->
   number 2 <> zero K ->
   root_speed c ^ 3 <> zero K ->
   shrinking c <> zero K ->
   curvature_over_shrinking c <> zero K ->
   radii_less_distance c = zero K).
 Proof.
-  apply plane_with_by_position; intros K x_ y_ w_ Hw delta_ Hdelta_ P2 D1 D2 D3.
-  pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_ ++ [delta_]).
-  pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ constants [7]%positive) ([])).
+  apply plane_with_by_position; intros K x_ y_ w_ Hw delta_ Hdelta_ H1 P2 D1 D2 D3.
+  pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_ ++ [delta_]).
+  pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ constants [10]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
   pose (roots := [] : list expr).
   assert (Q : roots_hold K l roots) by exact I.
-  pose (c := Accompanied (homogeneous s [var 1; var 3] (var 5) []) [var 7]).
-  pose (atoms := [var 1 ^ 2 + var 3 ^ 2; var 5; var 1 ^ 4 * var 5 ^ 2 + num 2 * var 1 ^ 2 * var 3 ^ 2 * var 5 ^ 2 + var 3 ^ 4 * var 5 ^ 2 + num 2 * var 2 * var 3 * var 7 - num 2 * var 1 * var 4 * var 7; var 2 * var 3 - var 1 * var 4; num 2]%formula : list expr).
+  pose (c := Accompanied (homogeneous s [var 1; var 4] (var 7) []) [var 10]).
+  pose (atoms := [var 1 ^ 2 + var 4 ^ 2; var 7; var 1 ^ 4 * var 7 ^ 2 + num 2 * var 1 ^ 2 * var 4 ^ 2 * var 7 ^ 2 + var 4 ^ 4 * var 7 ^ 2 + num 2 * var 2 * var 4 * var 10 - num 2 * var 1 * var 5 * var 10; var 2 * var 4 - var 1 * var 5; num 2]%formula : list expr).
   pose (known := [([3; 6], [0; 0]); ([2; 2], [0; 0]); ([0; 0; 1], [2; 2; 0]); ([0; 0; 1], [0; 0; 0]); ([0; 0; 0; 1; 1], [0; 0; 1; 0; 0]); ([0; 0; 0; 1; 1], [2; 2; 0; 0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (root_speed c ^ 3 : expr)%formula (var 1 ^ 4 * var 5 ^ 6 + num 2 * var 1 ^ 2 * var 3 ^ 2 * var 5 ^ 6 + var 3 ^ 4 * var 5 ^ 6)%formula (var 1 ^ 2 + var 3 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (root_speed c ^ 3 : expr)%formula (var 1 ^ 4 * var 7 ^ 6 + num 2 * var 1 ^ 2 * var 4 ^ 2 * var 7 ^ 6 + var 4 ^ 4 * var 7 ^ 6)%formula (var 1 ^ 2 + var 4 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
-  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 2 atoms) known N (shrinking c : expr)%formula ((num 1) / (var 1 ^ 4 * var 5 ^ 2 + num 2 * var 1 ^ 2 * var 3 ^ 2 * var 5 ^ 2 + var 3 ^ 4 * var 5 ^ 2))%formula (var 1 ^ 4 * var 5 ^ 2 + num 2 * var 1 ^ 2 * var 3 ^ 2 * var 5 ^ 2 + var 3 ^ 4 * var 5 ^ 2 + num 2 * var 2 * var 3 * var 7 - num 2 * var 1 * var 4 * var 7)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D2]. }
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 2 atoms) known N (shrinking c : expr)%formula ((num 1) / (var 1 ^ 4 * var 7 ^ 2 + num 2 * var 1 ^ 2 * var 4 ^ 2 * var 7 ^ 2 + var 4 ^ 4 * var 7 ^ 2))%formula (var 1 ^ 4 * var 7 ^ 2 + num 2 * var 1 ^ 2 * var 4 ^ 2 * var 7 ^ 2 + var 4 ^ 4 * var 7 ^ 2 + num 2 * var 2 * var 4 * var 10 - num 2 * var 1 * var 5 * var 10)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D2]. }
   clear N. rename N3 into N.
   assert (N4 : all_nonzero K l (firstn 4 atoms)).
-  { apply (and_nonzero K l (firstn 3 atoms) (nth 3 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 3 atoms) known N (curvature_over_shrinking c : expr)%formula ((num 2) / (var 1 ^ 4 * var 5 ^ 2 + num 2 * var 1 ^ 2 * var 3 ^ 2 * var 5 ^ 2 + var 3 ^ 4 * var 5 ^ 2 + num 2 * var 2 * var 3 * var 7 - num 2 * var 1 * var 4 * var 7))%formula (var 2 * var 3 - var 1 * var 4)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D3]. }
+  { apply (and_nonzero K l (firstn 3 atoms) (nth 3 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 3 atoms) known N (curvature_over_shrinking c : expr)%formula ((num 2) / (var 1 ^ 4 * var 7 ^ 2 + num 2 * var 1 ^ 2 * var 4 ^ 2 * var 7 ^ 2 + var 4 ^ 4 * var 7 ^ 2 + num 2 * var 2 * var 4 * var 10 - num 2 * var 1 * var 5 * var 10))%formula (var 2 * var 4 - var 1 * var 5)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D3]. }
   clear N. rename N4 into N.
   assert (N5 : all_nonzero K l (firstn 5 atoms)).
   { apply (and_nonzero K l (firstn 4 atoms) (nth 4 atoms (num 0)) N). exact P2. }

@@ -1,7 +1,7 @@
-"""One module a library: its own calls, in its own words, behind the same questions.
+"""One module per library: its own calls behind the same questions.
 
-An adapter converts numbers and picks out results; it never repairs an answer. What a library does not offer, or does
-not claim to support, is not asked.
+An adapter converts numbers and picks out results; it never repairs an answer. Questions that a library does not offer,
+or does not claim to support, are not asked.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ def installed() -> Path | None:
 
 
 class BezierJs(Adapter):
-    """``new Bezier(points)`` in a node process of its own."""
+    """``new Bezier(points)`` in a separate node process."""
 
     name = "bezier-js"
 

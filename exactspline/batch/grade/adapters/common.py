@@ -1,4 +1,4 @@
-"""What adapters share: the curve as a library is given it, and how a library is asked."""
+"""Shared by the adapters: the curve as it is passed to a library, and how a library is asked."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from exactspline.batch.grade.data import GivenData, Rows, WithKnots
 class Given:
     """A curve of doubles, Cartesian control points, and the parameter that a question is about.
 
-    `finer` is the same curve with that parameter as one knot more, where it is to be removed.
+    `finer` is the same curve with that parameter as an additional knot, where it is to be removed.
     """
 
     degree: int
@@ -25,7 +25,7 @@ class Given:
 
     @classmethod
     def of(cls, data: GivenData) -> Given:
-        """What came as JSON."""
+        """From JSON data."""
         finer = data.get("finer")
         own = data["degree"], data["knots"], data["points"], data["weights"], data["t"]
         return cls(*own, finer=cls.of(finer) if finer else None)
@@ -55,7 +55,7 @@ class Given:
 
 
 class DeclinedError(Exception):
-    """A library says itself that it has no answer."""
+    """A library reports itself that it has no answer."""
 
 
 class Adapter:

@@ -60,7 +60,7 @@ class FontTools(Adapter):
         return [[float(t) for t in solved if 0 <= t <= 1]]
 
     def length(self, given: Given) -> list[float]:
-        """``calcCubicArcLength`` or ``calcQuadraticArcLength``; the second number is what is taken for right."""
+        """``calcCubicArcLength`` or ``calcQuadraticArcLength``; the second number is the error that is accepted."""
         from fontTools.misc import bezierTools
 
         if given.degree == 3:

@@ -17,7 +17,7 @@ class Array(Protocol):
 
 
 A = TypeVar("A", bound=Array)
-#: ``Precision::Confusion()``: what the library takes for one point, and adds to boxes.
+#: ``Precision::Confusion()``: the distance within which points coincide for the library, which it also adds to boxes.
 CONFUSION = 1e-7
 
 
@@ -124,7 +124,9 @@ class OpenCascade(IncreasingDegree):
         return found
 
     def box(self, given: Given) -> list[float]:
-        """``BndLib_Add3dCurve.AddOptimal``, whose box is larger by its gap; the last number is what it may add."""
+        """``BndLib_Add3dCurve.AddOptimal``, whose box is enlarged by its gap; the last number is the allowed
+        enlargement.
+        """
         from OCP.Bnd import Bnd_Box
         from OCP.BndLib import BndLib_Add3dCurve
         from OCP.GeomAdaptor import GeomAdaptor_Curve

@@ -44,7 +44,7 @@ class SciPy(Adapter):
     def _zeros(self, spline: Any) -> list[float]:
         from scipy.interpolate import PPoly
 
-        # of an interval on which it vanishes scipy gives the start and then NaN
+        # for an interval on which it vanishes scipy gives the start and then NaN
         found = PPoly.from_spline(spline).roots(extrapolate=False)
         return [float(x) for x in found if not isnan(x)]
 

@@ -1,0 +1,120 @@
+"""Degrees of formulas of surfaces on patches of given degrees: counted, proved, and attained by a witness."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import partial
+from random import Random
+
+from exactspline.errors import FormulaError
+from exactspline.language.choices import Parameter
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import PLANAR_MAP, SURFACE
+from exactspline.language.surface_kind import BOTH, Surface
+from exactspline.language.vector import Vector
+from exactspline.readings.degree import DegreeReading
+from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_lines import Degrees
+from exactspline.symbolic.covariants import degree_on_patch
+from exactspline.symbolic.reduction import Part
+from exactspline.symbolic.substitution import substitute
+from exactspline.verification.generic_proof import reduction_of
+
+#: The seed of witnesses, and how large their control points are.
+SEED, SIZE = 2007, 99
+
+
+@dataclass(frozen=True)
+class PatchRow:
+    """A formula on patches of one bidegree: what Table 1 counts, what the degree theorem proves of its reduced form on
+    the generic patch, and what a patch with known control points attains; a pair of degrees each, None for zero.
+    """
+
+    formula: str
+    patches: str
+    naive: tuple[int, int]
+    true: tuple[int, int] | None
+    attained: tuple[int, int] | None
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the witness attains what is proved."""
+        return self.true == self.attained
+
+
+def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[Callable[[], PatchRow]]:
+    """The rows for the formulas of surfaces and of planar maps among these, rational and polynomial patches one after
+    the other, as calls.
+
+    >>> from exactspline.papers import paper
+    >>> parabolic = paper("surfaces").find("parabolic")
+    >>> rows = [call() for call in patch_table([parabolic], (2, 2))]
+    >>> [(row.patches, row.naive, row.true, row.agrees) for row in rows]
+    [('rational', (32, 32), (8, 8), True), ('polynomial', (8, 8), (7, 7), True)]
+
+    Raises `FormulaError` for degrees below 1.
+    """
+    if min(degrees) < 1:
+        raise FormulaError(f"patches of the degrees {degrees}", remedy="at least 1 in each parameter")
+    known = [f for f in formulas if f.kind in (SURFACE, PLANAR_MAP)]
+    return [partial(_row, f, degrees, polynomial) for f in known for polynomial in (False, True)]
+
+
+def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchRow:
+    (dimension,) = formula.kind.dimensions
+    part = reduction_of(formula, dimension, polynomial).main
+    naive = [_nominal(formula, dimension, polynomial, parameter, n) for parameter, n in zip(BOTH, degrees, strict=True)]
+    attained = _measured(part, witness(dimension, degrees, polynomial=polynomial))
+    true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
+    return PatchRow(
+        formula.name, "polynomial" if polynomial else "rational", (naive[0], naive[1]), _pair(*true), _pair(*attained)
+    )
+
+
+def _measured(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:
+    """The true degrees of a reduced form on a surface: those of its factors add up."""
+    factors = [(substitute(jet, surface), e) for jet, e in part.kept]
+    core = [substitute(jet, surface) for jet in part.core]
+    if any(f.is_zero for f, _ in factors) or all(f.is_zero for f in core):
+        return -1, -1
+    found = [(f.true_degree, e) for f, e in factors]
+    largest = Degrees(max(f.true_degree.s for f in core), max(f.true_degree.t for f in core))
+    found.append((largest, 1))
+    return sum(n.s * e for n, e in found), sum(n.t * e for n, e in found)
+
+
+def _pair(u: int, v: int) -> tuple[int, int] | None:
+    return None if min(u, v) < 0 else (u, v)
+
+
+def _nominal(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter, degree: int) -> int:
+    counted = formula(
+        DegreeReading(parameter=parameter).argument(formula.kind, dimension, polynomial=polynomial)
+    ).degree
+    return int(counted.at(dict.fromkeys(counted.names, degree)))
+
+
+def degree_of_reduced(part: Part, degrees: tuple[int, int], parameter: Parameter) -> int:
+    """The true degree in a parameter of a reduced form on the generic patch of these degrees; −1 where it vanishes."""
+    known = dict(zip(BOTH, degrees, strict=True))
+    found = [(degree_on_patch([jet], known, parameter), e) for jet, e in part.kept]
+    found.append((degree_on_patch([jet for jet in part.core if not jet.is_zero], known, parameter), 1))
+    return -1 if any(n < 0 for n, _ in found) else sum(n * e for n, e in found)
+
+
+def witness(dimension: int, degrees: tuple[int, int], *, polynomial: bool = False) -> Surface[TensorSpline]:
+    """A patch of these degrees whose control points and weights are numbers without a pattern, the same every time.
+
+    >>> witness(3, (1, 2)).w.degree
+    Degrees(s=1, t=2)
+    """
+    random = Random(f"{SEED} {degrees} {dimension}")
+    knots_u, knots_v = ([0] * (n + 1) + [1] * (n + 1) for n in degrees)
+
+    def spline(least: int) -> TensorSpline:
+        rows = [[random.randint(least, SIZE) for _ in range(degrees[1] + 1)] for _ in range(degrees[0] + 1)]
+        return TensorSpline(degrees, knots_u, knots_v, rows)
+
+    p, w = Vector(*[spline(-SIZE) for _ in range(dimension)]), spline(1)
+    return Surface(p, w.constant(1) if polynomial else w, polynomial=polynomial)

@@ -1,0 +1,98 @@
+"""What claims assume, one by one: where it holds all formulas exist; where one is dropped there is a
+curve on which one does not.
+"""
+
+from functools import cache
+
+import pytest
+
+from exactspline import Nurbs
+from exactspline.language.kinds import kind_of
+from exactspline.splines.examples import example, example_names
+from exactspline.symbolic.factorization import speaking_of
+from exactspline.verification.claims import all_claims
+from exactspline.verification.evaluation import Evaluation
+
+SEGMENT, PLANE_SEGMENT = [(0, 0, 0), (1, 0, 1), (2, 2, 0), (3, 1, 2)], [(0, 0), (1, 0), (2, 2), (3, 1)]
+
+
+def chain(*segments, weights=None):
+    """Cubic segments, each over an interval of its own."""
+    knots = [t for t in range(len(segments) + 1) for _ in range(4)]
+    return Nurbs(3, knots, [p for segment in segments for p in segment], weights)
+
+
+WEIGHTS = [1, 2, 1, 3, 3, 1, 2, 1]
+#: On one segment at least they stand still, are straight or plane, or lie in one plane with their moved copy.
+SPECIAL = [
+    chain(SEGMENT, [(3, 1, 2)] * 4),
+    chain(SEGMENT, [(3, 1, 2)] * 4, weights=WEIGHTS),
+    chain(SEGMENT, [(3, 1, 2), (4, 1, 3), (5, 1, 4), (6, 1, 5)]),
+    chain(SEGMENT, [(3, 1, 2), (4, 1, 3), (5, 2, 4), (6, 5, 5)], weights=WEIGHTS),
+    chain([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], weights=WEIGHTS[:4]),
+    Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 1, 1)]),
+    chain(PLANE_SEGMENT, [(3, 1)] * 4),
+    chain(PLANE_SEGMENT, [(3, 1)] * 4, weights=WEIGHTS),
+    chain(PLANE_SEGMENT, [(3, 1), (4, 1), (5, 1), (7, 1)]),
+]
+CURVES = [*SPECIAL, *map(example, example_names())]
+#: Claims with values on single curves; of an iso-curve the check itself asks whether it exists.
+CHECKED = [
+    claim
+    for claim in all_claims()
+    if any(not each.everywhere for each in claim.assumes)
+    and claim.kind in ("identity", "vanishing", "same surface", "zero set", "square class", "iso-curve")
+    and not kind_of(claim.curve).adjoins_roots
+]
+
+
+@cache
+def evaluated(i):
+    return Evaluation(CURVES[i])
+
+
+def does_not_exist(claim, own):
+    """Why a formula of the claim does not exist on a curve: 0/0, or a ruled surface without rulings."""
+    if gone := claim.missing(own.handed(claim.curve)):
+        return gone
+    found = claim.check(own)
+    return (
+        found.computed if found.is_vacuous and ("no surface" in found.computed or "not exist" in found.computed) else ""
+    )
+
+
+def findings(claim):
+    """Curve by curve what is not there, and the assumptions that fail on a whole segment."""
+    for i, curve in enumerate(CURVES):
+        if claim.speaks_of(curve.dimension, curve.polynomial):
+            own = evaluated(i)
+            with speaking_of(claim.source_paper):
+                failing = [each.name for each in claim.assumes if own.failing(claim.curve, [each])]
+                yield does_not_exist(claim, own), [name for name in failing if name.endswith("≢ 0")], failing
+
+
+@pytest.mark.parametrize("claim", CHECKED, ids=lambda claim: claim.key)
+def test_what_is_assumed_is_enough_and_no_more_than_needed(claim):
+    rows = list(findings(claim))
+    for gone, somewhere, failing in rows:
+        assert failing or not gone
+        assert gone or not somewhere
+    dropped = {name for gone, somewhere, _ in rows if gone for name in somewhere}
+    assert dropped == {each.name for each in claim.assumes if not each.everywhere}
+
+
+def test_what_every_other_claim_speaks_of_exists_where_its_assumptions_hold():
+    others = [
+        claim
+        for claim in all_claims()
+        if claim.kind in ("identity", "vanishing", "same surface", "zero set", "square class")
+        and claim.curve != "table"
+        and all(each.everywhere for each in claim.assumes)
+        and not kind_of(claim.curve).adjoins_roots
+    ]
+    assert len(others) > 60
+    for i, curve in enumerate(SPECIAL):
+        for claim in others:
+            own = evaluated(i)
+            if claim.speaks_of(curve.dimension, curve.polynomial) and claim.missing(own.handed(claim.curve)):
+                assert own.failing(claim.curve, claim.assumes), claim.key

@@ -1,0 +1,94 @@
+"""``inspect`` of surfaces, and the list of them, as a user sees them."""
+
+import json
+
+import jsonschema
+import pytest
+from typer.testing import CliRunner
+
+from exactspline import example_surface, save_surface
+from exactspline.cli import app
+from exactspline.cli.output import OptionsError
+from exactspline.cli.schema import schema_of
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, [str(a) for a in arguments])
+
+
+@pytest.fixture(autouse=True)
+def wide(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "120")
+
+
+def test_a_torus_as_text():
+    output = run("inspect", "torus", "-q").output
+    assert [line.split()[0] for line in output.splitlines()[2:]] == ["elliptic"] * 2 + ["hyperbolic"] + [
+        "parabolic"
+    ] * 2
+    assert "closed in u and v" in output
+
+
+def test_umbilics_to_any_number_of_digits():
+    (row,) = json.loads(run("inspect", "ellipsoid", "--digits", "40", "--json").output)["rows"]
+    assert len(row["umbilics"]) == 4
+    for umbilic in row["umbilics"]:
+        assert umbilic["index"] == "1/2"
+        assert umbilic["u"]["parameter"] in ("0", "2")
+        low, high = (x.split("/") for x in umbilic["v"]["interval"])
+        assert abs(int(low[0]) / int(low[1]) - float(umbilic["v"]["decimal"])) < 1e-15
+        assert int(high[0]) * int(low[1]) - int(low[0]) * int(high[1]) <= int(high[1]) * int(low[1]) // 10**40 + 1
+
+
+@pytest.mark.parametrize("name", ["torus", "cone", "monkey_saddle", "cross_cap", "folded_map", "planar_map"])
+def test_json_fits_its_schema(name):
+    jsonschema.validate(json.loads(run("inspect", name, "--json").output), schema_of("inspect surface"))
+
+
+def test_the_list_of_surfaces():
+    document = json.loads(run("curves", "--surfaces", "--json").output)
+    jsonschema.validate(document, schema_of("surfaces"))
+    assert {"sphere", "torus", "cyclide"} <= {row["name"] for row in document["rows"]}
+    assert "Whitney" in run("curves", "--surfaces").output
+
+
+def test_files_of_surfaces(tmp_path):
+    good, bad = tmp_path / "good.json", tmp_path / "bad.json"
+    save_surface(example_surface("monkey_saddle"), good)
+    bad.write_text('{"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "points": [[[0, 0], [0, 1]], [[1]]]}')
+    found = run("inspect", bad, good)
+    assert found.exit_code == 2
+    assert "control_points[1]" in found.output
+    assert "umbilic" in found.output
+    # what is wrong with a curve is told of curves, and a surface where a curve is wanted
+    assert "is a surface" in str(run("derive", "evolute", good).exception)
+    assert "one after the other" in str(run("inspect", good, "circle").exception)
+
+
+@pytest.mark.parametrize("option", [["--coordinates"], ["--certificate", "x.json"], ["--emit-coq", "x.v"]])
+def test_options_that_are_for_curves(option):
+    found = run("inspect", "torus", *option)
+    assert isinstance(found.exception, OptionsError)
+    assert option[0] in str(found.exception)
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg"])
+def test_the_picture(tmp_path, suffix):
+    path = tmp_path / f"s.{suffix}"
+    assert run("inspect", "biquadratic", "--plot", path).exit_code == 0
+    first = path.read_bytes()
+    assert len(first) > 10_000
+    if suffix == "svg":
+        assert run("inspect", "biquadratic", "--plot", path).exit_code == 0
+        assert path.read_bytes() == first
+
+
+def test_what_is_not_drawn(tmp_path):
+    assert run("inspect", "folded_map", "--plot", tmp_path / "a.png").exit_code == 2
+    assert isinstance(run("inspect", "torus", "sphere", "--plot", tmp_path / "a.png").exception, OptionsError)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_help_speaks_of_surfaces():
+    assert "surface" in run("inspect", "--help").output
+    assert "surface" in run("curves", "--help").output

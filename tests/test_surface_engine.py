@@ -1,0 +1,220 @@
+"""Certified zeros in two parameters: where the answer is known by construction, and what must not be claimed."""
+
+import random
+from itertools import chain, pairwise, product
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactspline.exact import mpq
+from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
+from exactspline.geometry.surface.borders import is_inside
+from exactspline.geometry.surface.common_factor import as_form, common_factor, odd_part
+from exactspline.geometry.surface.isolation import isolate, simplest
+from exactspline.geometry.surface.multiple import multiple_zero
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
+from exactspline.splines.patch_forms import UNIT, PatchForm, of_powers, powers_of
+
+ONE = CONTEXT.from_dict({(0, 0): 1})
+
+
+def pair(f, g):
+    """Two polynomials as forms of one degree."""
+    p, q = as_form(f), as_form(g)
+    degree = max(p.degree[0], q.degree[0]), max(p.degree[1], q.degree[1])
+    return p.elevated(degree), q.elevated(degree)
+
+
+def inside(zeros):
+    return [zero for zero in zeros if is_inside(zero, UNIT)]
+
+
+# ---- forms
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(st.integers(-9, 9), min_size=12, max_size=12), st.fractions(-1, 2, max_denominator=7))
+def test_forms_are_the_polynomials_they_say(values, t):
+    rows = [values[4 * i : 4 * i + 4] for i in range(3)]
+    form = of_powers(rows)
+    x, y = mpq(t.numerator, t.denominator), mpq(2, 7)
+    value = sum(a * x**i * y**j for i, row in enumerate(rows) for j, a in enumerate(row))
+    # a form is its polynomial times a positive constant
+    other = mpq(3, 5)
+    again = sum(a * other**i * y**j for i, row in enumerate(rows) for j, a in enumerate(row))
+    raised = form.elevated((4, 4))
+    for one in (form, raised):
+        assert one.value(x, y) * again == one.value(other, y) * value
+        assert one.value(x, y) * value >= 0
+    assert [int(a) * b for a, b in zip(chain(*powers_of(form)), values, strict=True) if a * b < 0] == []
+    low, high = map(int, form.range)
+    assert low <= form.value(mpq(1, 2), mpq(1, 3)) <= high
+    left, right = form.halves(1)
+    assert left.value(x, mpq(1)) * right.value(mpq(0), mpq(0)) == right.value(x, mpq(0)) * left.value(mpq(0), mpq(1))
+
+
+def test_borders_are_taken_off_and_nothing_else():
+    form = as_form(S**2 * (ONE - T) ** 3 * (S - T) * (1 - S))
+    bare, times = form.without_border()
+    assert (bare.degree, tuple(times)) == ((1, 1), (2, 1, 0, 3))
+    assert odd_part(as_form((S - T) ** 3 * (S + T) ** 2)).degree == (1, 1)
+    assert common_factor([as_form(S * (S - T)), as_form((S - T) * (T + 1))]).degree == (1, 1)
+    assert common_factor([as_form(S), as_form(T)]) is None
+
+
+# ---- signs
+
+
+def test_signs_are_proved_or_left_open():
+    third = (3 * S - 1) ** 2 + (3 * T - 1) ** 2
+    assert sign_on_patch(as_form(third * 1000 + 1)).sign is Sign.POSITIVE
+    assert sign_on_patch(as_form(third)).sign is Sign.UNDECIDED
+    assert sign_on_patch(as_form(third * 1000 - 1)).sign is Sign.BOTH
+    half = sign_on_patch(as_form(-((2 * S - 1) ** 2) - (2 * T - 1) ** 2))
+    assert (half.sign, half.zeros) == (Sign.NOT_POSITIVE, ((mpq(1, 2), mpq(1, 2)),))
+    assert sign_on_patch(PatchForm.of_net([[0, 0], [0, 0]])).sign is Sign.ZERO
+
+
+# ---- common zeros
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.lists(st.fractions(-1, 2, max_denominator=9), min_size=1, max_size=3, unique=True),
+    st.lists(st.fractions(-1, 2, max_denominator=9), min_size=1, max_size=3, unique=True),
+)
+def test_a_grid_of_zeros_is_found_whole(xs, ys):
+    f, g = ONE, ONE
+    for x in xs:
+        f = f * (x.denominator * S - x.numerator)
+    for y in ys:
+        g = g * (y.denominator * T - y.numerator)
+    # sheared, so that neither form depends on one parameter alone
+    found = isolate(*pair(f + g, f - 2 * g))
+    assert not found.undecided
+    expected = {(mpq(x.numerator, x.denominator), mpq(y.numerator, y.denominator)) for x, y in product(xs, ys)}
+    closed = {p for p in expected if all(0 <= t <= 1 for t in p)}
+    places = {zero.exact for zero in found.zeros}
+    assert len(places) == len(found.zeros)
+    assert closed <= places <= expected
+    assert {zero.exact for zero in inside(found.zeros)} == {p for p in closed if all(0 < t < 1 for t in p)}
+
+
+def test_boxes_shrink_around_the_zero_and_keep_it():
+    circle, line = S * S + T * T - 1, S - T
+    (zero,) = inside(isolate(*pair(circle, line)).zeros)
+    for bits in (10, 50, 200):
+        (a, b), (c, d) = zero.refine(bits)
+        assert b - a <= mpq(1, 1 << bits)
+        assert 2 * a * a < 1 < 2 * b * b
+        assert 2 * c * c < 1 < 2 * d * d
+    assert zero.exact is None
+
+
+def test_what_nearly_meets_is_told_apart_from_what_touches():
+    bowl = 1000 * (2 * S - 1) ** 2 - (T * 1000000 - 500000)
+    assert len(inside(isolate(*pair(bowl, T * 1000000 - 500001)).zeros)) == 2
+    none = isolate(*pair(bowl, T * 1000000 - 499999))
+    assert (inside(none.zeros), none.undecided) == ([], [])
+    touching = isolate(*pair(bowl, T * 1000000 - 500000))
+    assert not touching.zeros
+    assert touching.undecided
+
+
+def test_multiple_zeros_are_shown_to_be_alone():
+    forms = [as_form(p) for p in ((2 * S - 1) * (3 * T - 1), (2 * S - 1) ** 2 - (3 * T - 1) ** 2)]
+    degree = 2, 2
+    found = isolate(*(f.elevated(degree) for f in forms))
+    assert not found.zeros
+    multiple = multiple_zero(forms, found.undecided)
+    assert multiple.place == (mpq(1, 2), mpq(1, 3))
+    assert all(multiple.explains(box) for box in found.undecided)
+    # a curve through the point is no single zero
+    line = [as_form(p) for p in ((2 * S - 1) * (3 * T - 1), (2 * S - 1) * (S + 1))]
+    assert multiple_zero(line, [((mpq(1, 4), mpq(3, 4)), (mpq(1, 4), mpq(3, 4)))]) is None
+
+
+def test_the_third_form_excludes():
+    zeros = isolate(*pair(2 * S - 1, 2 * T - 1), [as_form(S + T - 3)])
+    assert zeros.zeros == []
+    assert simplest(mpq(1, 3), mpq(1, 2)) == mpq(1, 2)
+
+
+# ---- curves
+
+
+def shapes(p):
+    curve = ZeroCurve(as_form(p))
+    assert curve.complete
+    return sorted(part.shape for part in curve.parts)
+
+
+def circle(x, y, radius, scale=100):
+    """A circle by hundredths."""
+    return (scale * S - x) ** 2 + (scale * T - y) ** 2 - radius**2
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "expected"),
+    [
+        (circle(50, 50, 30), [Shape.LOOP]),
+        (circle(50, 50, 30) * circle(50, 50, 20), [Shape.LOOP] * 2),
+        (circle(30, 30, 20) * circle(70, 70, 20), [Shape.LOOP] * 2),
+        (circle(50, 50, 60), [Shape.ARC] * 4),
+        (circle(0, 0, 50), [Shape.ARC]),
+        (circle(50, 50, 50), [Shape.LOOP]),
+        (circle(50, 50, 80), []),
+        (2 * S - 1, [Shape.ARC]),
+        (3 * S - 3 * T, [Shape.ARC]),
+        ((3 * S - 1) * (3 * S - 2) * (5 * S - 1), [Shape.ARC] * 3),
+        ((3 * S - 1) * (3 * T - 1), [Shape.CROSSED]),
+        ((3 * S - 1) ** 2 + (3 * T - 1) ** 2, [Shape.POINT]),
+        ((3 * S - 1) ** 2 + (3 * T - 1) ** 2 + 1, []),
+        ((S - T) * (S + T - 1), [Shape.CROSSED]),
+        (circle(40, 50, 20) * (100 * S - 40), [Shape.CROSSED]),
+        # a lemniscate, and two crossings on one line
+        (((3 * S - 1) ** 2 + (3 * T - 1) ** 2) ** 2 - (3 * S - 1) ** 2 + (3 * T - 1) ** 2, [Shape.CROSSED]),
+        ((3 * T - 1) * ((4 * S - 2) ** 2 - (3 * T - 1) - 1), [Shape.CROSSED]),
+    ],
+)
+def test_topology_of_curves_that_are_known(polynomial, expected):
+    assert shapes(polynomial) == sorted(expected)
+
+
+def test_a_cusp_is_left_open():
+    curve = ZeroCurve(as_form((2 * T - 1) ** 2 - (2 * S - 1) ** 3))
+    assert not curve.complete
+    assert curve.parts == ()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_lines_across_meet_a_curve_where_its_arcs_say(seed):
+    """On lines that were not used every change of sign is between points of one arc."""
+    drawn = random.Random(seed)
+    form = of_powers([[drawn.randint(-9, 9) for _ in range(4)] for _ in range(4)])
+    curve = ZeroCurve(form)
+    assert curve.complete
+    for x in (mpq(k, 17) for k in range(1, 17)):
+        crossings = 0
+        for part in curve.parts:
+            for arc in part.arcs:
+                crossings += _crossings(curve, arc, x)
+        values = [form.value(x, mpq(k, 400)) for k in range(401)]
+        changes = sum((a < 0) != (b < 0) for a, b in pairwise(values))
+        assert crossings >= changes
+        assert (crossings - changes) % 2 == 0
+
+
+def _crossings(curve, arc, x):
+    """How often an arc meets the line of a first coordinate."""
+    (a, b), (c, d) = arc.box
+    if not a <= x <= b:
+        return 0
+    part = curve.form.part(((x, x), (c, d)))
+    values = [part.value(mpq(0), mpq(k, 200)) for k in range(201)]
+    changes = [(c + (d - c) * mpq(k, 200)) for k, (p, q) in enumerate(pairwise(values)) if (p < 0) != (q < 0)]
+    if arc.direction == 0:
+        return sum(1 for y in changes if arc.low <= y <= arc.high)
+    return len(changes) if arc.low <= x <= arc.high else 0
