@@ -77,6 +77,8 @@ def _changed(node: Node) -> Iterator[tuple[str, Node]]:
         yield "index", Node(Operation.RULED, (node.generator, node.directrix))
     elif node.op in SCALED:
         yield "factor", node * 2
+    if node.op in (Operation.LEAF, Operation.NAMED) and not surface(node):
+        yield "index", node.d(1)
 
 
 def _with(tree: Node, place: Node, other: Node) -> Node:
@@ -211,7 +213,8 @@ def main(names: list[str]) -> int:
     with tempfile.TemporaryDirectory() as room:
         bench = Bench(Path(room))
         chosen = spoken_of(bench.formulas, bench.theorems)
-        results = {} if names else {name: result for name, result in recorded().items() if name in chosen}
+        known = {} if names else recorded()
+        results = {name: found for name, found in known.items() if name in chosen and "refused" in found}
         for name, formula in chosen.items():
             if name not in results and (not names or name in names or formula.name in names):
                 results[name] = judged(bench, formula)
