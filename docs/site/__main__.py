@@ -23,6 +23,7 @@ WRITTEN = (
     "first-hour",
     "teaching",
     "what-is-trusted",
+    "ten-claims",
     "your-own-paper",
     "degree-theorem",
     "surfaces",
