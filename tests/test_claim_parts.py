@@ -15,6 +15,7 @@ from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
+from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.splines.examples import example, example_names
@@ -26,9 +27,10 @@ from exactspline.verification.check_arguments import beginning, with_hodograph
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.curve_check import extra_zero, spline_table
 from exactspline.verification.degree_tables import construction_table, formula_degrees
+from exactspline.verification.divisors import _divided_by, divisors
 from exactspline.verification.errata import _unrecorded, check
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.generic_proof import factor_of
+from exactspline.verification.generic_proof import factor_of, factor_of_numerators
 from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existence, IsoCurve, SquareClass
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
 from exactspline.verification.kinds.condition import _place
@@ -388,11 +390,11 @@ def test_values_in_lowest_terms_are_compared_on_curves_alone():
     assert replace(one, measure="lowest terms").decide(2, False).verdict == UNDECIDED
 
 
-@pytest.mark.parametrize("curve", ["pair", "plane pair", ArgumentKind.TABLE])
-def test_squares_are_those_of_one_curve(curve):
+def test_squares_are_those_of_one_curve():
     one = next(c for c in all_claims() if isinstance(c, SquareClass))
-    with pytest.raises(ClaimError):
-        replace(one, curve=curve)
+    pair = {"formula": "bisector_determinant_symmetric", "right": "bisector_determinant", "of": "both"}
+    with pytest.raises(ClaimError, match="not decided"):
+        replace(one, curve="pair", **pair)
     with pytest.raises(ClaimError, match="itself"):
         replace(one, right=one.formula)
 
@@ -413,3 +415,55 @@ def test_an_iso_curve_that_does_not_exist_on_one_segment_says_nothing():
     assert one.examine(own.handed(one.curve), own).is_vacuous
     whole = Evaluation(example("rational_cubic"))
     assert one.examine(whole.handed(one.curve), whole).verdict == VERIFIED
+
+
+@pytest.mark.parametrize("power", [1, 2, 4, 6])
+def test_a_power_of_a_difference_has_contact_of_one_order_less(monkeypatch, power):
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact))
+    value = lambda c: (c.second.p[0] * c.first.w - c.first.p[0] * c.second.w) ** power  # noqa: E731
+    with_formula(monkeypatch, one, value, kind_of(one.curve))
+    dimension = one.dimensions[0]
+    for order, relation, verdict in (
+        (power - 1, "=", PROVED),
+        (power - 1, "≥", PROVED),
+        (power, "≥", REFUTED),
+        *[(power - 2, relation, verdict) for relation, verdict in (("=", REFUTED), ("≥", PROVED)) if power > 1],
+    ):
+        told = replace(one, order=order, relation=relation).decide(dimension, False)
+        assert told.verdict == verdict
+        if (order, relation) == (power, "≥"):
+            assert told.computed == (f"{power - 1}" if power else "none")
+
+
+@pytest.mark.parametrize(("left", "right"), [("f0", "f2"), ("f2", "f0"), ("f0", "f1"), ("curvature_squared", "f2")])
+def test_numerators_as_they_come_differ_by_their_factor(left, right):
+    sides = [find(left), find(right)]
+    factor = factor_of_numerators(*sides, 2)
+    if factor is None:
+        assert factor_of(*sides, 2) is None
+        return
+    argument = FactoredJetReading(factor.ring.order).argument(factor.ring.kind, 2)
+    first, second = (split(f(argument))[0][0].expanded() for f in sides)
+    top, bottom = factor.fraction()
+    assert first * bottom == second * top
+
+
+@pytest.mark.parametrize(
+    ("name", "found"),
+    [
+        ("curvature_squared", ["(‖γ′‖²)³"]),
+        ("torsion", ["‖γ′ × γ″‖²"]),
+        ("evolute", ["[γ′ γ″]"]),
+        ("f2", []),
+        ("D1_D2_D3", []),
+    ],
+)
+def test_a_tree_tells_what_it_divides_by(name, found):
+    """A quotient by a number is none."""
+    tree = trace(find(name), find(name).kind.dimensions[-1], expand=True)
+    assert [print_text(node) for node in _divided_by(tree)] == found
+
+
+def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
+    """The right side of an iso-curve is handed the curve in space."""
+    assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}

@@ -269,3 +269,11 @@ def test_intervals_of_zeros_know_the_signs_on_both_sides(points, places, signs, 
         beyond = [int(x > 0) - int(x < 0) for x in (right, left)]
         signs = tuple(beyond[i] if sign is None else sign for i, sign in enumerate(signs))
     assert found.signs == signs
+
+
+def test_a_denominator_that_is_zero_at_the_end_of_the_interval_is_waited_for():
+    t = BSpline.identity(0, 2)
+    near = zeros(t * t - 2).roots[0].refine(6)[0]
+    value = Real.root_of_quotient_at(1, t.constant(1), t - near, zeros(t * t - 2).roots[0]).told(1)
+    ends = sorted(1 / end**2 + near for end in (value.low, value.high))
+    assert ends[0] ** 2 <= 2 <= ends[1] ** 2

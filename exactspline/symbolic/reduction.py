@@ -371,7 +371,7 @@ def _part(role: str, naive: Degree, value: Any, parameter: Parameter) -> Part:
     below = _irreducible(ring, denominator.powers if denominator is not None else Powers(), mpq(1))
     common, cores = _content(ring, numerator, [base.polynomial for base, _ in below.powers])
     above = _irreducible(ring, common, mpq(1))
-    is_scalar = not isinstance(value, Vector) and not getattr(value, "is_vector", False)
+    is_scalar = not getattr(value, "is_vector", False)
     core, core_name, unit = _named(ring, cores, is_scalar)
     constant = (
         unit * above.constant / below.constant / (rational_of(denominator.unit) if denominator is not None else 1)

@@ -1,4 +1,4 @@
-"""What part of a figure is shown: boxes around points, and the control points of whatever was computed."""
+"""The visible part of a figure: boxes around points, and the control points of computed objects."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from exactspline.language.vector import Vector
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineVector
 
-#: What is shown: where all but a tenth of the points lie on either side, and as much again (in lengths of its longest
-#: side) around it.
+#: The visible part: without a tenth of the points on either side, and a margin (in lengths of its longest side) around
+#: it.
 OUTLIERS, AROUND = 10, mpq(1)
 
 Box = tuple[Point, Point]

@@ -22,14 +22,14 @@ from exactspline.exact import mpq
 
 #: Isolines along and across a surface, and the colour they have.
 ISOLINES, DARK = (7, 24), "#24556F"
-#: How much room is around what is shown, in parts of its longest side.
+#: The margin around a scene, as a fraction of its longest side.
 ROOM = mpq(1, 20)
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
 
 
 class SurfaceData(TypedDict):
-    """A surface on a page: points, and faces as places in their list."""
+    """A surface on a page: points, and faces as indices of them."""
 
     label: str
     color: str
@@ -56,7 +56,7 @@ class DotData(TypedDict):
 
 
 class SceneData(TypedDict):
-    """What ``turning.js`` reads: meshes, lines and dots in doubles, their box, and a few ticks on its edges."""
+    """The data for ``turning.js``: meshes, lines and dots in doubles, their box, and a few ticks on its edges."""
 
     title: str
     box: list[list[float]]
@@ -68,7 +68,7 @@ class SceneData(TypedDict):
 
 @dataclass
 class Scene:
-    """What is seen in one frame: a surface with its control net, curves in runs, single points, each with a label."""
+    """The contents of one frame: a surface with its control net, curves in runs, single points, each with a label."""
 
     title: str
     mesh: SurfaceMesh
@@ -77,7 +77,7 @@ class Scene:
 
     @property
     def box(self) -> Box:
-        """What holds all of it, with some room."""
+        """The bounding box with a margin."""
         runs = [*self.mesh.net, *[run for _, runs in self.curves for run in runs]]
         return grown(box_around([*self.mesh.indexed[0], *[p for run in runs for p in run]]), ROOM)
 
@@ -136,7 +136,7 @@ def _rounded(x: mpq) -> float:
 
 
 def turning_page(scenes: Sequence[Scene], title: str) -> str:
-    """The page: the scenes side by side, turned together with the mouse, a finger or the arrow keys.
+    """The page: the scenes side by side, rotated together with the mouse, a finger or the arrow keys.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find

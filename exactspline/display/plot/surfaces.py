@@ -37,7 +37,7 @@ from exactspline.splines.values import SplineSurface
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Where the light comes from (a unit vector), and how dark a face is that looks away from it.
+#: The direction of the light (a unit vector), and the brightness of a face turned away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
 
 
@@ -52,7 +52,7 @@ def plot_mesh(
 ) -> Axes:
     """A surface given by its points: shaded faces, and its control net with the number of points in the legend.
 
-    Raises `PlotError` without matplotlib, for axes in the plane, where nothing is left to draw, and for numbers beyond
+    Raises `PlotError` without matplotlib, for axes in the plane, where nothing can be drawn, and for numbers beyond
     1e100.
     """
     ax = axes_for(ax, 3)
@@ -143,8 +143,8 @@ def plot_ruled_surface(
 ) -> Axes:
     """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
 
-    Where its denominator has a zero the surface goes to infinity: it is cut there, and what is far from most of it is
-    not shown (nor outside `box`, two opposite corners, when that is given).
+    Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
+    not shown (nor those outside `box`, two opposite corners, where that is given).
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
@@ -226,7 +226,7 @@ def plot_bisector(
 
 
 def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
-    """The kind of formula, the formula by default, and what it is handed."""
+    """The kind of formula, the default formula, and its argument."""
     if isinstance(other, Curve):
         if curve.dimension != 3 or other.dimension != 3:
             raise ShapeError("a bisector of curves that are not in space", remedy="give two curves in space")
