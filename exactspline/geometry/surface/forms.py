@@ -113,9 +113,9 @@ class SurfaceForms:
 
 
 def lowest(f: TensorSpline) -> TensorSpline:
-    """The same function at the lowest degrees that it has."""
+    """The same function at the lowest degrees that it has, over the same patches; zero as it is."""
     degree, true = f.degree, f.true_degree
-    return f.reduce_degree(degree.s - max(true.s, 0), degree.t - max(true.t, 0)) if degree != true else f
+    return f.reduce_degree(degree.s - true.s, degree.t - true.t) if degree != true and min(true) >= 0 else f
 
 
 def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:
