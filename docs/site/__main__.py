@@ -25,6 +25,7 @@ WRITTEN = (
     "what-is-trusted",
     "your-own-paper",
     "degree-theorem",
+    "surfaces",
     "bisectors",
     "conditioning",
     "certified-filter",
