@@ -11,6 +11,7 @@ from exactspline.language.vector import Vector
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction
 from exactspline.programs.program import operands_of
+from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.patch_forms import PatchForm
 from exactspline.splines.surd import square_root
@@ -127,3 +128,26 @@ def test_bounds_grow_with_the_roundings():
         assert told.values.tolist() == masses.tolist()
         assert told.errors.tolist() == (masses * (SLACK * roundings * ROUNDING)).tolist()
     assert _bounded(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]
+
+
+def test_a_root_times_nothing_is_nothing():
+    assert square_root(mpq(2)) * 0 == 0
+    assert 0 * square_root(mpq(3)) == 0
+    assert square_root(mpq(2)) * 3 == square_root(mpq(18))
+
+
+def test_parameters_are_located_in_the_segment_on_the_side_asked_for():
+    mesh = BSpline(1, [0, 0, 1, 2, 4, 4], [0, 1, 2, 3]).mesh
+    inside = [(mpq(1, 2), 0), (mpq(3, 2), 1), (mpq(3), 2)]
+    for t, i in inside:
+        assert mesh.locate(t) == mesh.locate(t, left=True) == i
+    assert [mesh.locate(mpq(t)) for t in (0, 1, 2, 4)] == [0, 1, 2, 2]
+    assert [mesh.locate(mpq(t), left=True) for t in (0, 1, 2, 4)] == [0, 0, 1, 2]
+
+
+def test_examples_come_before_files_of_their_names(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("circle", "enneper"):
+        (tmp_path / name).write_text("no curve", encoding="utf-8")
+    assert load("circle") == example("circle")
+    assert load_surface("enneper").degree == (3, 3)
