@@ -401,6 +401,8 @@ def test_the_bisector_of_a_point(name, way):
 # ---- bisectors of two curves
 
 PAIRS = [
+    "coaxial circles of one radius",
+    "a spline and its mirror image",
     "a cubic and its mirror image",
     "a cubic and a translated copy",
     "parabolas in one plane",

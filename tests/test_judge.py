@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline.errors import ClaimError
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
@@ -180,6 +181,15 @@ def test_every_assumption_fails_somewhere_or_is_checked():
     assert "vanishes" in flat.failing("space", [ASSUMPTIONS["γ′×γ″"]])
     pair = Evaluation(example("rational_space_cubic"))
     assert not pair.failing("pair", [ASSUMPTIONS[name] for name in ("w", "w̄", "γ′", "γ̄′", "[γ′ γ̄′ γ−γ̄] ≢ 0")])
+
+
+def test_no_formula_is_called_like_a_denominator(also):
+    """In a factor w is the denominator, whatever formula an author calls w."""
+    named = also("w", lambda c: c.p[0], "plane")
+    with pytest.raises(ClaimError, match="denominator in factors"):
+        Identity(**TOLD | {"curve": "plane", "left": named, "right": "f2"})
+    with pytest.raises(ClaimError, match="denominator in factors"):
+        ZeroSet(**TOLD | {"curve": "plane", "formulas": ["f2", "f1"], "assumes": ["w ≠ 0"]})
 
 
 # ---- parts

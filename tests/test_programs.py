@@ -5,11 +5,12 @@ import random
 import pytest
 
 from exactspline import BSpline, Nurbs, Vector, rational
+from exactspline.batch.bench.inputs import curve as bench_curve
 from exactspline.errors import FormulaError
 from exactspline.geometry.domain import part
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
-from exactspline.language.kinds import CurveKind, PairKind, TableKind
+from exactspline.language.kinds import PAIR, CurveKind, PairKind, TableKind
 from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import det
@@ -17,8 +18,10 @@ from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instructions
 from exactspline.programs.invariants import TOGETHER, bending, slope, space_slope, tangent, turning, twisting
+from exactspline.programs.pairs import operands_of_pair, program_of_pair
 from exactspline.programs.program import operands_of, program_of
 from exactspline.splines.examples import example
+from exactspline.splines.tensor import surface_pair
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
 ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]
@@ -139,3 +142,44 @@ def test_the_lowest_forms_of_a_space_curve_are_those_of_the_lifts(name):
     a, b = found[space_slope], find("space_critical_curvature_lifted")(c)
     assert a == b
     assert space_slope(c) == a
+
+
+def pairs_of_curves():
+    """Rational space curves with segments of width one, of unequal degrees and numbers of segments."""
+    return [
+        (bench_curve(3, 1, 3, seed=1), bench_curve(2, 2, 3, seed=2)),
+        (bench_curve(2, 3, 3, seed=3), bench_curve(4, 1, 3, seed=4)),
+    ]
+
+
+def bits_of_patches(f):
+    return f.degree, f.continuity, f.stride, f.meshes, f.polynomials, f.denominators
+
+
+@pytest.mark.parametrize("f", [f for f in FORMULAS if f.kind is PAIR], ids=lambda f: f.name)
+def test_on_two_curves_a_program_computes_number_for_number_what_the_spline_reading_computes(f):
+    for one, two in pairs_of_curves():
+        pair = surface_pair(one, two)
+        given = operands_of_pair(f.kind, pair)
+        program = program_of_pair(f, given.signature)
+        if program is None:
+            continue
+        value, other = program.on(given), f(pair)
+        assert list(map(bits_of_patches, scalars(value))) == list(map(bits_of_patches, scalars(other)))
+        assert type(value) is type(other)
+
+
+def test_the_forms_of_the_bisector_have_programs():
+    one, two = pairs_of_curves()[0]
+    given = operands_of_pair(PAIR, surface_pair(one, two))
+    names = "bisector_symmetric", "bisector_determinant_symmetric", "bisector_numerators_symmetric", "chord"
+    assert all(program_of_pair(find(name), given.signature) for name in names)
+
+
+def test_two_curves_without_a_program_are_read_as_splines():
+    """The same curve twice, for naive semantics knows its operands again; polynomial curves; widths other than one."""
+    curve, odd = bench_curve(2, 1, 3), of_odd_widths(3)
+    for one, two in ((curve, curve), (curve, example("twisted_cubic")), (curve, odd)):
+        pair = surface_pair(one, two)
+        assert operands_of_pair(PAIR, pair) is None
+        assert evaluated(find("chord"), pair) == find("chord")(pair)

@@ -137,6 +137,38 @@ def test_the_keyboard_moves_points_and_weights(browser, address):
         assert shown(tab, "features") == in_this_python("features", twice)["features"]
 
 
+#: In the page: move a point by its key, and how long the exact answer takes, so many times.
+MOVE = """async (times) => {
+  const point = document.querySelectorAll("circle.handle")[1];
+  const taken = [];
+  for (let k = 0; k < times; k += 1) {
+    const before = document.body.dataset.answered;
+    const begun = performance.now();
+    point.dispatchEvent(new KeyboardEvent("keydown", { key: k % 2 ? "ArrowUp" : "ArrowDown" }));
+    while (document.body.dataset.answered === before) await new Promise((next) => setTimeout(next, 1));
+    taken.push(performance.now() - begun);
+    await new Promise((next) => setTimeout(next, 400));
+  }
+  return taken.sort((a, b) => a - b);
+}"""
+
+
+def test_how_long_the_first_answer_and_a_drag_take(browser, address, record_property, capsys):
+    """Measured and told; held to ten times what an idle machine takes, since this one may not be idle."""
+    with opened(browser, address, "play/curve.html") as tab:
+        shown(tab, "degrees")
+        first = int(tab.evaluate("document.body.dataset.first"))
+        after(tab, lambda: tab.select_option("#examples", label="cubic s"))
+        taken = tab.evaluate(MOVE, 15)
+        middle = taken[len(taken) // 2]
+        with capsys.disabled():
+            print(f"\nfirst exact answer after {first} ms; a cubic moved: least {taken[0]:.0f}, median {middle:.0f} ms")
+        record_property("first answer in ms", first)
+        record_property("a cubic moved, median in ms", middle)
+        assert first < 100_000
+        assert middle < 1_000
+
+
 def test_digits_at_a_click(browser, address):
     with opened(browser, address, "play/curve.html") as tab:
         curve = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")[0]

@@ -23,8 +23,10 @@ WRITTEN = (
     "first-hour",
     "teaching",
     "what-is-trusted",
+    "ten-claims",
     "your-own-paper",
     "degree-theorem",
+    "surfaces",
     "bisectors",
     "conditioning",
     "certified-filter",
@@ -71,8 +73,8 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     written = [page for page in WRITTEN if (source / f"{page}.md").exists()]
     house = sorted(file.stem for file in DOCS.glob("*.md") if file.stem not in WRITTEN)
     contents = {
-        "Notebooks": notebooks,
         "To read": [*written, "gallery", "benchmarks", "glossary"],
+        "Notebooks": notebooks,
         "Ledgers": ["errata", *ledgers],
         "Reference": reference,
         "The house": house,

@@ -32,9 +32,7 @@ def measure(sections: list[str]) -> None:
     record = {
         "date": datetime.now(UTC).date().isoformat(),
         "exactspline": exactspline.__version__,
-        "commit": subprocess.run(
-            ["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True
-        ).stdout.strip(),
+        "commit": _commit(),
         "python": platform.python_version(),
         "system": f"{platform.system()} {platform.machine()}",
         "processor": _processor(),
@@ -44,6 +42,11 @@ def measure(sections: list[str]) -> None:
         "rows": json.loads(told)["rows"],
     }
     RECORD.write_text(json.dumps(record, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+
+
+def _commit() -> str:
+    command = ["git", "rev-parse", "--short", "HEAD"]
+    return subprocess.run(command, stdout=subprocess.PIPE, check=False, text=True).stdout.strip()
 
 
 def _processor() -> str:
@@ -58,11 +61,11 @@ def write_page(file: Path) -> None:
     versions = ", ".join(f"{name} {version}" for name, version in record["libraries"].items() if version)
     lines = [
         "# Benchmarks",
-        f"Measured on {record['date']} by `exactspline bench` ({record['exactspline']}, commit {record['commit']}): Python "
-        f"{record['python']} on {record['system']}, {record['processors']} processors"
-        f"{' (' + record['processor'] + ')' if record['processor'] else ''}, load {record['load']} at the end; {versions}. "
-        "Times are processor time; ours / theirs below 1 means that exactspline is faster. A target that was missed is "
-        "shown as missed. What is measured and how: [How fast](bench.md).",
+        f"Measured on {record['date']} by `exactspline bench` ({record['exactspline']}, commit {record['commit']}): "
+        f"Python {record['python']} on {record['system']}, {record['processors']} processors ({record['processor']}), "
+        f"load {record['load']} at the end; {versions}. Times are processor time; ours / theirs below 1 means that "
+        "exactspline is faster. A target that was missed is shown as missed. What is measured and how: "
+        "[How fast](bench.md).",
     ]
     for name, rows in groupby(map(_row, record["rows"]), lambda row: row.section):
         lines += [f"## {name.capitalize()}", sheet(rows).markdown()]

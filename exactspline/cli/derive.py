@@ -25,7 +25,11 @@ def derive(
         ),
     ] = "",
     curve: Annotated[
-        str, typer.Argument(help="A curve file (JSON), the name of an example curve, or - for standard input.")
+        str,
+        typer.Argument(
+            help="A curve file (JSON), the name of an example curve, or - for standard input; for a formula of "
+            "surfaces a surface file or the name of an example surface."
+        ),
     ] = "",
     output: Annotated[
         str, typer.Option("--output", "-o", metavar="FILE", help="The file to write; standard output without it.")
@@ -40,9 +44,13 @@ def derive(
 ) -> None:
     """Write a derived curve or function as exact control points (JSON)."""
     from exactspline.display.serialize import derived_data
+    from exactspline.display.surface_values import surface_value_data
     from exactspline.geometry.derived import derive as derived
+    from exactspline.language.formula import Formula
+    from exactspline.language.kinds import PLANAR_MAP, SURFACE
     from exactspline.papers import resolve
     from exactspline.splines.curve_files import write_json
+    from exactspline.splines.examples import load_surface
 
     if not name:
         _list(out)
@@ -53,7 +61,10 @@ def derive(
         )
     check_output(output, curve)
     wanted = resolve(name, trust=trust) if ":" in name else name
-    data = derived_data(derived(wanted, load_curve(curve), variant), curve)
+    if isinstance(wanted, Formula) and wanted.kind in (SURFACE, PLANAR_MAP):
+        data = surface_value_data(wanted, load_surface(curve), curve)
+    else:
+        data = derived_data(derived(wanted, load_curve(curve), variant), curve)
     if output:
         write_json(output, data)
     else:

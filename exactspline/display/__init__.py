@@ -1,4 +1,4 @@
-"""How objects show themselves: HTML and LaTeX in a notebook, one line where their exact text would be too long.
+"""Display of objects: HTML and LaTeX in a notebook, one line where their exact text would be too long.
 
 ``%load_ext exactspline.display`` in a notebook also shows exact numbers as fractions.
 """
@@ -19,7 +19,7 @@ __all__ = ["html", "latex", "load_ipython_extension", "short"]
 if not TYPE_CHECKING:
 
     def __getattr__(name):
-        """What notebooks ask for, imported when it is first used: commands do without it."""
+        """The names used by notebooks, imported when they are first used, since commands do not need them."""
         if name not in __all__:
             raise AttributeError(f"module 'exactspline.display' has no attribute {name!r}")
         found = globals()[name] = getattr(import_module("exactspline.display.notebook"), name)

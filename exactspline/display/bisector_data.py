@@ -1,4 +1,4 @@
-"""Bisectors as data for programs: control nets as exact text, ends of pieces as certified roots."""
+"""Bisectors as data: control nets as exact text, ends of pieces as certified roots."""
 
 from __future__ import annotations
 
@@ -65,10 +65,10 @@ def _sides(sides: Sides) -> list[list[str]]:
 def _patch_data(patch: BisectorPatch) -> Data:
     numerator, w = patch.value.elevated()
     assert isinstance(numerator, Vector)  # a surface
-    return {"sides": _sides(patch.sides)} | _control_net([*numerator, w])
+    return {"sides": _sides(patch.sides)} | control_net([*numerator, w])
 
 
-def _control_net(splines: list[TensorSpline]) -> Data:
+def control_net(splines: list[TensorSpline]) -> Data:
     """The control nets of several splines over the knots that carry them all."""
     splines = with_common_knots(splines)
     first = splines[0]
@@ -161,7 +161,9 @@ def _pair_data(pair: SinglePair, digits: int) -> Data:
 
 
 def _flat_data(flat: Flat[Any], digits: int, *, plane: bool = False) -> Data:
-    """A point, and the direction of a line or the normal of a plane: exact text, or decimals with all digits right."""
+    """A point, and the direction of a line or the normal of a plane: exact text, or decimals with all digits
+    correct.
+    """
     return {
         "point": [_number(x, digits) for x in flat.point],
         "normal" if plane else "direction": [_number(x, digits) for x in flat.direction],
@@ -221,7 +223,7 @@ def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
 
 def parameter_data(t: Parameter, digits: int) -> Data:
     """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first); an interval
-    that holds it and no other root of that, and so many digits.
+    that isolates it, and so many digits.
     """
     root = t if isinstance(t, Root) else knot_root(t)
     minimal = root.minimal_polynomial()
@@ -238,7 +240,7 @@ def parameter_data(t: Parameter, digits: int) -> Data:
 
 
 def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
-    """The degree of a piece, for people."""
+    """The degree of a piece, as text."""
     d = value.degree
     return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
 
@@ -251,7 +253,7 @@ def counted(value: Rational[TensorSpline]) -> int:
 
 
 def shown(t: Parameter, digits: int) -> str:
-    """A parameter for people: exact where it is short, otherwise so many digits."""
+    """A parameter as text: exact where it is short, otherwise so many digits."""
     exact = t if not isinstance(t, Root) else t.exact
     if exact is not None and len(text(exact)) <= digits + 2:
         return text(exact)
@@ -259,7 +261,7 @@ def shown(t: Parameter, digits: int) -> str:
 
 
 def sides_text(sides: Sequence[Sequence[Number]]) -> str:
-    """An interval or a rectangle for people.
+    """An interval or a rectangle as text.
 
     >>> sides_text([(0, 1), (2, 3)])
     '[0, 1] × [2, 3]'

@@ -12,7 +12,7 @@ INDENT = "    "
 
 
 def code_lines(line: str, width: int) -> list[str]:
-    """A statement in lines of at most that width where its tokens allow it; all of them together are the statement.
+    """A statement broken into lines of at most that width where its tokens allow it.
 
     >>> for part in code_lines('print(max([3141592653, 2718281828, 1618033988]))', 30):
     ...     print(part)

@@ -1,4 +1,4 @@
-"""Where people read: the console for results, tables on it, legends, errors. Programs get JSON instead."""
+"""Text output: the console for results, its tables, legends and errors. Programs read JSON instead."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ __all__ = [
     "table",
     "width",
 ]
-#: A narrower terminal is written to as if it had so many columns.
+#: The smallest width that is assumed of a terminal.
 NARROWEST = 20
 
 
 def width(stream: IO[str] | None = None) -> int:
-    """The columns of the terminal that the stream is; what goes into a file or a pipe has room without end, unless the
-    environment names ``COLUMNS``.
+    """The columns of the terminal that the stream is; output to a file or a pipe is not limited, unless the environment
+    sets ``COLUMNS``.
     """
     stream = stream or sys.stdout
     told = os.environ.get("COLUMNS", "")
@@ -75,7 +75,7 @@ def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int 
 
 
 def legend(out: Console, words: Iterable[str]) -> None:
-    """What the words mean that the glossary knows: a line each."""
+    """The meanings of the words in the glossary, one line each."""
     told = explained(words)
     if told:
         out.print()
@@ -84,7 +84,7 @@ def legend(out: Console, words: Iterable[str]) -> None:
 
 
 def plain(made: RenderableType, columns: int = 160) -> str:
-    """What a console would show, as text, for where there is no terminal."""
+    """The text that a console would show, for use without a terminal."""
     written = StringIO()
     Console(highlight=False, width=columns, color_system=None, file=written, force_jupyter=False).print(made)
     return "\n".join(line.rstrip() for line in written.getvalue().splitlines())

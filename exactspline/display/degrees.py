@@ -1,4 +1,4 @@
-"""Degree tables for people: what vanishes or does not exist says so, and no number stands for it."""
+"""Degree tables: an object that vanishes or does not exist is marked as such, not by a number."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NOTHING, ZERO = "–", "zero"
 
 
 def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sheet:
-    """What the constructions or formulas cost on a curve.
+    """The cost of constructions or formulas on a curve.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.verification.degree_tables import construction_table
@@ -44,7 +44,7 @@ def degree_sheet(curve: Nurbs, rows: Iterable[DegreeRow], title: str = "") -> Sh
 
 
 def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
-    """What is proved of formulas on the generic curve of degree d."""
+    """The degrees of formulas that are proved for the generic curve of degree d."""
     numbers = ("nominal", "reduced", "in lowest terms")
     title = "Formulas on the generic curve of degree d"
     made = Sheet("formula", "curves", "nominal", "cancelled", *numbers[1:], title=title, numbers=numbers, heads=2)
@@ -82,7 +82,7 @@ def _points(row: DegreeRow) -> str:
 
 
 def generic_sheet(kind: str, rows: Iterable[GenericRow]) -> Sheet:
-    """What is proved of the generic curve of degree d."""
+    """The degrees that are proved for the generic curve of degree d."""
     numbers = ("naive", "paper", "k", "m", "kd − m", "j", "true")
     made = Sheet(
         "construction",

@@ -31,7 +31,7 @@ _SYMBOLS = {"′": "'", "″": "''", "κ": r"\kappa", "²": "^{2}", "−": "-"}
 
 
 def title_of(made: Exercise) -> str:
-    """What an exercise is found by: topic and seed."""
+    """The identification of an exercise: topic and seed."""
     return f"{made.topic}, seed {made.seed}"
 
 
@@ -74,7 +74,7 @@ def plain(parts: Sequence[Part]) -> str:
 
 
 def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list[str]:
-    """The exercises, numbered, and the solutions behind them."""
+    """The numbered exercises, followed by the solutions."""
     lines: list[str] = []
     for i, each in enumerate(made, 1):
         lines += _paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width)
@@ -122,14 +122,14 @@ def _part_latex(part: Part) -> str:
         return "".join(_LATEX.get(sign, sign) for sign in part)
     if isinstance(part, Triangle):
         return f"\\[\n{mathematics(part)}\n\\]"
-    # a line may be broken behind a comma
+    # a line may be broken after a comma
     values = ",$ $".join(map(_value_latex, part.values))
     name = _symbol_latex(part.name)
     return f"${name} = {values}$" if name and values else f"${name or values}$"
 
 
 def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
-    """A document of its own; the solutions begin a page."""
+    """A complete document; the solutions begin on a new page."""
     told = [f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}" for each in made]
     lines = [
         r"\documentclass{article}",
@@ -178,12 +178,12 @@ def _part_html(part: Part) -> str:
 
 
 def task_html(made: Exercise) -> str:
-    """What is asked, and how the answer is written."""
+    """The question, and how the answer is written."""
     return f"<p>{''.join(map(_part_html, made.task))}</p><p><small>Answer: {escape(made.answer.form)}</small></p>"
 
 
 def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
-    """A page that can be printed; the solutions begin a sheet of paper."""
+    """A printable page; the solutions begin on a new sheet."""
 
     def listed(items: Sequence[str]) -> str:
         return f"<ol>{''.join(f'<li>{item}</li>' for item in items)}</ol>"
@@ -203,7 +203,7 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 
 def exercise_data(made: Exercise, *, solutions: bool) -> dict[str, object]:
-    """An exercise for programs; answer and solution where they are wanted."""
+    """An exercise as data; answer and solution where they are asked for."""
     told: dict[str, object] = {
         "key": title_of(made),
         "topic": made.topic,

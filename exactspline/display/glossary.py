@@ -31,7 +31,7 @@ def terms() -> dict[str, str]:
 
 
 def meaning(term: str) -> str:
-    """What a term means; upper and lower case are told apart only where both are terms.
+    """The meaning of a term; upper and lower case are distinguished only where both are terms.
 
     >>> meaning("proved") == meaning("PROVED")
     True

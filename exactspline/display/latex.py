@@ -31,12 +31,12 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 @singledispatch
 def mathematics(x: object) -> str | None:
-    """LaTeX without dollars, None for what has none."""
+    """LaTeX without dollar signs, None for other objects."""
     return None
 
 
 def latex(x: object) -> str | None:
-    r"""LaTeX for a notebook, None for what has none.
+    r"""LaTeX for a notebook, None for other objects.
 
     >>> from exactspline.papers import find
     >>> latex(find("D1"))
@@ -138,7 +138,7 @@ def _(root: Root) -> str:
 
 
 def unicode_latex(line: str) -> str:
-    r"""What the text printer writes, as LaTeX.
+    r"""Output of the text printer converted to LaTeX.
 
     >>> unicode_latex("w¹⁶·(‖D1‖²)⁻⁴ − x′")
     "w^{16}\\,(\\|D_1\\|^{2})^{-4} - x'"

@@ -1,4 +1,4 @@
-"""The ledger for people: what a row says, the refuted statements with what is true, counts by section and by curve."""
+"""The ledger as text: rows, the refuted statements with what is true, counts by section and by curve."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ MEANT, OURS = "as it must read", "beyond the paper"
 
 
 def word(row: Row) -> str:
-    """The verdict in one word: where there is nothing to decide it is not that something was left undecided."""
+    """The verdict in one word: vacuous where there is nothing to decide, which is not undecided."""
     if row.verdict == UNDECIDED and row.witness == VACUOUS_WITNESS:
         return VACUOUS
     return INAPPLICABLE if row.verdict == UNDECIDED and row.witness.startswith(OUTSIDE) else str(row.verdict)
@@ -61,7 +61,7 @@ def section(claim: Claim) -> str:
 
 
 def found(row: Row) -> str:
-    """What was found, in one phrase: an identity as ``left = factor · right``."""
+    """The result in one phrase: an identity as ``left = factor · right``."""
     claim = claim_of(row)
     if word(row) == INAPPLICABLE:
         return f"{row.computed or 'nothing'}: {row.witness.removeprefix(OUTSIDE)}"
@@ -79,7 +79,7 @@ def found(row: Row) -> str:
 
 
 def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
-    """Where a row fails, where `found` does not say so already."""
+    """The place where a row fails, unless `found` says so already."""
     if word(row) in (VACUOUS, INAPPLICABLE) or row.witness.startswith("the exact quotient is"):
         return ""
     said = re.fullmatch(r"-?\d+, not -?\d+", row.witness)
@@ -95,7 +95,7 @@ def ledger(
     name: str = "",
     kernel: Mapping[tuple[str, str], str] | None = None,
 ) -> Sheet:
-    """The rows of one curve (or of all curves), one a line; with `kernel`, what the kernel of Coq says of claims."""
+    """The rows of one curve (or of all curves), one per line; with `kernel`, the opinions of the kernel of Coq."""
     asked = () if kernel is None else ("kernel",)
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
     made = Sheet(*columns, title=title, name=name, prose=("statement", "found", "witness", *asked), heads=2)
@@ -107,9 +107,7 @@ def ledger(
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:
-    """Counts of the verdicts: of what the paper prints section by section, of what it must mean where that fails, and
-    of what goes beyond it.
-    """
+    """Counts of the verdicts: of printed statements by section, of corrected ones, and of those beyond the paper."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         claim = claim_of(row)
@@ -165,18 +163,22 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
 #: Curves of a dimension alone, without anything beside them.
 OF_DIMENSION = {2: ArgumentKind.PLANE, 3: ArgumentKind.SPACE}
 
-#: What claims of these kinds of arguments speak of; of other kinds, of curves of that kind.
+#: The arguments of claims of these kinds; those of other kinds are curves of that kind.
 ARGUMENTS = {
     "pair": "two space curves",
     "point": "a point and a space curve",
     "plane point": "a point and a plane curve",
     "framed plane": "plane curves with their frames",
     "framed space": "space curves with their frames",
+    "surface": "surfaces",
+    "planar map": "planar maps",
+    "curve on a surface": "curves on surfaces",
+    "forms": "quadratic forms",
 }
 
 
 def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
-    """Why claims say nothing of a curve, counted.
+    """The reasons why claims do not apply to a curve, counted.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.splines.examples import example
@@ -206,7 +208,7 @@ def closing(rows: Sequence[Row]) -> str:
 
 
 def said(row: Row) -> str:
-    """A statement with the number that it speaks of."""
+    """A statement with its number."""
     return numbered(claim_of(row))
 
 
@@ -221,7 +223,7 @@ def headline(rows: Sequence[Row]) -> str:
 
 
 def keyed(rows: Iterable[Row]) -> list[tuple[str, str, Row]]:
-    """Every row with a key of its own and its verdict in one word."""
+    """Every row with a unique key and its verdict in one word."""
     seen: Counter[str] = Counter()
     told = []
     for row in rows:

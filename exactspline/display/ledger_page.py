@@ -1,4 +1,4 @@
-"""The ledger as one page with filters that asks nothing of the network."""
+"""The ledger as one self-contained page with filters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exact numbers, points and names in MathML, which browsers draw without help of anybody."""
+"""Exact numbers, points and names in MathML, which browsers render natively."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from html import escape
 
 from exactspline.exact import mpq, text
 
-#: What pages for print have in common.
+#: Shared by pages for print.
 STYLE = """
 body{font:17px/1.5 Georgia,serif;margin:2rem auto;max-width:48rem;padding:0 1rem;color:#1a1a1a;background:#fff}
 h1{font-size:1.5rem;margin-bottom:.2rem}h2{font-size:1.15rem;margin:1.6rem 0 .4rem}p{margin:.4rem 0}
@@ -37,7 +37,7 @@ def tuple_of(parts: Iterable[str]) -> str:
 
 
 def name(symbol: str) -> str:
-    """A name; what stands behind an underscore is its index.
+    """A name; the part after an underscore is its index.
 
     >>> name("d_1")
     '<msub><mi>d</mi><mn>1</mn></msub>'

@@ -32,13 +32,13 @@ from exactspline.verification.verdict import Row
 
 #: Numbers of a list that are written out, and control points above which a spline is described instead of written out.
 SHOWN, LONG = 8, 24
-#: Dots an inch of pictures in a notebook.
+#: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
 
 
 @singledispatch
 def html(x: object) -> str | None:
-    """HTML for a notebook, None for what has none (then LaTeX or text is shown)."""
+    """HTML for a notebook, None for other objects (then LaTeX or text is shown)."""
     return None
 
 
@@ -93,7 +93,7 @@ def _(c: Nurbs) -> str:
 
 
 def _described(value: Any) -> str:
-    """What a vector or quotient of splines is, in a few words; empty for other readings."""
+    """A short description of a vector or quotient of splines; empty for other readings."""
     if isinstance(value, RuledSurface):
         return f"ruled surface; {_described(value.joined)}" if _described(value.joined) else ""
     scalars = [*_parts(value.numerator), value.denominator] if isinstance(value, Rational) else _parts(value)

@@ -1,4 +1,4 @@
-"""Exact numbers for people: a fraction too long to read as a decimal, the fraction itself when it is asked for."""
+"""Readable exact numbers: a long fraction is shown as a decimal, or in full when asked for."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def decimals(text: str, digits: int = 0, *, exact: bool = False) -> str:
 
 
 def _near(match: re.Match[str]) -> str:
-    """An isolating interval by the digits on which its ends agree; a wide one as it stands."""
+    """An isolating interval by the digits on which its ends agree; a wide one in full."""
     low, high = mpq(match[1]), mpq(match[2])
     if max(len(match[1]), len(match[2])) <= LONGEST:
         return match[0]

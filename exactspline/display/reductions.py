@@ -1,4 +1,4 @@
-"""What is found when a formula is factored, for people and for programs."""
+"""The results of factoring a formula, as tables and as data."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from exactspline.symbolic.reduction import Part, Reduction
 
 
 def reduction_rows(found: Iterable[Reduction]) -> list[dict[str, object]]:
-    """A row a part (a ruled surface has two), for programs."""
+    """One row per part (a ruled surface has two), as data."""
     return [
         {"key": f"{_label(r, part, always=True)}", "formula": r.name, "dimension": r.dimension}
         | {"polynomial": r.polynomial}
@@ -61,7 +61,7 @@ def reduction_sheet(found: Iterable[Reduction]) -> Sheet:
 
 
 def _argument(r: Reduction) -> str:
-    """What a formula was reduced on."""
+    """The argument on which a formula was reduced."""
     if r.kind.counted == BOTH:
         return f"{r.kind.name} of degrees d_u and d_v"
     curve = {2: "plane curve", 3: "space curve"}.get(r.dimension, f"curve in R{r.dimension}")
@@ -69,7 +69,7 @@ def _argument(r: Reduction) -> str:
 
 
 def explanations(r: Reduction) -> Iterator[str]:
-    """Of what the factors are, and where the degree is lower: a sentence each."""
+    """The factors, and the exceptional degrees, one sentence each."""
     world = "polynomial" if r.polynomial else "rational"
     yield f"For the {world} {_argument(r)}; verified by multiplication."
     for name, meaning in {p.name: p.meaning for part in r.parts for p in part.powers}.items():

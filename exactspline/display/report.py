@@ -1,6 +1,4 @@
-"""A referee's report: what a paper claims, what holds of it, on what it rests; one page that asks nothing of the
-network.
-"""
+"""A referee's report: what a paper claims, which claims hold, and on what that relies; one self-contained page."""
 
 from __future__ import annotations
 
@@ -28,7 +26,7 @@ code,.mono{font:13px/1.4 ui-monospace,monospace;overflow-wrap:anywhere}table{bor
 td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
 .PROVED .verdict,.VERIFIED .verdict{color:#00694d}.REFUTED .verdict{color:#b34700}
 """
-#: What a verdict rests on besides this package.
+#: The packages on which a verdict relies besides this one.
 PACKAGES = ("exactspline", "python-flint", "gmpy2", "sympy")
 
 

@@ -1,4 +1,4 @@
-"""Features and derived objects as data for programs: control points as exact text, roots as certified intervals."""
+"""Features and derived objects as data: control points as exact text, roots as certified intervals."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from exactspline.splines.values import SplineVector
 
 
 def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
-    """A feature as data for programs: the parameter exactly, as an interval and to so many digits; κ there where
+    """A feature as data: the parameter exactly, as an interval and to so many digits; κ there where
     γ′ ≠ 0, in space also τ; and the angle of a corner.
     """
     low, high = f.root.refine(digits)
@@ -60,12 +60,12 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
 
 
 def exactly(number: mpq | Surd) -> str:
-    """A number ``a√b`` with the minus sign of programs."""
+    """A number ``a√b`` with an ASCII minus sign."""
     return str(number).replace("−", "-")
 
 
 def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
-    """A joint as data for programs: its kind and order of geometric continuity, the angle of a corner, the width of a
+    """A joint as data: its kind and order of geometric continuity, the angle of a corner, the width of a
     gap, and the curvatures of both sides where they differ, exactly and to so many digits.
     """
     from mpmath import nstr
@@ -101,7 +101,7 @@ def decimal_of(root: Root, digits: int) -> str:
 
 def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, root: Root, digits: int) -> str:
     """κ or τ at a root to so many significant digits, 0 where it is exactly 0; at a joint the limits from both sides
-    where they differ; the reason where it cannot be told.
+    where they differ; the reason where there is none.
     """
     from mpmath import mp, nstr
 
@@ -124,7 +124,7 @@ def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, 
 def inspection_data(
     curve: Nurbs, found: Inspection, digits: int, tick: Callable[[], None] = lambda: None
 ) -> dict[str, object]:
-    """All of it as data for programs; `tick` is called after every feature.
+    """The whole inspection as data; `tick` is called after every feature.
 
     A piece is the list of its intervals: two where it runs across the seam of a closed curve.
     """
@@ -150,7 +150,7 @@ def inspection_data(
 
 
 def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]]:
-    """Where coordinates turn, as data for programs."""
+    """The extrema of coordinates, as data."""
     return [
         feature_data(curve, f, digits) | {"coordinate": axis}
         for axis in range(curve.dimension)

@@ -1,5 +1,5 @@
-"""A table that is never cropped: columns where there is room, a block a row where there is not, one row a line in a
-pipe; as CSV and as Markdown too.
+"""A table that is never cropped: columns where there is room, otherwise a block per row; one line per row in a pipe;
+also as CSV and Markdown.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from rich.text import Text
 
 from exactspline.display.wrapping import hanging, words_in
 
-#: Wider than any terminal: what goes into a file or a pipe is neither broken nor padded at the end.
+#: Wider than any terminal: output to a file or a pipe is neither broken nor padded at the end.
 PIPE = 1 << 20
 #: Blanks between two columns.
 GAP = 2
 #: Prose in a column is broken into lines that are not shorter than this; below it rows become blocks.
 NARROWEST = 24
-#: In a pipe a longer cell pushes its own row only.
+#: In a pipe a longer cell shifts only its own row.
 LONGEST_ALIGNED = 72
-#: Verdicts by colour; they are said in words anyway.
+#: Colours of verdicts, which are also given in words.
 COLOURS = {"PROVED": "bold green", "VERIFIED": "green", "REFUTED": "bold magenta", "UNDECIDED": "yellow"}
 
 
@@ -30,8 +30,8 @@ class Sheet:
     """A table of texts under headings.
 
     ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines.
-    ``name`` is what the table is about: CSV and Markdown put it into a column of its own where several tables follow
-    one another. Where rows become blocks, the first ``heads`` cells head the block.
+    ``name`` is the subject of the table: CSV and Markdown put it into a separate column where several tables follow one
+    another. Where rows become blocks, the first ``heads`` cells head the block.
 
     >>> sheet = Sheet("curve", "degree", numbers=["degree"])
     >>> sheet.add_row("circle", "2")
@@ -58,7 +58,7 @@ class Sheet:
         self.rows: list[tuple[str, ...]] = []
 
     def add_row(self, *cells: object) -> None:
-        """A row, a cell a column; blanks and line breaks in a cell become single blanks."""
+        """A row, one cell per column; blanks and line breaks in a cell become single blanks."""
         row = tuple(" ".join(str(cell).split()) for cell in cells)
         self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
 
@@ -79,7 +79,7 @@ class Sheet:
             yield line
 
     def text(self, width: int = PIPE) -> str:
-        """The table in lines of at most that width."""
+        """The table as lines of at most that width."""
         return "\n".join(line.plain for line in self.lines(width))
 
     def lines(self, width: int = PIPE) -> list[Text]:
@@ -97,7 +97,7 @@ class Sheet:
         ]
 
     def _fitted(self, width: int) -> list[int] | None:
-        """The widths of the columns with nothing broken but headings and prose; none where they do not fit."""
+        """The widths of the columns, with only headings and prose broken; none where they do not fit."""
         free = width - GAP * (len(self.columns) - 1)
         natural = self._natural()
         if sum(natural) <= free:

@@ -1,4 +1,4 @@
-"""A claim spelled out for people, and claims found by where they stand."""
+"""A claim spelled out as text, and claims found by their place."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from exactspline.verification.kinds import Count, DegreeClaim, Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.vocabulary import Status
 
-#: A shorter text is not looked for in statements.
+#: A shorter text is not searched for in statements.
 SHORTEST = 4
 
 
 def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
-    """The claims with this id, that it begins, that stand at this place of the paper, or that speak of it.
+    """The claims with this id or one that begins with it, those at this place of the paper, or those that mention it.
 
     >>> [claim.id for claim in located("eq. (8)")][:2], located("C4.1c")[0].id
     (['E8', 'C4.1a'], 'C4.1c')
@@ -55,7 +55,7 @@ def heading(s: Statement) -> str:
 
 
 def fields(s: Statement, latex: bool = False) -> list[tuple[str, str]]:
-    """What there is to be said of a claim, one thing after the other."""
+    """Everything about a claim, one field after the other."""
     c, f = s.claim, s.finding
     told = [("statement", s.latex if latex else c.statement)]
     for side in s.sides:

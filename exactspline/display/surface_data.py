@@ -1,4 +1,4 @@
-"""What a surface has, as data for programs and as a table for people."""
+"""The features of a surface, as data and as a table."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from exactspline.splines.surface import Along, NurbsSurface
 
 #: The index of an umbilic by its kind.
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
-#: What is said of a patch of a kind.
+#: The description of a patch of a kind.
 CURVATURE = {
     PatchKind.ELLIPTIC: "K > 0",
     PatchKind.HYPERBOLIC: "K < 0",
@@ -49,7 +49,7 @@ def described_surface(surface: NurbsSurface) -> str:
 
 
 def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, object]:
-    """All of it as data for programs: numbers as exact text, irrational ones as intervals and to so many digits."""
+    """The whole inspection as data: numbers as exact text, irrational ones as intervals and to so many digits."""
     surface = found.surface
     return {
         "surface": surface.name,
@@ -183,7 +183,7 @@ def _extent(one: PatchInspection, part: Part) -> Box:
 
 
 def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
-    """What a surface has, one thing a row."""
+    """The features of a surface, one per row."""
     surface = found.surface
     closed = f", closed in {' and '.join(along.value for along in found.closed)}" if found.closed else ""
     title = f"{surface.name}: {described_surface(surface)}{closed}"
@@ -239,7 +239,7 @@ def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
 
 
 def _of_patch(one: PatchInspection) -> str:
-    """What is said of a patch."""
+    """The description of a patch."""
     told = [CURVATURE.get(one.kind, "")]
     if one.radius_squared is not None:
         told = [f"K = {text(1 / one.radius_squared)}", "every point is an umbilic"]
@@ -298,7 +298,7 @@ def _near(side: Interval) -> str:
 
 
 def map_data(found: MapInspection) -> dict[str, object]:
-    """The sign of a Jacobian determinant as data for programs."""
+    """The sign of a Jacobian determinant as data."""
 
     def point(place: tuple[mpq, mpq] | None) -> list[str] | None:
         return None if place is None else [text(x) for x in place]

@@ -16,11 +16,11 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import greville_abscissae
 from exactspline.splines.nurbs import Nurbs
 
-#: Size in pixels, margin, samples in all and at least so many a segment.
+#: Size in pixels, margin, samples in all and at least so many per segment.
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
-#: A graph so many times lower than its control polygon is shown without the polygon.
+#: A graph this many times lower than its control polygon is shown without the polygon.
 POLYGON_ABOVE_GRAPH = 20
-#: How a point of space is seen: coordinates of the picture by x, y, z.
+#: The projection of a point of space: coordinates of the picture by x, y, z.
 VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
 
 

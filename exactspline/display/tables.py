@@ -1,6 +1,4 @@
-"""Tables for notebooks and terminals: degrees, verdicts, the numbers the paper prints beside those that were
-computed.
-"""
+"""Tables for notebooks and terminals: degrees, verdicts, and the printed numbers beside the computed ones."""
 
 from __future__ import annotations
 
@@ -25,9 +23,9 @@ from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
 from exactspline.verification.vocabulary import Status, Verdict
 
-#: Colours of verdicts that are told apart by colour-blind readers too (and said in words anyway).
+#: Colours of verdicts that colour-blind readers can distinguish too (they are also given in words).
 COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
-#: How the ids of claims begin that are not the paper's.
+#: How the ids of claims beyond the paper begin.
 BEYOND = "L"
 #: A remark in a table is cut when it has more characters.
 LONGEST = 160
@@ -47,6 +45,12 @@ class Grid(Displayed):
 
     def __len__(self) -> int:
         return len(self.rows)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both show the same."""
+        return isinstance(other, Grid) and vars(self) == vars(other)
+
+    __hash__ = None  # type: ignore[assignment]  # its lists can be changed
 
     def __getitem__(self, column: str) -> list[str]:
         """The cells of a column."""
@@ -115,7 +119,7 @@ def remark(row: Row) -> str:
 
 
 def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:
-    """Claims decided anew, but those of certain kinds: for all curves, or on the curves given.
+    """Claims decided anew, except those of certain kinds: for all curves, or on the curves given.
 
     >>> verdicts("C4.1a")["verdict"]
     ['PROVED', 'PROVED']
@@ -160,7 +164,7 @@ def degree_table(curve: Nurbs) -> Grid:
 
 
 def measured(curve: Nurbs, *names: str) -> Grid:
-    """Formulas on a curve (without names: all that speak of it): nominal, represented and true degree, control points.
+    """Formulas on a curve (by default all that apply to it): nominal, represented and true degree, control points.
 
     >>> from exactspline.splines.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
@@ -193,8 +197,7 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
 
 
 def reduction_table(*names: str) -> Grid:
-    """What is found when formulas are factored over the indeterminate curve: what cancels, what is left, and the
-    degrees.
+    """The results of factoring formulas over the indeterminate curve: what cancels, what remains, and the degrees.
 
     >>> reduction_table("g0")["cancelled"]
     ['1/2·w⁻⁸']
@@ -208,7 +211,7 @@ def reduction_table(*names: str) -> Grid:
 
 
 class Numbers(Grid):
-    """What the paper prints beside what was computed."""
+    """Printed numbers beside the computed ones."""
 
     def __init__(self, found: Iterable[Statement]) -> None:
         found = list(found)
@@ -218,7 +221,7 @@ class Numbers(Grid):
 
 
 def printed_numbers(*ids: str) -> Numbers:
-    """Every degree and every count that the paper prints, out of its claims, beside what was computed.
+    """Every degree and every count that the paper prints, from its claims, beside the computed one.
 
     >>> printed_numbers("C4.2d")["computed"]
     ['6d − 6', '24d']

@@ -11,13 +11,13 @@ from exactspline.display.sheet import Sheet
 from exactspline.exact import text
 from exactspline.splines.triangles import ProductTable, Row, Triangle
 
-#: What a scheme is called.
+#: The name of a scheme.
 _TITLES = {"de Boor": "De Boor's triangle", "insertion": "Knot insertion", "elevation": "Degree elevation"}
 Scheme = Triangle | ProductTable
 
 
 def title(scheme: Scheme) -> str:
-    """What a scheme shows, in a line.
+    """The title of a scheme.
 
     >>> from exactspline import BSpline, de_boor_triangle
     >>> title(de_boor_triangle(BSpline.bezier([0, 1, 3]), "1/2"))
@@ -57,7 +57,7 @@ def point_text(row: Row) -> str:
 
 
 def sheets(scheme: Scheme) -> list[Sheet]:
-    """The points, below them the shares with which neighbours were combined, and what was made."""
+    """The points, the weights with which neighbours were combined below them, and the result."""
     return _product_sheets(scheme) if isinstance(scheme, ProductTable) else _triangle_sheets(scheme)
 
 
@@ -145,7 +145,7 @@ def _(table: ProductTable) -> str:
 
 
 def latex_text(schemes: Sequence[Scheme]) -> str:
-    """Display formulas for a document that loads amsmath, each under a comment that tells what it is."""
+    """Display formulas for a document that loads amsmath, each under a comment with its title."""
     return "\n\n".join(f"% {title(s)}\n\\[\n{mathematics(s)}\n\\]" for s in schemes)
 
 
@@ -168,7 +168,7 @@ def scheme_mathml(scheme: Scheme) -> str:
 
 
 def html_page(schemes: Sequence[Scheme], heading: str) -> str:
-    """A page that can be printed."""
+    """A printable page."""
     parts = [
         f"<h2>{escape(title(s))}</h2><p>{escape(rule(s))}</p>"
         f'<div class="wide">{mathml.math(scheme_mathml(s), block=True)}</div>{_result_html(s)}'
@@ -194,7 +194,7 @@ def _listed(what: str, rows: Sequence[Row]) -> str:
 
 
 def scheme_data(scheme: Scheme) -> dict[str, object]:
-    """Everything, for programs: numbers as text."""
+    """Everything as data: numbers as text."""
 
     def rows(points: Iterable[Row]) -> list[list[str]]:
         return [list(map(text, row)) for row in points]

@@ -33,7 +33,7 @@ def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]
 
 
 def words_in(text: str) -> Iterator[str]:
-    """The words of a text: what stands between blanks.
+    """The words of a text, separated by blanks.
 
     >>> list(words_in("2d − 3 points"))
     ['2d − 3', 'points']
@@ -50,12 +50,12 @@ def words_in(text: str) -> Iterator[str]:
         yield held
 
 
-#: A sum or an equation is not broken at its signs up to this length.
+#: A sum or an equation of at most this length is not broken at its signs.
 LONGEST_JOINED = 16
 
 
 def _beginning(word: str, width: int) -> str:
-    """As many characters as fit, at least one."""
+    """As many characters as fit, but at least one."""
     end = 1
     while end < len(word) and cell_len(word[: end + 1]) <= width:
         end += 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import reduce
+from functools import partial, reduce
 from itertools import pairwise
 from math import comb
 
@@ -43,12 +43,13 @@ def degrees(angle: Angle) -> Real:
     """
     squared = mpq(angle.cosine * angle.cosine)
 
-    def ball(bits: int = 60) -> arb:
-        return arb.atan2(_ball(angle.sine), _ball(angle.cosine)) * 180 / arb.pi()
-
     if 4 * squared in (0, 1, 2, 3, 4):
-        return Real.of(round(float(ball().mid())))
-    return of_ball(ball)
+        return Real.of(round(float(_angle_ball(angle, 60).mid())))
+    return of_ball(partial(_angle_ball, angle))
+
+
+def _angle_ball(angle: Angle, bits: int) -> arb:
+    return arb.atan2(_ball(angle.sine), _ball(angle.cosine)) * 180 / arb.pi()
 
 
 def length(curve: Nurbs) -> Real:
@@ -65,7 +66,7 @@ def length(curve: Nurbs) -> Real:
     known = _exact_length(squared) if curve.polynomial else None
     if known is not None:
         return Real.of(known)
-    return of_ball(lambda bits: _length_ball(curve, bits))
+    return of_ball(partial(_length_ball, curve))
 
 
 def _length_ball(curve: Nurbs, bits: int) -> arb:
@@ -86,26 +87,27 @@ def _length_ball(curve: Nurbs, bits: int) -> arb:
 
 def of_ball(ball: Callable[[int], arb]) -> Real:
     """The number in a ball that shrinks with FLINT's precision; `OpenError` where a question needs too many digits."""
+    return Real(None, partial(_enclosed, ball), partial(_compared, ball))
 
-    def enclosed(digits: int) -> tuple[mpq, mpq]:
-        bits, wanted = 10 * digits // 3 + 40, mpq(1, 10**digits)
-        while digits <= MOST_DIGITS and bits < 8 * MOST_DIGITS:
-            with ctx.workprec(bits):
-                found = ball(bits)
-            if found.is_finite() and (ends := ball_ends(found)).high - ends.low <= wanted:
-                return ends.low, ends.high
-            bits *= 2
-        raise OpenError(f"the ball leaves the answer open at {digits} digits", remedy="ask for an enclosure")
 
-    def sign_above(t: mpq) -> int:
-        digits = 20
-        while True:
-            low, high = enclosed(digits)
-            if not low <= t <= high:
-                return 1 if low > t else -1
-            digits *= 2
+def _enclosed(ball: Callable[[int], arb], digits: int) -> tuple[mpq, mpq]:
+    bits, wanted = 10 * digits // 3 + 40, mpq(1, 10**digits)
+    while digits <= MOST_DIGITS and bits < 8 * MOST_DIGITS:
+        with ctx.workprec(bits):
+            found = ball(bits)
+        if found.is_finite() and (ends := ball_ends(found)).high - ends.low <= wanted:
+            return ends.low, ends.high
+        bits *= 2
+    raise OpenError(f"the ball leaves the answer open at {digits} digits", remedy="ask for an enclosure")
 
-    return Real(None, enclosed, sign_above)
+
+def _compared(ball: Callable[[int], arb], t: mpq) -> int:
+    digits = 20
+    while True:
+        low, high = _enclosed(ball, digits)
+        if not low <= t <= high:
+            return 1 if low > t else -1
+        digits *= 2
 
 
 def ball_ends(ball: arb) -> Bounds:

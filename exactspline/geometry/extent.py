@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from exactspline.exact import mpq
 from exactspline.geometry.facts import located
@@ -80,8 +81,14 @@ def _extreme(values: Sequence[Real], side: int) -> Real:
     if not rest:
         return Real.of(best)
 
-    def enclosed(digits: int) -> tuple[mpq, mpq]:
-        ends = [v.enclosed(digits) for v in rest]
-        return choose(low for low, _ in ends), choose(high for _, high in ends)
+    given = (tuple(rest), choose)
+    return Real(None, partial(_extreme_enclosed, *given), partial(_extreme_compared, *given))
 
-    return Real(None, enclosed, lambda t: choose(v.sign_above(t) for v in rest))
+
+def _extreme_enclosed(values: Sequence[Real], choose: Callable[..., mpq], digits: int) -> tuple[mpq, mpq]:
+    ends = [v.enclosed(digits) for v in values]
+    return choose(low for low, _ in ends), choose(high for _, high in ends)
+
+
+def _extreme_compared(values: Sequence[Real], choose: Callable[..., int], t: mpq) -> int:
+    return choose(v.sign_above(t) for v in values)

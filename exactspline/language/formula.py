@@ -26,6 +26,9 @@ class Formula(Displayed):
         self.name = self.__name__ = function.__name__
         self.__doc__, self.__module__ = function.__doc__, function.__module__
 
+    def __reduce__(self) -> str:
+        return self.name  # by reference: the formula with this name in its module
+
     @property
     def curve(self) -> str:
         """The name of the kind of its argument."""

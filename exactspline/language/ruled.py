@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Generic, TypeVar, cast
 
+from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import Constant, D, HasDegree, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.services import Displayed
@@ -13,7 +14,7 @@ T_co = TypeVar("T_co", covariant=True)
 V = TypeVar("V")
 
 
-class RuledSurface(Displayed, Generic[T_co]):
+class RuledSurface(Immutable, Displayed, Generic[T_co]):
     """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) of one parameter s, and the ruling
     parameter ζ.
 
@@ -27,7 +28,21 @@ class RuledSurface(Displayed, Generic[T_co]):
     generator: T_co
 
     def __init__(self, directrix: T_co, generator: T_co) -> None:
-        self.directrix, self.generator = directrix, generator
+        fill(self, directrix=directrix, generator=generator)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return RuledSurface, (self.directrix, self.generator)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether directrix and generator agree (see `exactspline.geometry.ruled_surfaces` for one surface written in
+        two ways).
+        """
+        if not isinstance(other, RuledSurface):
+            return NotImplemented
+        return bool(self.directrix == other.directrix and self.generator == other.generator)
+
+    def __hash__(self) -> int:
+        return hash((RuledSurface, self.directrix, self.generator))
 
     def at(self, ruling: Constant) -> T_co:
         """The curve of constant ruling parameter."""

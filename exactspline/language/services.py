@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from exactspline.exact import mpq
+    from exactspline.language.kind import Kind
     from exactspline.language.operand import Operand
+    from exactspline.papers.folder import Paper
     from exactspline.roots.enclosure import Enclosure
     from exactspline.splines.surd import Surd
 
@@ -53,6 +55,10 @@ def service(name: Literal["curvature"]) -> Callable[..., mpq | Surd | Enclosure]
 def service(name: Literal["torsion"]) -> Callable[..., mpq | Enclosure]: ...
 @overload
 def service(name: Literal["plot"]) -> Callable[..., Axes]: ...
+@overload
+def service(name: Literal["kind"]) -> Callable[[str], Kind]: ...
+@overload
+def service(name: Literal["paper"]) -> Callable[[str], Paper]: ...
 @overload
 def service(name: Literal["quotient"]) -> Callable[[object, object], Operand]: ...
 def service(name: str) -> Callable[..., object]:

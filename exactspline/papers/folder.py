@@ -17,6 +17,7 @@ from typing import Any, TypedDict, cast
 
 from exactspline.errors import ClaimError, FormulaError, nearest
 from exactspline.language.formula import Formula
+from exactspline.language.services import service
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
 
@@ -83,6 +84,9 @@ class Paper:
     trusted: bool = False
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return service("paper"), (self.name,)  # by reference: formulas are code
 
     @property
     def formulas(self) -> dict[str, Formula]:

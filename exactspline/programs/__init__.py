@@ -6,6 +6,13 @@
 >>> on_segments = program_for(find("g2"), curve)
 >>> on_segments(curve) == find("g2")(curve), on_segments.count("mul")
 (True, 31)
+
+On two curves what depends on one of them is computed segment by segment and only the rest patch by patch.
+
+>>> from exactspline.splines.tensor import surface_pair
+>>> pair = surface_pair(example("rational_space_cubic"), example("ellipse_in_space"))
+>>> evaluated(find("bisector_symmetric"), pair) == find("bisector_symmetric")(pair)
+True
 """
 
 from exactspline.programs.program import Program, evaluated, program_for

@@ -12,12 +12,12 @@ from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CurveKind, Kind, TableKind
 from exactspline.language.provenance import is_alone, leaf, within
-from exactspline.language.rational import Rational
 from exactspline.language.reading import Reading
-from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.programs.compiled import Run, compiled, needed
 from exactspline.programs.instructions import Instructions
+from exactspline.programs.pairs import operands_of_pair, program_of_pair
+from exactspline.programs.parts import rebuilt, terms_of
 from exactspline.programs.term import Recorder, Term
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -172,7 +172,7 @@ class Program:
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves
         self.value = value
-        self.terms = _terms(value)
+        self.terms = terms_of(value, Term)
         self.outputs = [term.output() for term in self.terms]
         outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
         #: The operands that stand for those with the same denominators.
@@ -193,7 +193,7 @@ class Program:
 
     def on(self, given: Given) -> SplineValue:
         """The value from the splines of an argument."""
-        value: SplineValue = _rebuilt(self.value, iter(self.splines(given)))
+        value: SplineValue = rebuilt(self.value, iter(self.splines(given)))
         return value
 
     def splines(self, given: Given) -> list[BSpline]:
@@ -220,34 +220,6 @@ class Program:
         """How many instructions of one name are carried out on a segment."""
         used = needed(self.instructions.listed, self.outputs)
         return sum(self.instructions.listed[i].name == name for i in used)
-
-
-def _terms(value: Any) -> list[Term]:
-    """The terms that a value consists of."""
-    if isinstance(value, RuledSurface):
-        return _terms(value.directrix) + _terms(value.generator)
-    if isinstance(value, Rational):
-        return [*_terms(value.numerator), value.denominator]
-    if isinstance(value, Vector):
-        return [term for part in value for term in _terms(part)]
-    if isinstance(value, Term):
-        return [value]
-    raise FormulaError(
-        f"a formula that returns a {type(value).__name__}", remedy="a scalar, a vector, a quotient or a ruled surface"
-    )
-
-
-def _rebuilt(value: Any, splines: Any) -> Any:
-    """The value with splines in the place of its terms."""
-    if isinstance(value, RuledSurface):
-        directrix = _rebuilt(value.directrix, splines)
-        return RuledSurface(directrix, _rebuilt(value.generator, splines))
-    if isinstance(value, Rational):
-        numerator = _rebuilt(value.numerator, splines)
-        return Rational(numerator, next(splines))
-    if isinstance(value, Vector):
-        return Vector(*[_rebuilt(part, splines) for part in value])
-    return next(splines)
 
 
 #: All programs, and how many segments have asked for those that do not exist yet.
@@ -290,7 +262,12 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
     mpq(1,1)
     """
     given = operands_of(formula.kind, argument)
-    if given is None:
-        value: SplineValue = formula(argument)
-        return value
-    return _program(formula, given.signature).on(given)
+    value: SplineValue
+    if given is not None:
+        return _program(formula, given.signature).on(given)
+    pair = operands_of_pair(formula.kind, argument)
+    if pair is not None and (program := program_of_pair(formula, pair.signature)) is not None:
+        value = program.on(pair)
+    else:
+        value = formula(argument)
+    return value

@@ -7,7 +7,7 @@ from math import gcd
 from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational
+from exactspline.exact import mpq, rational
 from exactspline.language.operand import CONSTANTS, Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
 from exactspline.programs.compiled import Multiplier
@@ -15,6 +15,9 @@ from exactspline.programs.denominators import ONE, Denominator, OfOperand, Width
 from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
 from exactspline.programs.instructions import ZERO, Instructions
 from exactspline.splines.knots import SMOOTH
+
+#: Operand by operand the order of its derivative (−1: none), constants last.
+Orders = tuple[int, ...]
 
 
 class Recorder:
@@ -73,6 +76,16 @@ class Term(Operand):
         return Term(self.recorder, node, 0, orders, below, (MULTIPLE, UNIT, q), number)
 
     @property
+    def is_number(self) -> bool:
+        """Whether it is a constant."""
+        return self.degree == 0 and max(self.orders[:-1]) < 0
+
+    @property
+    def value(self) -> mpq:
+        """The number that a constant is."""
+        return mpq(0 if self.node == ZERO else self.number, self.below.constant)
+
+    @property
     def is_zero(self) -> bool:
         """Whether it vanishes on every curve of the kind; whether others vanish cannot be known in advance.
 
@@ -112,15 +125,9 @@ class Term(Operand):
             return (b if a.node == ZERO else a)._with(orders=orders, provenance=provenance)
         raised, widths = min(a.raised, b.raised), min(a.widths, b.widths)
         first, second = a._down_to(raised, widths), b._down_to(raised, widths)
-        if self.recorder.instructions.same(first.node, second.node):
-            number = first.number + second.number
-            node = first.node if number else ZERO
-            return first._with(node=node, number=number or 1, orders=orders, provenance=provenance)
-        if first.node > second.node:
-            first, second = second, first
-        common = gcd(first.number, second.number) * (1 if first.number > 0 else -1)
-        node = self.recorder.instructions.sum(first.node, first.number // common, second.node, second.number // common)
-        return first._with(node=node, number=common, orders=orders, provenance=provenance)
+        parts = (first.node, first.number), (second.node, second.number)
+        node, number = multiple_of_sum(self.recorder.instructions, *parts)
+        return first._with(node=node, number=number, orders=orders, provenance=provenance)
 
     def _with_number(self, factor: int) -> Term:
         return self if factor == 1 else self._with(number=self.number * factor)
@@ -253,8 +260,26 @@ class Term(Operand):
 
     def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
         """The continuity at the inner breakpoints, from that of the operands."""
-        if not inner:
-            return ()
-        known = [*operands, (SMOOTH,) * inner]
-        dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, self.orders, strict=True) if k >= 0]
-        return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])
+        return continuity_from(self.orders, operands, inner)
+
+
+def continuity_from(orders: Orders, operands: Sequence[tuple[int, ...]], inner: int) -> tuple[int, ...]:
+    """The continuity at so many inner breakpoints of what was made from derivatives of operands of these orders."""
+    if not inner:
+        return ()
+    known = [*operands, (SMOOTH,) * inner]
+    dropped = [[max(c - k, -1) for c in own] for own, k in zip(known, orders, strict=True) if k >= 0]
+    return tuple(map(min, *dropped)) if len(dropped) > 1 else tuple(dropped[0])
+
+
+def multiple_of_sum(code: Instructions, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
+    """A sum of multiples of what two instructions make, as a multiple of one; zero among them adds nothing."""
+    (a, m), (b, n) = first, second
+    if ZERO in (a, b):
+        return second if a == ZERO else first
+    if code.same(a, b):
+        return (a, m + n) if m + n else (ZERO, 1)
+    if a > b:
+        a, m, b, n = b, n, a, m
+    common = gcd(m, n) * (1 if m > 0 else -1)
+    return code.sum(a, m // common, b, n // common), common

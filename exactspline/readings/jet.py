@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from itertools import product
 from typing import Any, cast
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq, rational, to_fmpq
@@ -24,6 +24,15 @@ from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PR
 from exactspline.language.reading import Reading
 
 PRIMES = ("", "′", "″", "‴")
+
+
+#: The terms of a polynomial: exponents, numerator, denominator.
+Terms = tuple[tuple[tuple[int, ...], int, int], ...]
+
+
+def terms_of(polynomial: fmpq_mpoly) -> Terms:
+    """The terms as integers, since FLINT's polynomials cannot be pickled."""
+    return tuple((tuple(map(int, exponents)), int(c.p), int(c.q)) for exponents, c in polynomial.to_dict().items())
 
 
 class JetRing:
@@ -58,6 +67,25 @@ class JetRing:
         #: `exactspline.readings.factored_jet`).
         self.repeated: list[fmpq_mpoly] = []
         self._ruled: dict[str, fmpq_mpoly] = {}
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _ring, self._made_of
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are rings of the same polynomials."""
+        return isinstance(other, JetRing) and self._made_of == other._made_of
+
+    def __hash__(self) -> int:
+        return hash(self._made_of)
+
+    @property
+    def _made_of(self) -> tuple[Kind, int, int, bool]:
+        return self.kind, self.dimension, self.order, self.polynomial
+
+    def of_terms(self, terms: Terms) -> fmpq_mpoly:
+        """The polynomial with these terms (see `terms_of`)."""
+        polynomial: fmpq_mpoly = self.context.from_dict({e: fmpq(p, q) for e, p, q in terms})
+        return polynomial
 
     def __getitem__(self, name: str) -> Jet:
         parameters = 1 if name in self.rules else max(len(self.symbols[name].parameters), 1)
@@ -169,6 +197,9 @@ class Jet(Operand):
     def __init__(self, ring: JetRing, polynomial: fmpq_mpoly, provenance: Provenance | None = None) -> None:
         self.ring, self.polynomial, self.provenance = ring, polynomial, leaf() if provenance is None else provenance
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return _jet, (self.ring, terms_of(self.polynomial))
+
     def constant(self, value: Constant) -> Jet:
         """An exact constant of the ring."""
         return self.ring.number(value)
@@ -267,6 +298,16 @@ def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:
     if abs(c) != 1 or not factors:
         factors.insert(0, str(abs(c)))
     return ("− " if c < 0 else "+ ") + "·".join(factors)
+
+
+def _ring(kind: Kind, dimension: int, order: int, polynomial: bool) -> JetRing:
+    """The unpickled ring."""
+    return JetRing(kind, dimension, order, polynomial=polynomial)
+
+
+def _jet(ring: JetRing, terms: Terms) -> Jet:
+    """The unpickled polynomial, with a new provenance, since numbers of leaves mean nothing in another process."""
+    return Jet(ring, ring.of_terms(terms))
 
 
 class JetReading(Reading):

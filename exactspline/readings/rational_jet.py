@@ -14,7 +14,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-from exactspline.readings.jet import Jet, JetRing, bounded_product
+from exactspline.readings.jet import Jet, JetRing, Terms, bounded_product, terms_of
 
 
 class JetFraction(FieldOperand):
@@ -34,6 +34,9 @@ class JetFraction(FieldOperand):
 
     def __init__(self, ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> None:
         self.ring, self.top, self.bottom = ring, top, bottom
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _fraction, (self.ring, terms_of(self.top), terms_of(self.bottom))
 
     def constant(self, value: Constant) -> JetFraction:
         """An exact constant."""
@@ -124,6 +127,11 @@ class JetFraction(FieldOperand):
 
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
+
+
+def _fraction(ring: JetRing, top: Terms, bottom: Terms) -> JetFraction:
+    """The unpickled fraction."""
+    return JetFraction(ring, ring.of_terms(top), ring.of_terms(bottom))
 
 
 def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from exactspline.exact import Number, Rounding, double, double_between, mpq
@@ -30,7 +31,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class Real:
     """A real number: `exact` where it is rational or ``a√b`` and known to be; ``enclosed(digits)`` is an interval with
-    it, at most ``10^−digits`` wide; ``sign_above(t)`` is the sign of the number minus a rational t.
+    it, at most ``10^−digits`` wide; ``sign_above(t)`` is the sign of the number minus a rational t. Both are functions
+    with names, so that reals can be pickled.
 
     >>> from exactspline.splines.surd import square_root
     >>> root = Real.of(square_root(mpq(2)))
@@ -46,11 +48,11 @@ class Real:
     def of(cls, value: Number | Surd | Root) -> Real:
         """A number that is known in one of these ways."""
         if isinstance(value, Surd):
-            return cls(value, value.enclosed, lambda t: 1 if value > t else -1)
+            return cls(value, value.enclosed, partial(_compared, value))
         place = exact_place(value)
         if isinstance(place, Root):
-            return cls(None, place.refine, lambda t: int(place > t) - int(place < t))
-        return cls(place, lambda digits: (place, place), lambda t: int(place > t) - int(place < t))
+            return cls(None, place.refine, partial(_compared, place))
+        return cls(place, partial(_twice, place), partial(_compared, place))
 
     @classmethod
     def quotient_at(cls, top: BSpline, bottom: BSpline, root: Root) -> Real:
@@ -63,13 +65,8 @@ class Real:
         """
         if sign_at(top, root) == 0:
             return cls.of(0)
-        positive = sign_at(bottom, root)
-
-        def enclosed(digits: int) -> tuple[mpq, mpq]:
-            (found,) = value_at((top,), bottom, root, digits)
-            return found.low, found.high
-
-        return cls(None, enclosed, lambda t: positive * sign_at(top - bottom.scaled(t), root))
+        given = (top, bottom, root)
+        return cls(None, partial(_quotient, *given), partial(_quotient_compared, *given, sign_at(bottom, root)))
 
     @classmethod
     def root_of_quotient_at(cls, sign: int, top: BSpline, bottom: BSpline, root: Root) -> Real:
@@ -82,22 +79,8 @@ class Real:
         """
         if sign == 0 or sign_at(top, root) == 0:
             return cls.of(0)
-
-        def bounds(low: mpq, high: mpq, digits: int) -> list[Bounds] | None:
-            above, below = values_between(top, low, high), values_between(bottom, low, high)
-            if above is None or below is None or below.low <= 0:
-                return None
-            size = root_of(quotient(above, below), digits + 5)
-            return [size if sign > 0 else Bounds(-size.high, -size.low)]
-
-        def enclosed(digits: int) -> tuple[mpq, mpq]:
-            (found,) = narrowed(lambda low, high: bounds(low, high, digits), root, digits)
-            return found.low, found.high
-
-        def sign_above(t: mpq) -> int:
-            return sign if t * sign <= 0 else sign * sign_at(top - bottom.scaled(t * t), root)
-
-        return cls(None, enclosed, sign_above)
+        given = (sign, top, bottom, root)
+        return cls(None, partial(_root_of_quotient, *given), partial(_root_compared, *given))
 
     def told(self, digits: int) -> mpq | Surd | Enclosure:
         """The number itself where it is known, otherwise enclosed to so many digits behind the point."""
@@ -112,6 +95,39 @@ class Real:
     def doubles(self) -> dict[str, float]:
         """All three correctly rounded doubles by the names of the rounding modes."""
         return {str(way): self.double(way) for way in Rounding}
+
+
+def _twice(value: mpq, digits: int) -> tuple[mpq, mpq]:
+    return value, value
+
+
+def _compared(value: mpq | Surd | Root, t: mpq) -> int:
+    return int(value > t) - int(value < t)
+
+
+def _quotient(top: BSpline, bottom: BSpline, root: Root, digits: int) -> tuple[mpq, mpq]:
+    (found,) = value_at((top,), bottom, root, digits)
+    return found.low, found.high
+
+
+def _quotient_compared(top: BSpline, bottom: BSpline, root: Root, positive: int, t: mpq) -> int:
+    return positive * sign_at(top - bottom.scaled(t), root)
+
+
+def _root_of_quotient(sign: int, top: BSpline, bottom: BSpline, root: Root, digits: int) -> tuple[mpq, mpq]:
+    def bounds(low: mpq, high: mpq) -> list[Bounds] | None:
+        above, below = values_between(top, low, high), values_between(bottom, low, high)
+        if above is None or below is None or below.low <= 0:
+            return None
+        size = root_of(quotient(above, below), digits + 5)
+        return [size if sign > 0 else Bounds(-size.high, -size.low)]
+
+    (found,) = narrowed(bounds, root, digits)
+    return found.low, found.high
+
+
+def _root_compared(sign: int, top: BSpline, bottom: BSpline, root: Root, t: mpq) -> int:
+    return sign if t * sign <= 0 else sign * sign_at(top - bottom.scaled(t * t), root)
 
 
 def real(value: Number | Surd | Root | Real) -> Real:

@@ -28,7 +28,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import Jet, JetReading, JetRing, polynomial_text
+from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
 from exactspline.readings.printing.printer import POWER
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
@@ -50,6 +50,10 @@ class Factor(Displayed):
     constant: mpq
     powers: Factorization[Named]
     ring: JetRing
+
+    def __reduce__(self) -> tuple[object, ...]:
+        powers = tuple((base.name, terms_of(base.polynomial), e) for base, e in self.powers)
+        return _factor, (self.constant, powers, self.ring)
 
     def __str__(self) -> str:
         parts = [power_text(base.name, e) for base, e in self.powers]
@@ -83,6 +87,12 @@ class Factor(Displayed):
         """Numerator and denominator in the reading of a concrete curve."""
         top, bottom = self.fraction()
         return substitute(Jet(self.ring, top), curve), substitute(Jet(self.ring, bottom), curve)
+
+
+def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: JetRing) -> Factor:
+    """The unpickled factor."""
+    named = [(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]
+    return Factor(constant, Factorization(named), ring)
 
 
 def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False) -> Evaluated:

@@ -22,6 +22,7 @@ from exactspline.readings.degree import parse
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import speaking_of
+from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import curve_named, curve_names
@@ -54,6 +55,10 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 def formula_name(claim: Claim, name: str, value: str) -> str:
     """The name of a formula that applies to the arguments of the claim."""
+    if value in WEIGHTS:
+        raise ClaimError(
+            f"a formula called {value!r}, which is a denominator in factors", where=name, remedy="give it another name"
+        )
     formula, handed = claim.find(value), claim.kind_of_field(name)
     if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(

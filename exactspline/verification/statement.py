@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exactspline.errors import InapplicableError
+from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
 from exactspline.language.services import Displayed
@@ -136,8 +137,7 @@ def _side(name: str, role: str, claim: Claim) -> Side:
     formula = claim.find(name)
     tree = telling_tree(formula, _dimension(formula, claim))
     shown = symbol_text(formula.symbol) if formula.symbol else name
-    counted = [_degree(name, claim, polynomial) for polynomial in (False, True)]
-    degrees = ["–" if degree is None else str(degree) for degree in counted]
+    degrees = [_degrees(name, claim, polynomial) for polynomial in (False, True)]
     return Side(
         role,
         name,
@@ -154,16 +154,23 @@ def _dimension(formula: Formula, claim: Claim) -> int:
     return claim.dimensions[0] if claim.dimensions[0] in own else own[0]
 
 
-def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
+def _degrees(name: str, claim: Claim, polynomial: bool) -> str:
+    """The degree of a formula, of a surface that in each parameter."""
+    parameters = (claim.parameter,) if isinstance(claim, DegreeClaim) else claim.find(name).kind.counted
+    found = [_degree(name, claim, polynomial, parameter) for parameter in parameters]
+    return ", ".join("–" if degree is None else str(degree) for degree in found) or "–"
+
+
+def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> Degree | None:
     """The degree of a formula, None where it has none: over roots, for functions given by an equation."""
     formula = claim.find(name)
-    counts = (claim.parameter, claim.counting) if isinstance(claim, DegreeClaim) else ()
+    counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
         degree: Degree = formula(degree_table()).degree
         return degree
     if formula.kind.adjoins_roots:
         return None
-    dimension, reading = _dimension(formula, claim), DegreeReading("d", *counts)
+    dimension, reading = _dimension(formula, claim), DegreeReading("d", parameter, counting)
     try:
         degree = formula(reading.argument(formula.kind, dimension, polynomial=polynomial)).degree
     except InapplicableError:
@@ -172,7 +179,8 @@ def _degree(name: str, claim: Claim, polynomial: bool) -> Degree | None:
 
 
 def _size(name: str, claim: Claim) -> int:
-    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL)
+    parameter = next(iter(claim.find(name).kind.counted), Parameter.FIRST)
+    degree = _degree(name, claim, claim.of == Scope.POLYNOMIAL, parameter)
     return 0 if degree is None else degree.at(dict.fromkeys(degree.names, 3))
 
 

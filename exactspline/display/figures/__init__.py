@@ -32,7 +32,7 @@ class Made:
 
 
 def folder(path: str | Path) -> Path:
-    """The folder with this path, made if need be; `PlotError` where that cannot be done."""
+    """The folder with this path, created if necessary; `PlotError` where that is impossible."""
     place = Path(path)
     try:
         place.mkdir(parents=True, exist_ok=True)
@@ -44,7 +44,7 @@ def folder(path: str | Path) -> Path:
 
 
 def make(number: int, folder: str | Path) -> Made:
-    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as a page that turns.
+    """Draw one figure and write it into a folder: as SVG and PNG, and its surfaces as an interactive page.
 
     Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where nothing can be
     written.

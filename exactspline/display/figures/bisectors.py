@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.html import Scene, three_ticks
+from exactspline.display.plot.frames import three_ticks
+from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
 from exactspline.exact import mpq
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 EXPLICIT, DIRECT = "point_bisector_polynomial", "point_bisector_direct_z"
 TITLES = ("(a) explicit directrix approach", "(b) direct approach")
-#: Where the figures are seen from: height and turn, in degrees.
+#: The view of the figures: elevation and azimuth, in degrees.
 VIEW = (22, -60)
 
 
@@ -55,7 +56,7 @@ def figure_5() -> Drawn:
 
 
 def _surfaces(shown: Shown) -> list[tuple[RationalSurface, SurfaceMesh]]:
-    """The surface by both approaches: the same part of it, cut at the same heights, with either net."""
+    """The surface by both approaches: the same part of it, cut at the same heights, with its two nets."""
     argument = example(shown.curve).with_point(shown.point)
     found = [find(formula)(argument) for formula in (EXPLICIT, DIRECT)]
     nets = (shown.explicit, shown.heights)
@@ -72,7 +73,7 @@ def _frame(figure: Figure, i: int, shown: Shown, mesh: SurfaceMesh, title: str, 
 
 
 def _alike(frames: Sequence[Any]) -> None:
-    """One camera, one scale and the same few ticks in all frames, which hold everything of each."""
+    """One camera, one scale and the same few ticks in all frames, which contain all of each scene."""
     for axis in "xyz":
         bounds = [getattr(ax, f"get_{axis}lim")() for ax in frames]
         low, high = min(a for a, _ in bounds), max(b for _, b in bounds)

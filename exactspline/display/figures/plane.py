@@ -29,16 +29,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.legend import Legend
 
-#: Characters of a caption that go into an inch.
+#: Characters of a caption per inch.
 DENSITY = 16
 #: A trimmed graph is shown up to so many times the median of its absolute values.
 TRIMMED = 8
-#: What squaring and the direct approach solve, as forms of the construction ``critical_curvature``.
+#: The forms that squaring and the direct approach solve, of the construction ``critical_curvature``.
 SQUARING = "squaring"
 
 
 class Drawn(NamedTuple):
-    """A figure, its caption, and what turns on a page (nothing for a picture in the plane)."""
+    """A figure, its caption, and its interactive scenes (none for a picture in the plane)."""
 
     figure: Any
     caption: str
@@ -53,7 +53,7 @@ def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Scene, ..
 
 
 def cost(value: BSpline | SplineVector) -> str:
-    """What a representation costs, counted on it.
+    """The cost of a representation, counted on it.
 
     >>> cost(find("g2")(example("ellipse")))
     'degree 12, 52 control points'
@@ -70,7 +70,7 @@ def figure_1() -> Drawn:
     extrema = curvature_extrema(curve)
     inner, jumps = [f.root for f in extrema if not f.by_jump], [f.root for f in extrema if f.by_jump]
     plot_evolute(curve, plot_curve(curve, top, knots=False))
-    # each marker means in (a) what it means in (b) and (c)
+    # each marker has the same meaning in (a), (b) and (c)
     plot_features(curve, inner, top, label="κ′ = 0", color=GREEN)
     plot_features(curve, jumps, top, label="κ′ changes its sign by a jump", color=GREEN, hollow=True)
     plot_features(

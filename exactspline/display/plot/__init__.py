@@ -1,8 +1,8 @@
 """Pictures: curves and functions with their control polygons, roots, features, evolutes, surfaces. Needs matplotlib
 (the extra ``plot``).
 
-All is computed exactly; numbers become floats only when matplotlib gets them. A function that draws takes the axes
-(None: those of a new figure) and returns them.
+Everything is computed exactly; numbers become floats only when they are passed to matplotlib. A drawing function takes
+the axes (None: those of a new figure) and returns them.
 """
 
 from exactspline.display.plot.canvas import PlotError, new_figure, save

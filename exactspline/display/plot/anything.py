@@ -1,4 +1,4 @@
-"""A picture of whatever can be drawn."""
+"""A picture of any drawable object."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
     >>> [plot(x).get_legend().get_texts()[-1].get_text() for x in (example("circle"), f, zeros(f))]
     ['knots', 'graph', '1 root']
 
-    Raises `PlotError` without matplotlib, `ShapeError` for what has no picture.
+    Raises `PlotError` without matplotlib, `ShapeError` for other objects.
     """
     options: dict[str, Any] = how
     if isinstance(thing, Nurbs):

@@ -25,7 +25,7 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
-from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
 from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisector.point_and_curve import PointBisector
@@ -44,7 +44,7 @@ Ruling = tuple[Point, Point]
 
 #: Rulings of a piece, points along a ruling, samples of a piece of a plane curve.
 RULINGS, ALONG, SAMPLES = 64, 12, 200
-#: Digits of what is drawn of irrational lines.
+#: Digits of irrational lines in pictures.
 DIGITS = 20
 
 
@@ -58,7 +58,7 @@ def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Bo
     >>> [text.get_text() for text in plot_curve_bisector(curve_bisector(low, high)).get_legend().get_texts()]
     ['curve of s', 'curve of t', 'lines of s - t = 0']
 
-    Raises `PlotError` as `plot_mesh` does, but for a bisector of which there is nothing in the box.
+    Raises `PlotError` as `plot_mesh` does, except for a bisector without any part in the box.
     """
     ax = axes_for(ax, 3)
     box = _box_of(found.curves) if box is None else box
@@ -75,6 +75,7 @@ def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Bo
             _plot(ax, lines_mesh(rulings, box), label, ORANGE)
     for pair in found.pairs:
         _plot_pair(ax, pair, box)
+    show_box(ax, box)
     _legend_once(ax)
     return ax
 
@@ -101,7 +102,7 @@ def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
 
 
 def _legend_once(ax: Axes) -> None:
-    """The legend, with what has one label in it once."""
+    """The legend, with each label once."""
     seen: set[str] = set()
     for artist in [*ax.lines, *ax.collections]:
         label = str(artist.get_label())
@@ -134,7 +135,7 @@ def lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
 
 
 def _turned(ruling: Ruling, before: Point | None) -> Ruling:
-    """The line with its direction not against that of the line before."""
+    """The line, its direction chosen to agree with that of the line before."""
     point, direction = ruling
     against = before is not None and sum(x * y for x, y in zip(before, direction, strict=True)) < 0
     return point, tuple(-x for x in direction) if against else direction
@@ -189,7 +190,7 @@ def _between(low: Any, high: Any) -> list[mpq]:
 
 
 def _middle(flat: Any) -> Ruling | None:
-    """A line in balls as the line through their middles; None where a ball says nothing."""
+    """A line in balls as the line through their middles; None where a ball is not finite."""
     rows = [flat.point, flat.direction]
     if not all(x.is_finite() for row in rows for x in row):
         return None
@@ -251,6 +252,7 @@ def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Numb
             rulings.append(line)
         _plot(ax, lines_mesh(rulings, box), "bisector", SKY)
     mark_points(ax, [place], "point")
+    show_box(ax, box)
     _legend_once(ax)
     return ax
 

@@ -1,7 +1,6 @@
-"""The ground of every picture: figures, axes, colours, the one place where exact numbers become floats, and files.
-
-There is no state, neither pyplot nor a display. Colours after Okabe and Ito (2008), told apart by colour-blind readers
-too.
+"""The basis of every picture: figures, axes, colours, files, and the only place where exact numbers become floats.
+There is no state, neither pyplot nor a display. Colours after Okabe and Ito (2008), which colour-blind readers can
+distinguish too.
 """
 
 from __future__ import annotations
@@ -27,12 +26,12 @@ if TYPE_CHECKING:
 
 BLACK, GREY, SILVER = "#000000", "#7A7A7A", "#C4C4C4"
 BLUE, SKY, GREEN, ORANGE, VERMILLION, PURPLE = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7"
-#: Marker and colour of the roots of one panel after the other.
+#: Markers and colours of the roots, panel by panel.
 MARKS = (("D", GREEN), ("s", PURPLE), ("^", ORANGE), ("v", SKY))
 
-#: Samples a segment, and about how many a picture gets in all when there are many segments.
+#: Samples per segment, and about how many a picture has in all when there are many segments.
 SAMPLES, ALL_SAMPLES = 128, 8192
-#: Beyond this, and below its reciprocal, matplotlib loses its way.
+#: Beyond this, and below its reciprocal, matplotlib fails.
 LARGEST = mpq(10) ** 100
 
 SUFFIXES = (".svg", ".png")
@@ -51,7 +50,7 @@ class PlotError(ExactSplineError):
 
 
 def new_figure(width: float = 7, height: float = 5) -> Figure:
-    """An empty ``matplotlib.figure.Figure`` of so many inches, belonging to no window; `PlotError` without
+    """An empty ``matplotlib.figure.Figure`` of so many inches, without a window; `PlotError` without
     matplotlib.
     """
     made: Figure = library("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
@@ -84,7 +83,7 @@ def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
 
 
 def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: object) -> None:
-    """Exact points as a line or as dots: the one place where they become floats."""
+    """Exact points as a line or as dots: the only place where they become floats."""
     options: dict[str, Any] = how
     columns = list(zip(*points, strict=True))
     if any(abs(x) > LARGEST for column in columns for x in column):
@@ -135,8 +134,8 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
 
 
 def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
-    """Legs (by default light grey), straight in the data (so bent by a scale that is not linear), and the control
-    points but the hidden ones.
+    """Legs (by default light grey), straight in the data (hence bent by a scale that is not linear), and the visible
+    control points.
     """
     for run in runs:
         legs = [
@@ -152,8 +151,8 @@ def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: 
 
 
 def shown_name(curve: Nurbs) -> str:
-    """The name as matplotlib shows it as it stands: neither dollars read as mathematics nor an underscore that hides
-    it.
+    """The name, escaped so that matplotlib shows it literally: neither dollar signs as mathematics nor a hiding
+    underscore.
     """
     return curve.name.replace("$", r"\$").lstrip("_") or "curve"
 
@@ -172,6 +171,8 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
     metadata = {"Date": None} if suffix == ".svg" else {}
+    if any(ax.name == "3d" for ax in figure.axes):
+        figure.draw_without_rendering()  # only what was drawn once knows how much room its axes take
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(
             place, lambda stream: figure.savefig(stream, format=suffix[1:], dpi=150, metadata=metadata), PlotError

@@ -1,4 +1,4 @@
-"""Whole pictures that hold things side by side."""
+"""Whole pictures that compare several things."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, 
 SAMPLES = 400
 
 
-#: What a picture of several curves marks: a name, the marker with size and colour, the parameters on one curve.
+#: The marks in a picture of several curves: a name, the marker with size and colour, the parameters on one curve.
 _MARKED: tuple[tuple[str, str, int, str, Callable[[Analysis], list[Root]]], ...] = (
     ("corners", "s", 11, VERMILLION, lambda found: [knot_root(joint.parameter) for joint in found.corners]),
     ("cusps", "X", 9, BLACK, lambda found: [f.root for f in found.singular_points if f.kind is FeatureKind.CUSP]),
@@ -95,7 +95,7 @@ def inspect_figure(curve: Nurbs, panels: Sequence[tuple[str, BSpline, ZeroSet]],
 
 def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
     """One picture of several curves, a drawing or a glyph: corners, inflections, cusps, the extrema of the curvature,
-    and where the coordinates turn.
+    and the extrema of the coordinates.
 
     >>> from exactspline.splines.examples import example
     >>> ax, = features_figure([example("cubic_s"), example("cusp")]).axes
@@ -115,7 +115,7 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
             plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     seen = set()
     for line in ax.lines:
-        # a legend names what has many curves once
+        # a legend names each kind of mark once
         if line.get_label() in seen:
             line.set_label("_again")
         seen.add(line.get_label())
@@ -130,8 +130,8 @@ def plot_approaches(
     """The forms in which a zero set can be computed, in one picture: each divided by its largest value and shown by its
     signed cube root.
 
-    So their zeros and signs can be compared although their sizes differ by many powers of ten; the legend tells what
-    each costs.
+    In this way their zeros and signs can be compared although their sizes differ by many powers of ten; the legend
+    shows the cost of each.
 
     >>> from exactspline.splines.examples import example
     >>> ax = plot_approaches(example("ellipse"))

@@ -18,11 +18,11 @@ from exactspline.splines.tensor import TensorSpline
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-#: Distance between lines and length of a step, as parts of the size of the surface; the most steps of a line.
+#: Distance between lines and length of a step, as fractions of the size of the surface; the most steps of a line.
 APART, STEP, MOST = 1 / 26, 1 / 400, 1200
 #: Steps of the shortest line.
 LEAST = 12
-#: A line ends where it comes nearer to another one than this part of their distance.
+#: A line ends where it comes nearer to another one than this fraction of their distance.
 NEAR = 0.55
 
 
@@ -44,7 +44,7 @@ class Samples:
 
     @classmethod
     def of(cls, surface: NurbsSurface, grid: int, least: int) -> Samples:
-        """The samples of a surface: about so many in each direction, at least so many a patch."""
+        """The samples of a surface: about so many in each direction, at least so many per patch."""
         np: Any = library("numpy")
         counts = [max(least, -(-grid // n)) for n in surface.patches]
         ts = [
@@ -232,7 +232,7 @@ def _half(
 
 
 def _turned(direction: tuple[float, float], last: tuple[float, float]) -> tuple[float, float]:
-    """A direction or its opposite, whichever goes on as before."""
+    """A direction or its opposite, whichever continues the line."""
     forward = direction[0] * last[0] + direction[1] * last[1] >= 0
     return direction if forward else (-direction[0], -direction[1])
 

@@ -56,7 +56,7 @@ def plot_curve(
     control polygon, and its knots as dots on the curve.
 
     The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0
-    (a direction, no point).
+    (a direction, not a point).
 
     >>> from exactspline.splines.examples import example
     >>> ax = plot_curve(example("circle"))
@@ -122,7 +122,7 @@ def plot_features(
 
 
 def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute", color: str = VERMILLION) -> Axes:
-    """The evolute of a plane curve, in the pieces in which it exists, none joined across a pole; the axes show what is
+    """The evolute of a plane curve, in the pieces in which it exists, none joined across a pole; the axes show the part
     near the curve.
 
     >>> from exactspline.splines.examples import example
@@ -178,8 +178,8 @@ def plot_quotient(
     polygon_color: str = SILVER,
     box: Box | None = None,
 ) -> Axes:
-    """A derived curve as it was computed, a vector of splines or a vector `Rational`, with the control polygon of this
-    very representation.
+    """A derived curve in its computed representation, a vector of splines or a vector `Rational`, with the control
+    polygon of that representation.
 
     The curve ends at its poles; points and control points outside `box` (by default: far from most) are left out.
 

@@ -1,4 +1,4 @@
-"""Surfaces drawn by a renderer that knows depth: VTK through pyvista, off screen (the extra ``figures``).
+"""Surfaces drawn by a renderer with a depth buffer: VTK through pyvista, off screen (the extra ``figures``).
 
 matplotlib orders whole faces from back to front, which is wrong as soon as two of them cross. A `DepthCollection` lies
 in matplotlib's axes as any collection of faces does; when the picture is drawn, it has the surfaces, lines and dots of
@@ -34,21 +34,22 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-#: How much of the light a surface keeps back, and the least resolution of an image in dots an inch: what is drawn finer
-#: than it is shown has smooth edges.
+#: The opacity of a surface, and the lowest resolution of an image in dots per inch: images drawn finer than shown have
+#: smooth edges.
 OPACITY, RESOLUTION = 0.7, 240
-#: Where the two lights are, seen from the eye, and how strong.
+#: The positions of the two lights, seen from the eye, and their intensities.
 LIGHTS = (((-0.5, 0.8, 1.0), 0.9), ((0.9, -0.3, 0.5), 0.35))
 MATERIAL = {"ambient": 0.35, "diffuse": 0.8, "specular": 0.08, "specular_power": 15}
 #: Isolines along and across the rows of a patch, about so many, and their width in points.
 ISOLINES, FINE = (7, 24), 0.5
-#: How far towards the eye lines lie, in parts of the picture's size, so that they are not half inside their surface.
+#: How far towards the eye lines lie, as a fraction of the picture's size, so that they are not half inside their
+#: surface.
 LIFT = 0.002
 
-#: What matplotlib calls no marker or no line.
+#: The names of matplotlib for no marker or no line.
 NOTHING = ("None", None, "", " ")
 
-#: What is said where surfaces are drawn without it.
+#: The note where surfaces are drawn without it.
 REMARK = (
     "surfaces are drawn face by face, from back to front: pip install 'exactspline[figures]' for a renderer that knows "
     "depth"
@@ -60,20 +61,19 @@ def knows_depth() -> bool:
     """Whether pyvista is there and can draw off screen: on Linux with Mesa's EGL or OSMesa (libegl1, libosmesa6)."""
     if find_spec("pyvista") is None:
         return False
-    # without a library to draw with, VTK does not say so but ends the process
+    # without a rendering library, VTK aborts the process instead of raising
     return not sys.platform.startswith("linux") or any(map(find_library, ("EGL", "OSMesa")))
 
 
 class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has no types
     """The faces of a mesh in one colour, for axes in space."""
 
-    def __init__(self, mesh: SurfaceMesh, color: str, shades: Sequence[tuple[float, ...]], **how: Any) -> None:
+    def __init__(self, mesh: SurfaceMesh, color: str, shades: Sequence[tuple[float, ...]], zorder: float = 1) -> None:
         corners = [[tuple(float(x) for x in p) for p in face] for face in mesh.faces]
-        super().__init__(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, **how)
+        super().__init__(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, zorder=zorder)
         self.mesh = mesh
         self.color = color
         self._rendered_lines: list[Line3D] = []
-        self._last: tuple[object, NDArray[np.uint8]] | None = None
         # thousands of faces are a picture inside an SVG, not as many paths
         if not knows_depth():
             self.set_rasterized(True)
@@ -86,6 +86,8 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
         if not (knows_depth() and parallel):
             super().draw(renderer)
             return
+        if hasattr(renderer.draw_image, "__wrapped__"):
+            return  # a renderer that only lays out a picture: its methods are wrapped, and draw nothing
         surfaces = [c for c in space.collections if isinstance(c, DepthCollection) and c.get_visible()]
         if surfaces[0] is self:
             self._draw_all(space, surfaces, renderer)
@@ -93,15 +95,12 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
     def _draw_all(self, space: Any, surfaces: Sequence[DepthCollection], renderer: RendererBase) -> None:
         lines = [line for line in space.lines if line.get_visible() or line in self._rendered_lines]
         self._rendered_lines = [line for line in lines if _is_rendered(line)]
-        # matplotlib draws more than once to lay out a picture
-        key = (space.M.tobytes(), space.bbox.bounds, space.figure.dpi, len(surfaces), len(self._rendered_lines))
-        if self._last is None or self._last[0] != key:
-            self._last = key, rendered(space, [(c.mesh, c.color) for c in surfaces], self._rendered_lines)
+        image = rendered(space, [(c.mesh, c.color) for c in surfaces], self._rendered_lines)
         frame = BboxImage(space.bbox, interpolation="antialiased", origin="upper")
         frame.set_figure(space.figure)
-        frame.set_data(self._last[1])
+        frame.set_data(image)
         frame.draw(renderer)
-        # they are in the image: matplotlib, which comes to them after the surfaces, leaves them out
+        # they are in the image already, so that matplotlib must skip them
         for line in self._rendered_lines:
             line.set_visible(False)
 
@@ -145,7 +144,7 @@ def rendered(
 
 
 def _pyvista() -> Any:
-    # off screen there is nothing to ask an X server, and no reason to complain that there is none
+    # off screen no X server is needed, and no warning about a missing one
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
     return import_module("pyvista")

@@ -35,10 +35,10 @@ from exactspline.splines.knots import greville_abscissae
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: A control polygon so many times higher than its graph, or a graph so many times higher than its median, gets no
-#: linear scale.
+#: A control polygon this many times higher than its graph, or a graph this many times higher than its median, is not
+#: drawn with a linear scale.
 POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
-#: Into how many pieces a leg of a control polygon is cut where the scale bends it.
+#: The number of pieces of a leg of a control polygon where the scale bends it.
 BENDS = 64
 SCALES = ("linear", "symlog", "clip")
 
@@ -174,7 +174,7 @@ def zero_intervals(roots: ZeroSet | Sequence[Root]) -> list[tuple[mpq, mpq]]:
 
 
 def marked(roots: ZeroSet | Sequence[Root]) -> tuple[list[Root], list[Root]]:
-    """What is marked as a root, and what as a jump through zero."""
+    """The parameters marked as roots, and those marked as jumps through zero."""
     return list(roots or ()), [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
 
 

@@ -12,25 +12,24 @@ from dataclasses import dataclass, field
 from html import escape
 from importlib.resources import files
 from itertools import cycle
-from math import ceil, floor, log10
 from typing import TypedDict
 
 from exactspline.atomic_write import write_atomically
 from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, PlotError, Point, Run
-from exactspline.display.plot.frames import Box, box_around, grown
+from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh
 from exactspline.exact import mpq
 
 #: Isolines along and across a surface, and the colour they have.
 ISOLINES, DARK = (7, 24), "#24556F"
-#: How much room is around what is shown, in parts of its longest side.
+#: The margin around a scene, as a fraction of its longest side.
 ROOM = mpq(1, 20)
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
 
 
 class SurfaceData(TypedDict):
-    """A surface on a page: points, and faces as places in their list."""
+    """A surface on a page: points, and faces as indices of them."""
 
     label: str
     color: str
@@ -57,7 +56,7 @@ class DotData(TypedDict):
 
 
 class SceneData(TypedDict):
-    """What ``turning.js`` reads: meshes, lines and dots in doubles, their box, and a few ticks on its edges."""
+    """The data for ``turning.js``: meshes, lines and dots in doubles, their box, and a few ticks on its edges."""
 
     title: str
     box: list[list[float]]
@@ -69,7 +68,7 @@ class SceneData(TypedDict):
 
 @dataclass
 class Scene:
-    """What is seen in one frame: a surface with its control net, curves in runs, single points, each with a label."""
+    """The contents of one frame: a surface with its control net, curves in runs, single points, each with a label."""
 
     title: str
     mesh: SurfaceMesh
@@ -78,7 +77,7 @@ class Scene:
 
     @property
     def box(self) -> Box:
-        """What holds all of it, with some room."""
+        """The bounding box with a margin."""
         runs = [*self.mesh.net, *[run for _, runs in self.curves for run in runs]]
         return grown(box_around([*self.mesh.indexed[0], *[p for run in runs for p in run]]), ROOM)
 
@@ -136,26 +135,8 @@ def _rounded(x: mpq) -> float:
     return int(short) if short == int(short) else short
 
 
-def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
-    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten.
-
-    >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
-    [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
-    """
-    low, high = mpq(low), mpq(high)
-    if low >= high:
-        return [low]
-    power = floor(log10(high - low)) - 1
-    steps = (mpq(k) * mpq(10) ** (power + up) for up in range(3) for k in (1, 2, 5))
-    return next(
-        [k * step for k in range(first, last + 1)]
-        for step in steps
-        if (last := floor(high / step)) - (first := ceil(low / step)) < 3
-    )
-
-
 def turning_page(scenes: Sequence[Scene], title: str) -> str:
-    """The page: the scenes side by side, turned together with the mouse, a finger or the arrow keys.
+    """The page: the scenes side by side, rotated together with the mouse, a finger or the arrow keys.
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find

@@ -22,11 +22,11 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.values import SplineSurface
 
-#: Samples along the curve, in all and at least so many a segment; samples along a ruling.
+#: Samples along the curve, in all and at least so many per segment; samples along a ruling.
 SAMPLES, LEAST, ALONG = 192, 12, 21
-#: Samples of a surface in two parameters in each direction, in all and at least so many a segment.
+#: Samples of a surface in two parameters in each direction, in all and at least so many per segment.
 GRID, LEAST_OF_GRID = 48, 8
-#: A pole is approached up to so much of the distance between samples.
+#: A pole is approached up to this fraction of the distance between samples.
 BESIDE = mpq(1, 8)
 
 
@@ -45,13 +45,15 @@ class SurfaceMesh:
 
     @property
     def faces(self) -> list[Run]:
-        """The quadrilaterals all of whose corners are there."""
+        """The quadrilaterals with all four corners."""
         points, faces = self.indexed
         return [[points[k] for k in face] for face in faces]
 
     @property
     def indexed(self) -> tuple[list[Point], list[tuple[int, ...]]]:
-        """The points, patch by patch, and the quadrilaterals as places in that list: neighbours share their corners."""
+        """The points, patch by patch, and the quadrilaterals as indices into that list: neighbours share their
+        corners.
+        """
         points: list[Point] = []
         faces: list[tuple[int, ...]] = []
         for rows in self.patches:
@@ -86,7 +88,7 @@ class SurfaceMesh:
 
 
 def _spread(length: int, wanted: int) -> list[int]:
-    """About so many places in a list, both ends among them."""
+    """About so many indices of a list, both ends included."""
     steps = max(1, min(wanted, length) - 1)
     return sorted({(length - 1) * k // steps for k in range(steps + 1)})
 
@@ -100,7 +102,7 @@ def ruled_mesh(
     """The part of a ruled surface (in the spline reading) between two ruling parameters, cut at its poles; its net
     joins the polygons at both.
 
-    `box` is what is kept; by default what lies around most of the points. Between two `heights` (third coordinates)
+    `box` is the part that is kept; by default it contains most of the points. Between two `heights` (third coordinates)
     every ruling is cut there instead: the same part of the surface, whatever its parameters; a level ruling is left
     out.
 
@@ -110,8 +112,7 @@ def ruled_mesh(
     >>> mesh.points, mesh.hidden
     (8, 0)
 
-    Raises `ShapeError` for anything but a ruled surface of splines in space, and for an interval of rulings that is
-    none.
+    Raises `ShapeError` for anything but a ruled surface of splines in space, and for an invalid interval of rulings.
     """
     low, high = map(rational, rulings)
     levels = None if heights is None else tuple(map(rational, heights))
@@ -185,7 +186,7 @@ def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int
 def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box | None = None) -> SurfaceMesh:
     """A surface in two parameters, a `Vector` of three `TensorSpline` or a quotient of such, with its control net.
 
-    Where its denominator vanishes it goes to infinity: what is far from most of it is left out (or what lies outside
+    Where its denominator vanishes it goes to infinity: points far from most of it are left out (or those outside
     `box`).
 
     >>> from exactspline.splines.tensor import TensorSpline

@@ -20,7 +20,7 @@ from exactspline.display.plot.canvas import (
     library,
 )
 from exactspline.display.plot.curves import plot_quotient
-from exactspline.display.plot.frames import Box
+from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import Number, rational
@@ -37,7 +37,7 @@ from exactspline.splines.values import SplineSurface
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Where the light comes from (a unit vector), and how dark a face is that looks away from it.
+#: The direction of the light (a unit vector), and the brightness of a face turned away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
 
 
@@ -52,7 +52,7 @@ def plot_mesh(
 ) -> Axes:
     """A surface given by its points: shaded faces, and its control net with the number of points in the legend.
 
-    Raises `PlotError` without matplotlib, for axes in the plane, where nothing is left to draw, and for numbers beyond
+    Raises `PlotError` without matplotlib, for axes in the plane, where nothing can be drawn, and for numbers beyond
     1e100.
     """
     ax = axes_for(ax, 3)
@@ -112,6 +112,22 @@ def _framed(ax: Any, points: Iterable[Point]) -> None:
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)
     ax.set_aspect("equal")
+    _tick(ax)
+
+
+def show_box(ax: Axes, box: Box) -> None:
+    """Let axes in space show a box, in equal scales, with a few ticks."""
+    space: Any = ax  # axes in space have no types
+    for axis, low, high in zip("xyz", *box, strict=True):
+        getattr(space, f"set_{axis}lim")(float(low), float(high))
+    space.set_aspect("equal")
+    _tick(space)
+
+
+def _tick(space: Any) -> None:
+    for axis in "xyz":
+        ticks = three_ticks(*getattr(space, f"get_{axis}lim")())
+        getattr(space, f"{axis}axis").set_ticks([float(x) for x in ticks])
 
 
 def plot_ruled_surface(
@@ -127,8 +143,8 @@ def plot_ruled_surface(
 ) -> Axes:
     """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
 
-    Where its denominator has a zero the surface goes to infinity: it is cut there, and what is far from most of it is
-    not shown (nor outside `box`, two opposite corners, when that is given).
+    Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
+    not shown (nor those outside `box`, two opposite corners, where that is given).
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
@@ -210,7 +226,7 @@ def plot_bisector(
 
 
 def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
-    """The kind of formula, the formula by default, and what it is handed."""
+    """The kind of formula, the default formula, and its argument."""
     if isinstance(other, Curve):
         if curve.dimension != 3 or other.dimension != 3:
             raise ShapeError("a bisector of curves that are not in space", remedy="give two curves in space")

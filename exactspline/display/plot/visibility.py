@@ -1,4 +1,4 @@
-"""What of the lines on a surface is not hidden behind it, for pictures: by a buffer of depths."""
+"""The visible parts of lines on a surface, for pictures: by a depth buffer."""
 
 from __future__ import annotations
 

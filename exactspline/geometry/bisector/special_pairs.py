@@ -237,26 +237,49 @@ def _changes_sign(g: fmpz_mpoly, boxes: list[Sides]) -> bool:
 
 
 def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
-    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch."""
+    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch; no
+    single pair where a curve of pairs of the next patch ends.
+    """
+    curves = first, second
 
     def shared(pair: SinglePair) -> bool:
         return any(
             own == side[0] and _runs_on(curve, side[0])
-            for own, side, curve in zip(pair.place, pair.sides, (first, second), strict=True)
+            for own, side, curve in zip(pair.place, pair.sides, curves, strict=True)
+        )
+
+    def on_line(pair: SinglePair) -> bool:
+        return pair.solutions == Solutions.LINE and any(
+            line.sides != pair.sides
+            and all(_reaches(*each) for each in zip(pair.place, pair.sides, line.sides, curves, strict=True))
+            and _lies_on(line, *pair.place)
+            for line in found.lines
         )
 
     def shared_line(line: LineComponent) -> bool:
         fixed = {Correspondence.FIRST_FIXED: 0, Correspondence.SECOND_FIXED: 1}.get(line.correspondence)
         if fixed is None or not line.pieces:
             return False
-        start, curve = line.sides[fixed][0], (first, second)[fixed]
+        start, curve = line.sides[fixed][0], curves[fixed]
         return bool(line.pieces[0].other == start and _runs_on(curve, start))
 
     return replace(
         found,
         lines=tuple(line for line in found.lines if not shared_line(line)),
-        pairs=tuple(pair for pair in found.pairs if not shared(pair)),
+        pairs=tuple(pair for pair in found.pairs if not shared(pair) and not on_line(pair)),
     )
+
+
+def _reaches(t: Parameter, own: Interval, other: Interval, curve: Nurbs) -> bool:
+    """Whether a parameter of one segment is one of another with the same tangent."""
+    return own == other or (not isinstance(t, Root) and t in own and t in other and _runs_on(curve, t))
+
+
+def _lies_on(line: LineComponent, s: Parameter, t: Parameter) -> bool:
+    """Whether a component has a pair of its rectangle."""
+    if line.equation is not None and not vanish_together([line.equation.polynomial], s, t):
+        return False
+    return not line.pieces or any(one.low <= (s, t)[one.of] <= one.high for one in line.pieces)
 
 
 def _runs_on(curve: Nurbs, t: mpq) -> bool:

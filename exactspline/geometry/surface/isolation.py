@@ -199,12 +199,12 @@ def _apart(one: Box, other: Box) -> bool:
 
 
 def _rounded(a: mpq, b: mpq, low: mpq, high: mpq) -> Interval:
-    """An interval around [a, b] with short ends, inside [low, high]; at most half as wide where nothing was gained."""
-    width = b - a
-    if width == 0:
-        return a, b
-    scale = mpq(1 << (int(64 / width).bit_length()))
-    return max(low, mpq((a * scale) // 1) / scale), min(high, mpq(-((-b * scale) // 1)) / scale)
+    """An interval around [a, b] with short ends, inside [low, high], never a single point: a box that is a line has no
+    Jacobian.
+    """
+    pad = max((b - a) / 64, (high - low) / 1024)
+    scale = mpq(1 << int(1 / pad).bit_length())
+    return max(low, mpq(((a - pad) * scale) // 1) / scale), min(high, mpq(-((-(b + pad) * scale) // 1)) / scale)
 
 
 def simplest(low: mpq, high: mpq) -> mpq:

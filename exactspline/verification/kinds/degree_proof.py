@@ -145,8 +145,8 @@ def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: s
         return Finding(PROVED, computed=told, factor=factor)
     d = failing[0] if failing else _first_failure(claim, computed, claimed)
     n = lower.get(d, _at(computed, d))
-    where = " and ".join(f"{name} = {d}" for name in sorted(names)) or "for every d"
-    return Finding(REFUTED, computed=told, factor=factor, witness=f"at {where}: {n}, not {_at(claimed, d)}")
+    where = "at " + " and ".join(f"{name} = {d}" for name in sorted(names)) if names else "for every d"
+    return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {_at(claimed, d)}")
 
 
 def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int:

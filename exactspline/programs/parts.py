@@ -1,0 +1,45 @@
+"""The terms that a formula's value consists of, and the value with splines in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, TypeVar
+
+from exactspline.errors import FormulaError
+from exactspline.language.operand import Operand
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+
+T = TypeVar("T", bound=Operand)
+
+
+def terms_of(value: Any, kind: type[T]) -> list[T]:
+    """The terms that a value consists of.
+
+    Raises `FormulaError` for what formulas of programs do not return.
+    """
+    if isinstance(value, RuledSurface):
+        return terms_of(value.directrix, kind) + terms_of(value.generator, kind)
+    if isinstance(value, Rational):
+        return [*terms_of(value.numerator, kind), value.denominator]
+    if isinstance(value, Vector):
+        return [term for part in value for term in terms_of(part, kind)]
+    if isinstance(value, kind):
+        return [value]
+    raise FormulaError(
+        f"a formula that returns a {type(value).__name__}", remedy="a scalar, a vector, a quotient or a ruled surface"
+    )
+
+
+def rebuilt(value: Any, splines: Iterator[Any]) -> Any:
+    """The value with splines in the place of its terms."""
+    if isinstance(value, RuledSurface):
+        directrix = rebuilt(value.directrix, splines)
+        return RuledSurface(directrix, rebuilt(value.generator, splines))
+    if isinstance(value, Rational):
+        numerator = rebuilt(value.numerator, splines)
+        return Rational(numerator, next(splines))
+    if isinstance(value, Vector):
+        return Vector(*[rebuilt(part, splines) for part in value])
+    return next(splines)

@@ -1,0 +1,151 @@
+"""The series reading in two variables: Taylor series of a surface at a point, truncated by total degree.
+
+Values and partial derivatives of any formula there, without splines or quotient rules.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import factorial
+from typing import TYPE_CHECKING, cast
+
+from exactspline.errors import FormulaError
+from exactspline.exact import Number, mpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.choices import Parameter
+from exactspline.language.kinds import Kind
+from exactspline.language.operand import Constant, FieldOperand
+from exactspline.language.reading import Reading
+
+if TYPE_CHECKING:
+    from exactspline.splines.tensor import TensorSpline
+
+#: Coefficients by the exponents of the two variables; what is zero is left out.
+Coefficients = dict[tuple[int, int], mpq]
+
+
+class DoubleSeries(FieldOperand):
+    """``Σ a_ij h^i k^j`` with exact coefficients, known for ``i + j < terms``.
+
+    >>> h, k = DoubleSeries({(1, 0): mpq(1)}, 3), DoubleSeries({(0, 1): mpq(1)}, 3)
+    >>> (1 / (1 - h * k - h)).coefficients
+    {(0, 0): mpq(1,1), (1, 0): mpq(1,1), (1, 1): mpq(1,1), (2, 0): mpq(1,1)}
+    """
+
+    __slots__ = ("coefficients", "terms")
+    degree = 0
+
+    def __init__(self, coefficients: Mapping[tuple[int, int], mpq], terms: int) -> None:
+        known = {place: a for place, a in coefficients.items() if a and sum(place) < terms}
+        self.coefficients, self.terms = dict(sorted(known.items())), terms
+
+    def constant(self, value: Constant) -> DoubleSeries:
+        """An exact constant."""
+        return DoubleSeries({(0, 0): mpq(value)}, self.terms)
+
+    def __add__(self, other: object) -> DoubleSeries:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        total = dict(self.coefficients)
+        for place, a in right.coefficients.items():
+            total[place] = total.get(place, mpq(0)) + a
+        return DoubleSeries(total, min(self.terms, right.terms))
+
+    def __mul__(self, other: object) -> DoubleSeries:
+        right = self.beside(other)
+        if right is None:
+            return NotImplemented
+        product, terms = Coefficients(), min(self.terms, right.terms)
+        for (i, j), a in self.coefficients.items():
+            for (m, n), b in right.coefficients.items():
+                if i + j + m + n < terms:
+                    product[i + m, j + n] = product.get((i + m, j + n), mpq(0)) + a * b
+        return DoubleSeries(product, terms)
+
+    def reciprocal(self) -> DoubleSeries:
+        """``1 / a``; `FormulaError` when the value here is zero."""
+        if not self.value:
+            raise FormulaError("division by a series that vanishes at this point", remedy="expand at another point")
+        inverse = self.constant(1 / self.value)
+        rest, power, total = 1 - self * inverse, self.constant(1), self.constant(1)
+        for _ in range(1, self.terms):
+            power = power * rest
+            total = total + power
+        return total * inverse
+
+    def scaled(self, constant: Constant) -> DoubleSeries:
+        """The series times an exact constant."""
+        return DoubleSeries({place: a * mpq(constant) for place, a in self.coefficients.items()}, self.terms)
+
+    def elevated_to(self, other: object) -> DoubleSeries:
+        """Itself: degree elevation does not change a function."""
+        return self
+
+    def d(self, order: int = 1, *, by: str | None = None) -> DoubleSeries:
+        """The derivative by one of the two parameters, known to so many terms less.
+
+        Raises `FormulaError` where none is named, and for more derivatives than are known.
+        """
+        if by not in (Parameter.U, Parameter.V):
+            raise FormulaError(f"a derivative by {by!r} of a function of u and v", remedy='write d(1, by="u")')
+        if order >= self.terms:
+            raise FormulaError(
+                f"a derivative of order {order} of a series of {self.terms} terms", remedy="expand further"
+            )
+        which, found = (0 if by == Parameter.U else 1), Coefficients()
+        for place, a in self.coefficients.items():
+            if (n := place[which]) >= order:
+                lowered = tuple(e - order if k == which else e for k, e in enumerate(place))
+                found[lowered[0], lowered[1]] = a * (factorial(n) // factorial(n - order))
+        return DoubleSeries(found, self.terms - order)
+
+    @property
+    def value(self) -> mpq:
+        """The value at the point."""
+        return self.coefficients.get((0, 0), mpq(0))
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether all known coefficients vanish."""
+        return not self.coefficients
+
+    def __repr__(self) -> str:
+        return f"DoubleSeries({self.coefficients}, {self.terms})"
+
+
+def double_taylor(spline: TensorSpline, u: Number, v: Number, terms: int) -> DoubleSeries:
+    """The expansion of a spline in two parameters at a point, at a knot the one from the right.
+
+    >>> from exactspline import TensorSpline
+    >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 0], [0, 1]])
+    >>> double_taylor(f, "1/2", 0, 3).coefficients
+    {(0, 1): mpq(1,2), (1, 1): mpq(1,1)}
+    """
+    places = [(i, j) for i in range(terms) for j in range(terms - i)]
+    known = {(i, j): spline.partial(i, j)(u, v) / (factorial(i) * factorial(j)) for i, j in places}
+    return DoubleSeries(known, terms)
+
+
+class DoubleTaylorReading(Reading):
+    """A surface of splines, expanded at a point to so many terms.
+
+    >>> from exactspline import example_surface
+    >>> from exactspline.language.kinds import SURFACE
+    >>> from exactspline.papers import find
+    >>> sphere = DoubleTaylorReading(example_surface("sphere"), "1/3", "1/4", 3).argument(SURFACE, 3)
+    >>> find("surfaces:gaussian_curvature")(sphere).value
+    mpq(1,1)
+    """
+
+    name = "series in two variables"
+    proves = "values and derivatives at one point"
+
+    def __init__(self, given: Evaluated, u: Number, v: Number, terms: int) -> None:
+        self.given, self.place, self.terms = given, (u, v), terms
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """The expansion of the surface at hand."""
+        u, v = self.place
+        # what is given is made of splines: a constructor's argument that this room cannot name
+        return self.given.mapped(lambda operand: double_taylor(cast("TensorSpline", operand), u, v, self.terms))
