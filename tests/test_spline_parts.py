@@ -5,7 +5,7 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline
-from exactspline.errors import KnotError
+from exactspline.errors import KnotError, ReductionError
 from exactspline.language.kinds import TABLE
 from exactspline.language.vector import Vector
 from exactspline.programs.compiled import needed
@@ -151,3 +151,24 @@ def test_examples_come_before_files_of_their_names(tmp_path, monkeypatch):
         (tmp_path / name).write_text("no curve", encoding="utf-8")
     assert load("circle") == example("circle")
     assert load_surface("enneper").degree == (3, 3)
+
+
+def test_a_knot_is_not_removed_where_a_derivative_jumps():
+    with pytest.raises(ReductionError, match="the derivative of order 1 jumps at 1 by -2"):
+        BSpline(1, [0, 0, 1, 2, 2], [0, 1, 0]).remove_knot(1)
+    kept = BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 1, 2, 3, 9])
+    with pytest.raises(ReductionError, match="the derivative of order 2 jumps"):
+        kept.remove_knot(1, 2)
+    assert kept.remove_knot(1).continuity == (1,)
+
+
+def test_a_primitive_part_vanishes_nowhere():
+    """(t, 2t²) on [0, 1] is t (1, 2t), of lower degree than what follows: it stays (1, 2) at the end."""
+    x = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, "1/2", 1, 2, 2, 2])
+    z = BSpline(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 2, 1, 3, 9])
+    part = primitive_part(Vector(x, z))
+    assert part.degree == 2
+    a, b = (f(1, "left") for f in part)
+    assert b == 2 * a > 0
+    a, b = (f(0) for f in part)
+    assert (a > 0, b) == (True, 0)
