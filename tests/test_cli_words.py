@@ -32,6 +32,7 @@ DOCUMENTS = {
     "errata": ["errata", "--json"],
     "degrees": ["degrees", "--curve", "straight_between_arcs", "--json"],
     "generic": ["degrees", "--generic", "--json"],
+    "patch degrees": ["degrees", "--paper", "surfaces", "--patch", "1,2", "parabolic", "L", "--json"],
     "formula degrees": ["degrees", "--paper", "lifted", "--generic", "evolute_lifted", "--json"],
     "identity": ["prove", "--identity", "f1 = w f2", "--json"],
     "certificates": ["degrees", "--certify", "--curve", "circle"],
