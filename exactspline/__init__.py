@@ -148,6 +148,8 @@ if TYPE_CHECKING:
     from exactspline.verification.ledger import proved as proved
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.patch_degrees import patch_table as patch_table
+    from exactspline.verification.patch_degrees import variants_table as variants_table
     from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
@@ -278,6 +280,8 @@ _HOMES = {
     "prove": "verification.questions:prove",
     "proved": "verification.ledger:proved",
     "reduction": "verification.questions:reduction",
+    "patch_table": "verification.patch_degrees:patch_table",
+    "variants_table": "verification.patch_degrees:variants_table",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
     "verify": "verification.questions:verify",

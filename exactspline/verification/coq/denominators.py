@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import gcd, lcm
-from typing import Any
+from typing import Any, cast
 
 from flint import fmpq_mpoly
 
@@ -16,10 +17,13 @@ from exactspline.readings.tree import Node, Operation, applied
 
 
 class Evaluation:
-    """The values of trees in the fraction reading, and the denominators met, each once, with the first node."""
+    """The values of trees in the fraction reading, and the denominators met, each once, with the first node.
 
-    def __init__(self, argument: object) -> None:
-        self.argument = argument
+    `flat` makes a fraction of the ring of a value.
+    """
+
+    def __init__(self, argument: object, flat: Callable[[object], object] = lambda value: value) -> None:
+        self.argument, self.flat = argument, flat
         self.denominators: list[tuple[Node, JetFraction | mpq]] = []
         self._known: dict[int, Any] = {}
         self._kept: list[Node] = []
@@ -44,7 +48,7 @@ class Evaluation:
         return applied(node, values, self.argument)
 
     def _met(self, node: Node, value: Any) -> None:
-        found = mpq(value) if isinstance(value, CONSTANTS) else value
+        found = mpq(value) if isinstance(value, CONSTANTS) else cast(JetFraction, self.flat(value))
         if not any(type(found) is type(each) and found == each for _, each in self.denominators):
             self.denominators.append((node, found))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -86,15 +85,9 @@ def library() -> Library:
             if found:
                 name = f"claims/{paper.name}_{table}"
                 theorems[name] = found
-                files[name] = claims_file(paper, found)
+                if any(not each.reason for each in found):
+                    files[name] = claims_file(paper, found)
     return Library(files, theorems)
-
-
-@cache
-def too_large() -> frozenset[str]:
-    """The keys of the claims that are left out because their check takes too long."""
-    text = resources.files(__package__).joinpath("too_large.toml").read_text(encoding="utf-8")
-    return frozenset(tomllib.loads(text)["claims"])
 
 
 def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
@@ -113,8 +106,6 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     kind = kind_of(claim.curve)
     if not written_for(kind):
         return [Stated(claim, "", "", f"arguments of the kind {kind.name!r} are not written")]
-    if claim.key in too_large():
-        return [Stated(claim, "", "", "the checker takes too long")]
     make = refutation if claim.expected == Verdict.REFUTED else theorem
     found = []
     for dimension in kind.dimensions:

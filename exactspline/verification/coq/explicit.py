@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 
 from flint import fmpq_poly
 
+from exactspline.errors import ClaimError
 from exactspline.exact import rational, to_fmpq
+from exactspline.language.accompanied import Accompanied
 from exactspline.language.arguments import COORDINATES, POINT, Curve
-from exactspline.language.kinds import Kind, Symbol
+from exactspline.language.implicit_kinds import ImplicitKind
+from exactspline.language.kinds import CURVE, CurveKind, FramedKind, Kind
 from exactspline.language.operand import Constant, FieldOperand
+from exactspline.verification.coq.terms import integer
+
+#: A polynomial in t by its coefficients.
+Coefficients = tuple[int, ...]
 
 
 class RationalFunction(FieldOperand):
@@ -84,34 +91,99 @@ class RationalFunction(FieldOperand):
 
 @dataclass(frozen=True)
 class ExplicitCurve:
-    """Numerators, denominator and point by their coefficients, constants first."""
+    """Numerators, denominator and what stands beside them by their coefficients, constants first."""
 
-    numerators: tuple[tuple[int, ...], ...]
-    denominator: tuple[int, ...]
-    point: tuple[int, ...]
+    numerators: tuple[Coefficients, ...]
+    denominator: Coefficients = (1,)
+    point: tuple[int, ...] = ()
+    beside: Mapping[str, Coefficients] = field(default_factory=dict)
 
     def argument(self, kind: Kind) -> Curve[RationalFunction]:
         """The argument of formulas."""
         dimension = len(self.numerators)
-        functions = dict(zip(COORDINATES, self.numerators, strict=False)) | {"w": self.denominator}
+        functions = dict(zip(COORDINATES, self.numerators, strict=False)) | {"w": self.denominator, **self.beside}
         functions |= {name: (value,) for name, value in zip(POINT, self.point, strict=False)}
 
-        def operand(symbol: Symbol) -> RationalFunction:
-            return RationalFunction(fmpq_poly(list(functions[symbol.name])))
+        def function(name: str) -> RationalFunction:
+            return RationalFunction(fmpq_poly(list(functions.get(name, (0,)))))
 
-        made = kind.argument(dimension, operand, RationalFunction(fmpq_poly([1])))
+        one = RationalFunction(fmpq_poly([1]))
+        if isinstance(kind, FramedKind):
+            plain = CURVE.argument(dimension, lambda symbol: function(symbol.name), one)
+            assert isinstance(plain, Curve)
+            return Accompanied(plain, {name: function(name) for name in self.beside})
+        made = kind.argument(dimension, lambda symbol: function(symbol.name), one)
         assert isinstance(made, Curve)  # there are explicit curves of kinds of one curve alone
         return made
 
+    def term(self, kind: Kind, t: str, number: str) -> str:
+        """The argument as a term of Coq, in t and with this word for numbers."""
 
-#: The numerators, denominators and points that are tried, the simplest first.
+        def beside(*names: str) -> str:
+            return f"[{'; '.join(written(self.beside.get(name, (0,)), t, number) for name in names)}]"
+
+        parts = "; ".join(written(key, t, number) for key in self.numerators)
+        point = "; ".join(f"number {integer(value)}" for value in self.point)
+        curve = f"rational_curve s [{parts}] ({written(self.denominator, t, number)}) [{point}]"
+        if isinstance(kind, FramedKind):
+            roots = (written(self.beside.get(root, (0,)), t, number) for root in ("sigma", "rho"))
+            return f"Framed ({curve}) ({') ('.join(roots)})"
+        if isinstance(kind, ImplicitKind):
+            axes = COORDINATES[: len(self.numerators)]
+            rows = (beside(*["f" + "".join(sorted(x + y)) for y in axes]) for x in axes)
+            return f"Implicit ({curve}) {beside(*kind.free)} {beside(*['f' + x for x in axes])} [{'; '.join(rows)}]"
+        if isinstance(kind, CurveKind) and kind.constants:
+            return f"Accompanied ({curve}) {beside(*kind.constants)}"
+        return curve
+
+
+def written(coefficients: Coefficients, t: str, number: str) -> str:
+    """A polynomial in t as a term.
+
+    >>> written((1, 0, -2), "t", "number")
+    'number 1 - number 2 * t ^ 2'
+    """
+    terms = []
+    for k, c in enumerate(coefficients):
+        if c:
+            factors = [t if k == 1 else f"{t} ^ {k}"] if k else []
+            if abs(c) != 1 or not k:
+                factors.insert(0, f"{number} {abs(c)}")
+            terms.append(("- " if c < 0 else "+ ") + " * ".join(factors))
+    text = " ".join(terms) or f"+ {number} 0"
+    return text.removeprefix("+ ") if text.startswith("+") else f"{number} 0 {text}"
+
+
+#: The numerators, denominators, points and constants that are tried, the simplest first.
 _NUMERATORS = ((0, 1), (0, 0, 1), (1, 0, 0, 1), (0, 1, 0, 0, 1))
 _DENOMINATORS = ((1, 1), (1, 0, 1))
 _POINT = (1, 2, 5)
+_CONSTANTS = (2, 3, 5, 7, 11)
+#: Curves whose frames have polynomials for roots: γ′ = 3(1 − t², 2t), and γ′ = 3(1, 2t, 2t²).
+_FRAMED = {
+    2: ExplicitCurve(((0, 3, 0, -1), (0, 0, 3)), beside={"sigma": (3, 0, 3)}),
+    3: ExplicitCurve(((0, 3), (0, 0, 3), (0, 0, 0, 2)), beside={"sigma": (3, 0, 6), "rho": (18, 0, 36)}),
+}
+#: The parabola y = x², along which F = y − x² is constant.
+_PARABOLA = ExplicitCurve(
+    ((0, 1), (0, 0, 1)), beside={"pace": (-1,), "fx": (0, -2), "fy": (1,), "fxx": (-2,), "fxy": (0,), "fyy": (0,)}
+)
 
 
-def candidates(dimension: int, *, with_point: bool) -> Iterator[ExplicitCurve]:
-    """Explicit curves of a dimension."""
-    for w in _DENOMINATORS:
-        for i in range(len(_NUMERATORS) - dimension + 1):
-            yield ExplicitCurve(_NUMERATORS[i : i + dimension], w, _POINT[:dimension] if with_point else ())
+def candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[ExplicitCurve]:
+    """Explicit arguments of a kind, polynomial ones where a claim speaks of these alone.
+
+    Raises `ClaimError` for a kind of which there are none.
+    """
+    if isinstance(kind, FramedKind):
+        yield _FRAMED[dimension]
+    elif isinstance(kind, ImplicitKind) and kind.dimensions == (2,):
+        yield _PARABOLA
+    elif type(kind) is CurveKind:
+        point = _POINT[:dimension] if kind.with_point else ()
+        beside = {name: (value,) for name, value in zip(kind.constants, _CONSTANTS, strict=False)}
+        for w in ((1,),) if polynomial else _DENOMINATORS:
+            for i in range(len(_NUMERATORS) - dimension + 1):
+                yield ExplicitCurve(_NUMERATORS[i : i + dimension], w, point, beside)
+    else:
+        raise ClaimError(f"no explicit curves of the kind {kind.name!r}", remedy="state claims about one curve")

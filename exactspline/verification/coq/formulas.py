@@ -6,7 +6,10 @@ from collections.abc import Iterable
 
 from exactspline.errors import FormulaError
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import CurveKind, Kind, PairKind, TableKind
+from exactspline.language.hodograph_kind import HodographKind
+from exactspline.language.implicit_kinds import ImplicitKind
+from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, TableKind
+from exactspline.language.surface_kind import FormsKind, SurfaceKind
 from exactspline.papers import Paper
 from exactspline.readings.tree import Node, Operation
 from exactspline.verification.coq.terms import Writer, identifier
@@ -18,18 +21,31 @@ HEADER = """(** {title}: {about}.
 """
 
 
+#: The records of the base by the classes of kinds.
+_TYPES: dict[type[Kind], str] = {
+    PairKind: "pair",
+    TableKind: "table",
+    CurveKind: "curve",
+    FramedKind: "framed",
+    HodographKind: "accompanied",
+    ImplicitKind: "implicit",
+    SurfaceKind: "patch",
+    FormsKind: "accompanied",
+}
+
+
 def type_of(kind: Kind) -> str:
     """The type of the argument of formulas of a kind. Raises `FormulaError` for a kind that the base lacks."""
-    for known, name in ((PairKind, "pair"), (TableKind, "table"), (CurveKind, "curve")):
-        if type(kind) is known:
-            return f"{name} A"
+    if isinstance(kind, CurveKind) and kind.constants:
+        return "accompanied A"
+    if written_for(kind):
+        return f"{_TYPES[type(kind)]} A"
     raise FormulaError(f"the kind {kind.name!r} has no type in Coq", remedy="add one to the base")
 
 
 def written_for(kind: Kind) -> bool:
     """Whether formulas of a kind can be written."""
-    plain = not isinstance(kind, CurveKind) or not kind.constants
-    return type(kind) in (PairKind, TableKind, CurveKind) and plain
+    return type(kind) in _TYPES and (not isinstance(kind, ImplicitKind) or kind.functions == "f")
 
 
 class Formulas:
@@ -50,13 +66,13 @@ class Formulas:
         for formula in paper.formulas.values():
             if written_for(formula.kind):
                 self._collect(formula, paper, needed)
-        writer = Writer(lambda formula: self.named(formula, paper))
         parts = [HEADER.format(title=paper.title, about="its formulas")]
         parts.append("Require Import ZArith List.\nFrom ExactSpline Require Import Base.")
         parts += [f"From ExactSpline.formulas Require {used.name}." for used in paper.uses]
         parts.append("Import ListNotations.\nLocal Open Scope formula_scope.\n")
         parts.append("Section Formulas.\nContext {A : Type} {o : operations A}.\n")
-        parts += [self._definition(formula, writer) for formula in needed]
+        parts += _constants(needed)
+        parts += [self.definition(formula, paper) for formula in needed]
         parts.append("End Formulas.\n")
         return "\n".join(parts)
 
@@ -69,9 +85,12 @@ class Formulas:
                 self._collect(called, paper, needed)
         needed[formula] = None
 
-    def _definition(self, formula: Formula, writer: Writer) -> str:
-        trees = [body(formula, dimension) for dimension in formula.kind.dimensions]
-        writer = Writer(writer.named, table=isinstance(formula.kind, TableKind))
+    def definition(self, formula: Formula, paper: Paper, instead: Node | None = None) -> str:
+        """A formula as a definition in the file of its paper; with another tree instead of its own if one is given."""
+        trees = (
+            [instead] if instead is not None else [body(formula, dimension) for dimension in formula.kind.dimensions]
+        )
+        writer = Writer(lambda each: self.named(each, paper), table=isinstance(formula.kind, TableKind))
         texts = {writer(tree) for tree in trees}
         if len(texts) > 1:
             raise FormulaError(
@@ -83,6 +102,25 @@ class Formulas:
             f"(** {formula.source}. {comment(said)} *)\n"
             f"Definition {name} (c : {type_of(formula.kind)}) : {result_type(trees[0])} :=\n  {texts.pop()}.\n"
         )
+
+
+def _constants(formulas: Iterable[Formula]) -> list[str]:
+    """The constants beside curves, by their places.
+
+    Raises `FormulaError` where one name has two places.
+    """
+    places: dict[str, int] = {}
+    for formula in formulas:
+        if isinstance(formula.kind, CurveKind):
+            for i, name in enumerate(formula.kind.constants):
+                if places.setdefault(name, i) != i:
+                    raise FormulaError(
+                        f"{name} is another constant elsewhere", remedy="name the same constants before it"
+                    )
+    return [
+        f"(** The constant {name}. *)\nDefinition {name}_of (c : accompanied A) : A := component {i} (beside c).\n"
+        for name, i in sorted(places.items())
+    ]
 
 
 def comment(text: str) -> str:

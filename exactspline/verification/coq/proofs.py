@@ -70,9 +70,9 @@ class Proof:
     def recognize(self, value: Factored) -> None:
         """Make sure that a denominator does not vanish, and let the checker know it."""
         for p in primes(int(abs(value.constant.numerator))):
-            self._prime(p)
+            self.prime(p)
         for p in primes(int(value.constant.denominator)):
-            self._prime(p)
+            self.prime(p)
         for polynomial, _ in value.powers:
             if polynomial not in self._polynomials:
                 self._prove(polynomial)
@@ -99,7 +99,8 @@ class Proof:
                 return i
         raise FormulaError(f"{self.name} divides by what may vanish", remedy="assume that it does not")
 
-    def _prime(self, p: int) -> None:
+    def prime(self, p: int) -> None:
+        """Assume that a prime number does not vanish."""
         if p not in [atom for atom in self.atoms if isinstance(atom, int)]:
             self.primes.append(p)
             self._add(p, f"exact P{p}")
@@ -115,6 +116,8 @@ class Proof:
         """
         if (weight := self._weight(polynomial)) is not None:
             self._add(polynomial, f"exact H{weight}")
+        elif (root := self._root(polynomial)) is not None:
+            self._add(polynomial, f"exact N{root}")
         elif not any(self._divides(polynomial, premise) for premise in self.premises):
             for premise in self.premises:
                 if self._divides_with_derivative(polynomial, premise):
@@ -123,6 +126,10 @@ class Proof:
     def _weight(self, polynomial: fmpq_mpoly) -> str | None:
         ring = self.setting.ring
         return next((weight for weight in self.setting.weights if polynomial == ring[weight].polynomial), None)
+
+    def _root(self, polynomial: fmpq_mpoly) -> str | None:
+        ring = self.setting.ring
+        return next((root for root in self.setting.roots if polynomial == ring[root].polynomial), None)
 
     def _divides(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         value = premise.value
@@ -136,7 +143,7 @@ class Proof:
         cofactor = self._fraction(rest * scale, value.bottom * scale)
         self._add(
             polynomial,
-            f"apply (factor_nonzero K l r R {self._list()} known N {self._deep(premise.node)} {cofactor} "
+            f"apply (factor_nonzero K l r R roots Q {self._list()} known N {self._deep(premise.node)} {cofactor} "
             f"{self._expression(polynomial)}); [vm_cast_no_check (eq_refl true) | vm_cast_no_check {premise.name}]",
         )
         return True
@@ -155,9 +162,9 @@ class Proof:
         left = f"(num 4 * ({self.setting.expression(whole)}) ^ {power})%formula"
         self._add(
             polynomial,
-            f"apply (differential_factor_nonzero K l r R {self._list()} known N {left} "
+            f"apply (differential_factor_nonzero K l r R roots Q {self._list()} known N {left} "
             f"{self._expression(rest)} {self._expression(-derivative)} {self._expression(polynomial)}); "
-            f"[vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R {self._list()} known N); "
+            f"[vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R roots Q {self._list()} known N); "
             "vm_cast_no_check (eq_refl true)]",
         )
         return True
@@ -176,7 +183,8 @@ class Proof:
 
     def follows(self, polynomial: fmpq_mpoly) -> bool:
         """Whether it follows from what is assumed that a polynomial does not vanish."""
-        if polynomial in self._polynomials or self._weight(polynomial) is not None:
+        own = (self._weight(polynomial), self._root(polynomial))
+        if polynomial in self._polynomials or any(own):
             return True
         return any(
             isinstance(h.value, JetFraction)
@@ -219,9 +227,7 @@ class Proof:
     def script(self) -> list[str]:
         """The lines that prove that the atoms do not vanish."""
         lines = [
-            f"pose (l := {self.setting.jets}).",
-            f"pose (r := {self.setting.rules}).",
-            "assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.",
+            *self.setting.preamble([(h.name, self.writer(h.node), h.value) for h in self.premises]),
             f"pose (c := {self.setting.deep}).",
             f"pose (atoms := {self.atom_list}).",
             f"pose (known := {self.known_list} : list (list nat * list nat)).",

@@ -12,17 +12,20 @@ from exactspline.errors import ClaimError
 from exactspline.exact import mpq
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import POINT_IN_SPACE, CurveKind, kind_of
+from exactspline.language.implicit_kinds import ImplicitKind
+from exactspline.language.kinds import POINT_IN_SPACE, FramedKind, Kind, kind_of
 from exactspline.language.vector import Vector
 from exactspline.readings.tree import Node, Operation
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.denominators import Evaluation, primes
-from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates
-from exactspline.verification.coq.terms import Writer, identifier, integer
+from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
+from exactspline.verification.coq.formulas import type_of
+from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.theorems import Statement, times_factor
 from exactspline.verification.coq.tracing import Calling
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.vocabulary import Scope
 
 
 @dataclass
@@ -58,10 +61,7 @@ def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) ->
 
     Raises `ClaimError` where none of the curves tried is a counterexample.
     """
-    kind = kind_of(claim.curve)
-    if not isinstance(kind, CurveKind):
-        raise ClaimError("no explicit curves of this kind", where=claim.key, remedy="state claims about one curve")
-    for curve in candidates(dimension, with_point=kind.with_point):
+    for curve in candidates(kind_of(claim.curve), dimension, polynomial=claim.of == Scope.POLYNOMIAL):
         attempt = _Attempt(claim, dimension, named, curve)
         if attempt.succeeds():
             return attempt.text()
@@ -159,18 +159,18 @@ class _Attempt(Statement):
         if difference.op is not Operation.LEAF:
             self.units.recognize(self.evaluation(difference))
         text = difference.value if difference.op is Operation.LEAF else self.writer(difference)
-        curve = self._curve("t")
+        curve = self.curve.term(self.kind, "t", "number")
         holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
-        atoms = [polynomial(key, "var 1", "num") for key in self.units.atoms]
+        atoms = [written(key, "var 1", "num") for key in self.units.atoms]
         known = [f"([{'; '.join(map(str, a))}], [{'; '.join(map(str, b))}])" for a, b in self.units.known]
-        unit = "{ apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }"
+        unit = "{ apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }"
         lines = [
             "intros K t Hz Ht.",
             "pose (l := [t]).",
             "assert (R : forall q, rules_hold K l q (explicit_rules q)) by exact (explicit_rules_hold K t Ht).",
             f"pose (atoms := [{'; '.join(atoms)}]%formula : list expr).",
             f"pose (known := [{'; '.join(known)}] : list (list nat * list nat)).",
-            f"pose (c := ({self._curve('(var 1)')})%formula : curve expr).",
+            f"pose (c := ({self.curve.term(self.kind, '(var 1)', 'number')})%formula : {type_of(self.kind)[:-1]}expr).",
             "assert (N : all_nonzero K l atoms).",
             "{ repeat apply Forall_cons; try apply Forall_nil.",
         ]
@@ -179,8 +179,17 @@ class _Attempt(Statement):
         lines[-1] += " }"
         for i, node in enumerate(["w c", *[self.writer(node) for node in self.premises]]):
             lines += [f"assert (H{i} : value K l ({node} : expr)%formula <> zero K).", unit]
+        equalities = _equalities(self.kind)
+        for i, (kind, left, right, _) in enumerate(equalities):
+            name, value = ("one_vector", "map (value K l)") if kind == "list expr" else ("one_value", "value K l")
+            lines.append(f"assert (E{i} : {value} ({left} : {kind})%formula = {value} ({right} : {kind})%formula).")
+            lines.append(
+                f"{{ apply ({name} K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }}"
+            )
         lines += [f"assert (U : value K l ({text} : expr)%formula <> zero K).", unit]
         lines += [f"split; [vm_cast_no_check H{i}|]." for i in range(len(holds))]
+        lines += [f"split; [vm_cast_no_check E{i}|]." for i in range(len(equalities))]
+        holds += [said for *_, said in equalities]
         lines.append(closing)
         conclusion = " /\\\n  ".join([*holds, said])
         several = len(self.kind.dimensions) > 1
@@ -193,27 +202,23 @@ class _Attempt(Statement):
             "Proof.\n  " + "\n  ".join(lines) + "\nQed.\n"
         )
 
-    def _curve(self, t: str) -> str:
-        parts = "; ".join(polynomial(key, t, "number") for key in self.curve.numerators)
-        point = "; ".join(f"number {integer(value)}" for value in self.curve.point)
-        return f"rational_curve s [{parts}] ({polynomial(self.curve.denominator, t, 'number')}) [{point}]"
 
-
-def polynomial(coefficients: tuple[int, ...], t: str, number: str) -> str:
-    """A polynomial in t as a term.
-
-    >>> polynomial((1, 0, -2), "t", "number")
-    'number 1 - number 2 * t ^ 2'
-    """
-    terms = []
-    for k, c in enumerate(coefficients):
-        if c:
-            factors = [t if k == 1 else f"{t} ^ {k}"] if k else []
-            if abs(c) != 1 or not k:
-                factors.insert(0, f"{number} {abs(c)}")
-            terms.append(("- " if c < 0 else "+ ") + " * ".join(factors))
-    text = " ".join(terms)
-    return text.removeprefix("+ ") if text.startswith("+") else f"{number} 0 {text}"
+def _equalities(kind: Kind) -> list[tuple[str, str, str, str]]:
+    """What holds of every argument of a kind, to be shown of an explicit one: a type, two terms, and the statement."""
+    if isinstance(kind, FramedKind):
+        velocity = "(vder s (gamma c))"
+        binormal = f"(cross {velocity} (vders s 2 (gamma c)))"
+        vectors = {"sigma": velocity} | ({"rho": binormal} if 3 in kind.dimensions else {})
+        pairs = [(f"{root} c * {root} c", f"dot {vector} {vector}") for root, vector in vectors.items()]
+        return [("expr", left, right, f"{left} = {right}") for left, right in pairs]
+    if isinstance(kind, ImplicitKind):
+        left, right = "vder s (gamma c)", "vmul (pace_of c) (perp (gradient_f c))"
+        chained = "map (fun row => dot row (vder s (gamma c))) (hessian_f c)"
+        return [
+            ("list expr", left, right, f"{left} = {right}"),
+            ("list expr", "vder s (gradient_f c)", chained, "chain_rule c"),
+        ]
+    return []
 
 
 @singledispatch

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from importlib import resources
 
@@ -28,7 +28,10 @@ _FUNCTIONS = (
     *(Operation.RULED, Operation.DIRECTRIX, Operation.GENERATOR),
 )
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
-_PARAMETERS = {"s": "s", "s̄": "s_bar"}
+_PARAMETERS = {"s": "s", "s̄": "s_bar", "u": "s", "v": "s_bar"}
+#: Operands that are fields of records; those of the others have functions of their own, named with ``_of``.
+_FIELDS_OF_ARGUMENTS = {"p", "w", "gamma", "point", "sigma", "rho", "gradient_f"}
+_FIELDS_OF_ARGUMENTS |= {f"{x}{i}" for x in "pwv" for i in "12"}
 #: The files written by hand that the theorems about papers need, each after those that it requires.
 THEORY = ("Base", "Reflection", "Proofs")
 #: The reserved words of the language, and the names of variables.
@@ -36,7 +39,7 @@ _LANGUAGE = (
     "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using where with Prop Set "
     "Type SProp"
 )
-_VARIABLES = "K A o c x y z X Y Z W a b e q l s s_bar"
+_VARIABLES = "K A o c x y z X Y Z W a b e q l s s_bar E N O Q R S"
 _DEFINED = re.compile(
     r"^\s*(?:#\[export\] )?(?:Definition|Fixpoint|Lemma|Theorem|Inductive|Record|Class|Instance|Ltac) (\w+)",
     re.MULTILINE,
@@ -137,7 +140,9 @@ class Writer:
         """An operand of the argument."""
         path, _, own = name.rpartition(".")
         part = self.part(f"{path}." if path else "")
-        return f"axis {_AXES[own]} (length (p {part}))" if own in _AXES else f"{own} {part}"
+        if own in _AXES:
+            return f"axis {_AXES[own]} (length (p {part}))"
+        return f"{own if own in _FIELDS_OF_ARGUMENTS else f'{own}_of'} {part}"
 
     def part(self, path: str) -> str:
         """The part of the argument that a path names."""
@@ -192,16 +197,23 @@ def integer(value: int) -> str:
     return f"({value})" if value < 0 else str(value)
 
 
+def nodes(tree: Node) -> Iterator[Node]:
+    """All nodes of a tree, each once."""
+    seen, todo = set[int](), [tree]
+    while todo:
+        node = todo.pop()
+        if id(node) not in seen:
+            seen.add(id(node))
+            todo += node.args
+            yield node
+
+
+def leaves(tree: Node) -> set[str]:
+    """The operands that occur in a tree, by name."""
+    return {node.value for node in nodes(tree) if node.op is Operation.LEAF}
+
+
 def paths(node: Node) -> set[str]:
     """The parts of the argument whose operands occur in a tree."""
-    found, seen, todo = set[str](), set[int](), [node]
-    while todo:
-        each = todo.pop()
-        if id(each) in seen:
-            continue
-        seen.add(id(each))
-        if each.op is Operation.LEAF:
-            path, _, _ = each.value.rpartition(".")
-            found.add(f"{path}." if path else "")
-        todo += each.args
-    return found
+    found = (name.rpartition(".")[0] for name in leaves(node))
+    return {f"{path}." if path else "" for path in found}

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable
-from functools import singledispatch
+from functools import cache, singledispatch
+from importlib import resources
 from typing import Any
 
 from exactspline.errors import FormulaError
@@ -11,6 +13,7 @@ from exactspline.exact import rational
 from exactspline.language.arguments import Curve, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
+from exactspline.language.operand import FieldOperand
 from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
@@ -21,20 +24,41 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.coq.denominators import Evaluation, factored
 from exactspline.verification.coq.formulas import surface
+from exactspline.verification.coq.framed_setting import setting_of
 from exactspline.verification.coq.proofs import Premise, Proof
-from exactspline.verification.coq.settings import Setting
 from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.tracing import Calling
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
+from exactspline.verification.vocabulary import Scope
 
 #: The kinds of claims that become theorems.
 STATED = (Identity, Vanishing, SameSurface, IsoCurve)
 
 
 def theorem(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
-    """A claim as a theorem with its proof."""
-    return _Theorem(claim, dimension, named).text()
+    """A claim as a theorem with its proof: about rational curves, or where it fails there about polynomial ones."""
+    try:
+        return _Theorem(claim, dimension, named).text()
+    except RationalError:
+        if claim.of != Scope.POLYNOMIAL:
+            raise
+        return _Theorem(claim, dimension, named, polynomial=True).text()
+
+
+class RationalError(FormulaError):
+    """A statement that fails on rational curves."""
+
+
+def by_hand(key: str) -> list[str]:
+    """The steps that close the proof of a claim, where its computation would be too large; none for most."""
+    found = _by_hand().get(key)
+    return found["steps"].strip().splitlines() if found else []
+
+
+@cache
+def _by_hand() -> dict[str, dict[str, str]]:
+    return tomllib.loads(resources.files(__package__).joinpath("by_hand.toml").read_text(encoding="utf-8"))
 
 
 class Statement:
@@ -59,7 +83,9 @@ class Statement:
 
 
 class _Theorem(Statement):
-    def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str]) -> None:
+    def __init__(
+        self, claim: Claim, dimension: int, named: Callable[[Formula], str], *, polynomial: bool = False
+    ) -> None:
         self.claim, self.dimension = claim, dimension
         self.kind = kind = kind_of(claim.curve)
         formulas = [claim.find(name) for name in claim.named]
@@ -68,18 +94,21 @@ class _Theorem(Statement):
             formulas += [claim.find(name) for name in names]
         formulas += [find(a.formula) for a in claim.assumes if a.formula]
         order = max(order_of(formula, dimension if dimension in formula.kind.dimensions else 3) for formula in formulas)
-        self.setting = Setting(kind, dimension, order)
         self.traced = Calling(kind, dimension)
+        trees = (self.called(formula) for formula in formulas)
+        self.setting = setting_of(kind, dimension, order, polynomial=polynomial, trees=trees)
         self.writer = Writer(named)
-        self.evaluation = Evaluation(self.setting.argument)
+        self.evaluation = Evaluation(self.setting.argument, self.setting.flat)
         several = len(kind.dimensions) > 1
         self.name = identifier(claim.key) + (f"_in_dimension_{dimension}" if several else "")
         premises = [self._premise(i, a) for i, a in enumerate(a for a in claim.assumes if a.formula)]
         self.proof = Proof(self.setting, self.name, premises, self.evaluation, self.writer)
+        if self.setting.differentiates_roots:
+            self.proof.prime(2)
 
     def _premise(self, i: int, assumption: Assumption) -> Premise:
         node = self.assumed(assumption)
-        return Premise(f"H{i + 1}", node, self.evaluation(node))
+        return Premise(f"H{i + 1}", node, self.setting.flat(self.evaluation(node)))
 
     def text(self) -> str:
         """Statement and proof."""
@@ -93,13 +122,9 @@ class _Theorem(Statement):
             *[f"P{p}" for p in proof.primes],
             *[h.name for h in proof.existing],
         ]
-        shape = self.setting.shape
         introduced = " ".join(["K", *self.setting.introduced, *hypotheses])
         lines = [*proof.script(), *closing]
-        if shape == "table":
-            first = f"unfold every_table; intros {introduced}."
-        else:
-            first = f"apply {shape}_by_position; intros {introduced}."
+        first = f"{self.setting.opening}; intros {introduced}."
         said = " ->\n  ".join([*premises, conclusion])
         return (
             f"(** {self.claim.id}, {self.claim.source}. *)\n"
@@ -116,7 +141,7 @@ class _Theorem(Statement):
         value = self.evaluation(left)
         components = len(value) if isinstance(value, Vector) else 0
         if not self._holds(value, right):
-            raise FormulaError("it fails on rational curves", remedy="theorems speak of these")
+            raise RationalError("it fails on rational curves", remedy="theorems speak of these")
         self.proof.met()
         if components:
             zero, deep_zero = ("[" + "; ".join([word] * components) + "]" for word in ("zero K", "num 0"))
@@ -125,6 +150,8 @@ class _Theorem(Statement):
         stated_right = zero if right is None else self.writer(right)
         deep_right = deep_zero if right is None else self.writer(right)
         statement = f"{self.writer(left)} = {stated_right}"
+        if steps := by_hand(self.claim.key):
+            return statement, steps
         return statement, [*self.checked("E", left, deep_right, bool(components)), "vm_cast_no_check E."]
 
     def _holds(self, value: Any, right: Node | None) -> bool:
@@ -133,7 +160,7 @@ class _Theorem(Statement):
             return bool(value.is_zero)
         other = self.evaluation(right)
         pairs = [(value, other)] if not isinstance(other, Vector) else zip(value, other, strict=True)
-        return all(bool((a - b).is_zero) if isinstance(a, JetFraction) else bool(a == b) for a, b in pairs)
+        return all(bool((a - b).is_zero) if isinstance(a, FieldOperand) else bool(a == b) for a, b in pairs)
 
     def same_parts(self, left: Node, right: Node) -> tuple[str, list[str]]:
         """A statement that two ruled surfaces have one directrix and one generator."""
@@ -165,7 +192,7 @@ class _Theorem(Statement):
         steps = [
             f"assert (E : map (value K l) ({self.writer(left)} ++ [number 0] : list expr)%formula\n"
             f"    = map (value K l) ({writer(directrix)} : list expr)%formula).",
-            "{ apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }",
+            "{ apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }",
             "vm_cast_no_check E.",
         ]
         return f"{self.writer(left)} ++ [zero K] = {writer(directrix)}", steps
@@ -178,7 +205,7 @@ class _Theorem(Statement):
         value = "map (value K l)" if vector else "value K l"
         return [
             f"assert ({name} : {value} {a} = {value} {b}).",
-            f"{{ apply ({lemma} K l r R atoms known N). vm_cast_no_check (eq_refl true). }}",
+            f"{{ apply ({lemma} K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }}",
         ]
 
 
@@ -246,7 +273,7 @@ def _(claim: SameSurface, theorem: _Theorem) -> tuple[str, list[str]]:
     for i, (own, other) in enumerate(witnesses):
         product = Node(Operation.DOT, (own, other))
         steps.append(f"assert (U{i + 1} : value K l ({theorem.writer(product)} : expr) <> zero K).")
-        steps.append("{ apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }")
+        steps.append("{ apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }")
     exists = [
         f"(ex_intro _ (map (value K l) {theorem.writer.at(other, 5)}) (conj eq_refl U{i + 1}))"
         for i, (_, other) in enumerate(witnesses)

@@ -16,12 +16,14 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (T1 c : expr)%formula = value K l (T1_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -33,6 +35,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -41,7 +45,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (E : value K l (T4 c : expr)%formula = value K l (T4_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -53,6 +57,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
@@ -64,7 +70,7 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw2. }
   clear N. rename N2 into N.
   assert (E : value K l (T5 c : expr)%formula = value K l (T5_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -76,6 +82,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -84,7 +92,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (E : value K l (T6 c : expr)%formula = value K l (T6_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -96,6 +104,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
@@ -107,7 +117,7 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw2. }
   clear N. rename N2 into N.
   assert (E : value K l (T7 c : expr)%formula = value K l (T7_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -120,6 +130,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2; var 6]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
@@ -128,10 +140,10 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (p2 c : expr)%formula (num 1)%formula (var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (p2 c : expr)%formula (num 1)%formula (var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
   clear N. rename N2 into N.
   assert (E : value K l (T8 c : expr)%formula = value K l (T8_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -144,6 +156,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2; var 7; var 6]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([0; 0; 1], [0; 1; 0]); ([1; 0; 1], [0; 0; 0])] : list (list nat * list nat)).
@@ -155,10 +169,10 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw2. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
-  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 2 atoms) known N (p2 c / w2 c : expr)%formula ((num 1) / (var 7))%formula (var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 2 atoms) known N (p2 c / w2 c : expr)%formula ((num 1) / (var 7))%formula (var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
   clear N. rename N3 into N.
   assert (E : value K l (T9 c : expr)%formula = value K l (T9_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -170,12 +184,14 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (T10 c : list expr)%formula = map (value K l) (T10_carried_out c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -187,6 +203,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -195,7 +213,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (T12 c : list expr)%formula = map (value K l) (T12_carried_out c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -207,6 +225,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
@@ -218,7 +238,7 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw2. }
   clear N. rename N2 into N.
   assert (E : map (value K l) (T13 c : list expr)%formula = map (value K l) (T13_carried_out c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -230,6 +250,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -238,7 +260,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (E : value K l (T14 c : expr)%formula = value K l (T14_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -250,6 +272,8 @@ Proof.
   pose (l := jets s 0 p1_ ++ jets s 0 w1_ ++ jets s 0 v0_1_ ++ jets s 0 v1_1_ ++ jets s 0 v2_1_ ++ jets s 0 p2_ ++ jets s 0 w2_ ++ jets s 0 v0_2_ ++ jets s 0 v1_2_ ++ jets s 0 v2_2_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0 ++ chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0 ++ chain 9 0 ++ chain 10 0) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 2) [var 3; var 4; var 5] (var 6) (var 7) [var 8; var 9; var 10]).
   pose (atoms := [var 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 1], [0; 0])] : list (list nat * list nat)).
@@ -261,7 +285,7 @@ Proof.
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw2. }
   clear N. rename N2 into N.
   assert (E : value K l (T15 c : expr)%formula = value K l (T15_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -273,6 +297,8 @@ Proof.
   pose (l := jets s 1 p1_ ++ jets s 1 w1_ ++ jets s 1 v0_1_ ++ jets s 1 v1_1_ ++ jets s 1 v2_1_ ++ jets s 1 p2_ ++ jets s 1 w2_ ++ jets s 1 v0_2_ ++ jets s 1 v1_2_ ++ jets s 1 v2_2_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ chain 9 1 ++ chain 11 1 ++ chain 13 1 ++ chain 15 1 ++ chain 17 1 ++ chain 19 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Table (var 1) (var 3) [var 5; var 7; var 9] (var 11) (var 13) [var 15; var 17; var 19]).
   pose (atoms := [var 3]%formula : list expr).
   pose (known := [([1], [0]); ([2], [0])] : list (list nat * list nat)).
@@ -281,6 +307,6 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw1. }
   clear N. rename N1 into N.
   assert (E : value K l (T17 c : expr)%formula = value K l (T17_carried_out c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

@@ -16,6 +16,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([2], [0]); ([3], [0])] : list (list nat * list nat)).
@@ -24,7 +26,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jerk_term_21 c : list expr)%formula = map (value K l) (jerk_term_21_parts c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -36,6 +38,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 10]%formula : list expr).
   pose (known := [([2], [0]); ([3], [0])] : list (list nat * list nat)).
@@ -44,7 +48,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jerk_term_21 c : list expr)%formula = map (value K l) (jerk_term_21_parts c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -56,6 +60,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5] (var 9) []).
   pose (atoms := [var 9]%formula : list expr).
   pose (known := [([4], [0]); ([5], [0])] : list (list nat * list nat)).
@@ -64,6 +70,6 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : value K l (velocity_jerk c : expr)%formula = value K l (velocity_jerk_by_terms c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

@@ -16,6 +16,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3] (var 5) []).
   pose (atoms := [var 5]%formula : list expr).
   pose (known := [([2], [0])] : list (list nat * list nat)).
@@ -24,7 +26,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (velocity c : list expr)%formula = map (value K l) (velocity_shared c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -36,6 +38,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([2], [0])] : list (list nat * list nat)).
@@ -44,7 +48,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (velocity c : list expr)%formula = map (value K l) (velocity_shared c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -56,6 +60,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([3], [0])] : list (list nat * list nat)).
@@ -64,7 +70,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (acceleration c : list expr)%formula = map (value K l) (acceleration_shared c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -76,6 +82,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 10]%formula : list expr).
   pose (known := [([3], [0])] : list (list nat * list nat)).
@@ -84,7 +92,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (acceleration c : list expr)%formula = map (value K l) (acceleration_shared c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -96,6 +104,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5] (var 9) []).
   pose (atoms := [var 9]%formula : list expr).
   pose (known := [([4], [0])] : list (list nat * list nat)).
@@ -104,7 +114,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jerk c : list expr)%formula = map (value K l) (jerk_shared c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -116,6 +126,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 13]%formula : list expr).
   pose (known := [([4], [0])] : list (list nat * list nat)).
@@ -124,7 +136,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jerk c : list expr)%formula = map (value K l) (jerk_shared c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -136,6 +148,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([2], [0]); ([3], [0])] : list (list nat * list nat)).
@@ -144,7 +158,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (acceleration c : list expr)%formula = map (value K l) (acceleration_terms c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -156,6 +170,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 10]%formula : list expr).
   pose (known := [([2], [0]); ([3], [0])] : list (list nat * list nat)).
@@ -164,7 +180,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (acceleration c : list expr)%formula = map (value K l) (acceleration_terms c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -176,6 +192,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5] (var 9) []).
   pose (atoms := [var 9]%formula : list expr).
   pose (known := [([2], [0]); ([3], [0]); ([4], [0])] : list (list nat * list nat)).
@@ -184,7 +202,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jerk c : list expr)%formula = map (value K l) (jerk_terms c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -196,6 +214,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 13]%formula : list expr).
   pose (known := [([2], [0]); ([3], [0]); ([4], [0])] : list (list nat * list nat)).
@@ -204,7 +224,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jerk c : list expr)%formula = map (value K l) (jerk_terms c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -227,9 +247,9 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 0). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 0). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (D1_D2_D3 c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   exact U.
 Qed.
@@ -242,12 +262,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (D1_D2_D21 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -259,6 +281,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -267,7 +291,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (D21 c : list expr)%formula = map (value K l) (D21_in_span c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -279,6 +303,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 10]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -287,7 +313,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (D21 c : list expr)%formula = map (value K l) (D21_in_span c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -299,6 +325,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([2], [0])] : list (list nat * list nat)).
@@ -307,7 +335,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : value K l (acceleration_rest_plane c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -319,6 +347,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 10]%formula : list expr).
   pose (known := [([2], [0])] : list (list nat * list nat)).
@@ -327,7 +357,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (acceleration_rest_space c : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -339,6 +369,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 13]%formula : list expr).
   pose (known := [([2], [0])] : list (list nat * list nat)).
@@ -347,7 +379,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : value K l (jerk_rest c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -359,6 +391,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([4], [0])] : list (list nat * list nat)).
@@ -367,7 +401,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : value K l (f0 c : expr)%formula = value K l (number 1 / w c ^ 4 * f1 c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -379,6 +413,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 13]%formula : list expr).
   pose (known := [([6], [0])] : list (list nat * list nat)).
@@ -387,6 +423,6 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : value K l (velocity_acceleration_jerk c : expr)%formula = value K l (number 1 / w c ^ 6 * D1_D2_D3 c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

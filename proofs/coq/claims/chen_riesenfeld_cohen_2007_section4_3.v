@@ -17,15 +17,17 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 3 * var 5 - var 2 * var 6]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (E : value K l (evolute_contact_1 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -38,15 +40,17 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 3 * var 5 - var 2 * var 6]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (E : value K l (evolute_contact_2 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -59,18 +63,20 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 3 * var 5 - var 2 * var 6; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([1; 6], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E : map (value K l) (evolute c : list expr)%formula = map (value K l) (evolute_reduced c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -96,11 +102,11 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 12). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 12). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (f2 c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (curvature_squared c - curvature_squared_inverted c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   apply different; vm_cast_no_check U.
@@ -116,6 +122,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [num 2; var 3 * var 5 - var 2 * var 6; var 2 ^ 2 + var 5 ^ 2]%formula : list expr).
   pose (known := [([1], [0]); ([2; 2], [0; 0]); ([0; 0; 3], [0; 0; 0]); ([0; 2; 0], [0; 0; 3]); ([0; 2; 0], [0; 0; 0])] : list (list nat * list nat)).
@@ -124,13 +132,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
-  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R (firstn 2 atoms) known N (num 4 * (var 3 * var 5 - var 2 * var 6) ^ 2)%formula (num 4 * var 3 ^ 2 + num 4 * var 6 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 5 * var 6)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R roots Q (firstn 2 atoms) known N (num 4 * (var 3 * var 5 - var 2 * var 6) ^ 2)%formula (num 4 * var 3 ^ 2 + num 4 * var 6 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 5 * var 6)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R roots Q (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
   clear N. rename N3 into N.
   assert (E : value K l (curvature_radius_squared c : expr)%formula = value K l (curvature_squared_inverted c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -144,6 +152,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [num 2; var 3 * var 5 - var 2 * var 6; var 2 ^ 2 + var 5 ^ 2]%formula : list expr).
   pose (known := [([1], [0]); ([2; 2], [0; 0]); ([0; 0; 1], [0; 0; 0]); ([0; 0; 2], [0; 0; 0]); ([0; 0; 3], [0; 0; 0]); ([0; 2; 0], [0; 0; 3]); ([0; 1; 0], [0; 0; 0])] : list (list nat * list nat)).
@@ -152,12 +162,12 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
-  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R (firstn 2 atoms) known N (num 4 * (var 3 * var 5 - var 2 * var 6) ^ 2)%formula (num 4 * var 3 ^ 2 + num 4 * var 6 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 5 * var 6)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R roots Q (firstn 2 atoms) known N (num 4 * (var 3 * var 5 - var 2 * var 6) ^ 2)%formula (num 4 * var 3 ^ 2 + num 4 * var 6 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 5 * var 6)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R roots Q (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (evolute_by_frenet c : list expr)%formula = map (value K l) (evolute c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

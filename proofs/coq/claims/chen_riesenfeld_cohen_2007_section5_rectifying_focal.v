@@ -18,27 +18,29 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2; var 13]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 0; 8], [0; 0; 0]); ([0; 1; 4], [0; 0; 0]); ([1; 0; 0], [0; 1; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E1 : map (value K l) (cross (generator (rectifying_developable c)) (generator (rectifying_developable_reduced c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (rectifying_developable c)) (vsub (directrix (rectifying_developable_reduced c)) (directrix (rectifying_developable c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (rectifying_developable c)) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c))) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (rectifying_developable_reduced c)) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c))) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (rectifying_developable c))) (map (value K l) (generator (rectifying_developable c))) (map (value K l) (directrix (rectifying_developable_reduced c))) (map (value K l) (generator (rectifying_developable_reduced c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c)))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c)))) (conj eq_refl U2)) E1 E2).
@@ -54,18 +56,20 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (E : value K l (rectifying_plane c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -93,13 +97,13 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 0). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 6). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (D1_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H2 : value K l (binormal_form_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (rectifying_along_tangent c - torsion c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   split; [vm_cast_no_check H2|].
@@ -116,18 +120,20 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (E : value K l (rectifying_along_tangent c : expr)%formula = value K l (speed_squared c * torsion c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -141,18 +147,20 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (D1_squared c : expr)%formula (var 13 ^ 4)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (E : value K l (rectifying_along_binormal c : expr)%formula = value K l (number 1 / speed_squared c * binormal_squared c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -167,6 +175,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [num 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -175,7 +185,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (E : value K l (psi_numerator c : expr)%formula = value K l (radius_logarithmic_derivative c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -190,15 +200,17 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
   clear N. rename N1 into N.
   assert (E : value K l (focal_contact_1 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -213,15 +225,17 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
   clear N. rename N1 into N.
   assert (E : value K l (focal_contact_2 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -236,15 +250,17 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
   clear N. rename N1 into N.
   assert (E : value K l (focal_contact_3 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -259,18 +275,20 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12]%formula : list expr).
   pose (known := [([1], [0]); ([2], [0]); ([0; 1], [1; 0]); ([0; 1], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
   clear N. rename N2 into N.
   assert (E : map (value K l) (focal_curve_by_arc_length c : list expr)%formula = map (value K l) (focal_curve c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -300,15 +318,15 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 6). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 12). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (D1_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H2 : value K l (binormal_form_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H3 : value K l (D1_D2_D3 c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (focal_binormal_squared_by_parameter c - focal_binormal_squared_by_arc_length c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   split; [vm_cast_no_check H2|].
@@ -327,15 +345,17 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
   clear N. rename N1 into N.
   assert (E : value K l (focal_binormal_by_arc_length c : expr)%formula = value K l (focal_binormal c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -350,21 +370,23 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12; var 13]%formula : list expr).
   pose (known := [([1], [0]); ([2], [0]); ([0; 1], [1; 0]); ([0; 1; 9], [0; 0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H3]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (focal_curve_by_arc_length c : list expr)%formula = map (value K l) (focal_curve_reduced c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -378,15 +400,17 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (E : value K l (circle_contact_1 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -400,15 +424,17 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (E : value K l (circle_contact_2 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -422,15 +448,17 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (E : value K l (circle_contact_3 c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -444,24 +472,26 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2; var 10]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 10], [0; 0]); ([0; 4], [0; 0]); ([1; 0], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E1 : map (value K l) (cross (generator (focal_surface c)) (generator (focal_surface_reduced c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (focal_surface c)) (vsub (directrix (focal_surface_reduced c)) (directrix (focal_surface c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (focal_surface c)) (generator (focal_surface c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (focal_surface_reduced c)) (generator (focal_surface_reduced c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (focal_surface c))) (map (value K l) (generator (focal_surface c))) (map (value K l) (directrix (focal_surface_reduced c))) (map (value K l) (generator (focal_surface_reduced c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (focal_surface c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (focal_surface_reduced c))) (conj eq_refl U2)) E1 E2).

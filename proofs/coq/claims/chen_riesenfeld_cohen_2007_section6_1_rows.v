@@ -16,12 +16,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3] (var 5) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (normal_levelled c : list expr)%formula = map (value K l) (velocity c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -33,12 +35,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (normal_levelled c : list expr)%formula = map (value K l) (velocity c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -50,12 +54,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3] (var 5) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (normal_height_levelled c : expr)%formula = value K l (normal_height c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -67,12 +73,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (normal_height_levelled c : expr)%formula = value K l (normal_height c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -85,6 +93,8 @@ Proof.
   pose (l := jets s 0 x_ ++ jets s 0 y_ ++ jets s 0 z_ ++ jets s 0 w_ ++ jets s_bar 0 X_ ++ jets s_bar 0 Y_ ++ jets s_bar 0 Z_ ++ jets s_bar 0 W_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0) (chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0)).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Pair (homogeneous s [var 1; var 2; var 3] (var 4) []) (homogeneous s_bar [var 5; var 6; var 7] (var 8) [])).
   pose (atoms := [num 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -93,7 +103,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (middle_normal_levelled c : list expr)%formula = map (value K l) (middle_normal c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -106,6 +116,8 @@ Proof.
   pose (l := jets s 0 x_ ++ jets s 0 y_ ++ jets s 0 z_ ++ jets s 0 w_ ++ jets s_bar 0 X_ ++ jets s_bar 0 Y_ ++ jets s_bar 0 Z_ ++ jets s_bar 0 W_).
   pose (r := of_parameters (chain 1 0 ++ chain 2 0 ++ chain 3 0 ++ chain 4 0) (chain 5 0 ++ chain 6 0 ++ chain 7 0 ++ chain 8 0)).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := Pair (homogeneous s [var 1; var 2; var 3] (var 4) []) (homogeneous s_bar [var 5; var 6; var 7] (var 8) [])).
   pose (atoms := [num 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -114,6 +126,6 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (E : value K l (middle_height_levelled c : expr)%formula = value K l (middle_height c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

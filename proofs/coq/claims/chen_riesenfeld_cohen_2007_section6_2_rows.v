@@ -18,6 +18,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1; 7], [0; 0; 0]); ([0; 1; 0], [0; 0; 0]); ([0; 1; 4], [0; 0; 0])] : list (list nat * list nat)).
@@ -26,19 +28,19 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) : expr)%formula (var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) : expr)%formula (var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E1 : map (value K l) (cross (generator (point_bisector_polynomial c)) (generator (point_bisector c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (point_bisector_polynomial c)) (vsub (directrix (point_bisector c)) (directrix (point_bisector_polynomial c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (point_bisector_polynomial c)) (generator (point_bisector_polynomial c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (point_bisector c)) (generator (point_bisector c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (point_bisector_polynomial c))) (map (value K l) (generator (point_bisector_polynomial c))) (map (value K l) (directrix (point_bisector c))) (map (value K l) (generator (point_bisector c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (point_bisector_polynomial c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (point_bisector c))) (conj eq_refl U2)) E1 E2).
@@ -54,6 +56,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1; 7], [0; 0; 0]); ([1; 1; 6], [0; 0; 0])] : list (list nat * list nat)).
@@ -62,13 +66,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) : expr)%formula (var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) : expr)%formula (var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (point_bisector_misprint c : list expr)%formula = map (value K l) (point_bisector_misprint_by_height c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -82,6 +86,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1; 7], [0; 0; 0]); ([0; 0; 1], [0; 0; 0])] : list (list nat * list nat)).
@@ -90,13 +96,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (point_bisector_determinant_polynomial c * w c : expr)%formula (num 0 - var 7 ^ 7)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (point_bisector_determinant_polynomial c * w c : expr)%formula (num 0 - var 7 ^ 7)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (generator_of_34 c : list expr)%formula = map (value K l) (vmul (number 1 / w c) (point_bisector_generator_polynomial c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -108,12 +114,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (point_bisector_generator_polynomial c : list expr)%formula = map (value K l) (vmul (w c ^ 3) (point_bisector_generator c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -127,6 +135,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([0; 1; 7], [0; 0; 0]); ([0; 1; 0], [0; 0; 0]); ([0; 1; 4], [0; 0; 0])] : list (list nat * list nat)).
@@ -135,19 +145,19 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) : expr)%formula (var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (dot (point_bisector_generator_polynomial c) (point_bisector_generator_polynomial c) : expr)%formula (var 7 ^ 6)%formula (var 2 ^ 2 * var 3 ^ 2 - num 2 * var 1 * var 2 * var 3 * var 4 + var 1 ^ 2 * var 4 ^ 2 + var 2 ^ 2 * var 5 ^ 2 + var 4 ^ 2 * var 5 ^ 2 - num 2 * var 1 * var 2 * var 5 * var 6 - num 2 * var 3 * var 4 * var 5 * var 6 + var 1 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 6 ^ 2 + num 2 * var 2 * var 3 * var 4 * var 9 - num 2 * var 1 * var 4 ^ 2 * var 9 + num 2 * var 2 * var 5 * var 6 * var 9 - num 2 * var 1 * var 6 ^ 2 * var 9 + var 4 ^ 2 * var 9 ^ 2 + var 6 ^ 2 * var 9 ^ 2 - num 2 * var 2 ^ 2 * var 3 * var 10 + num 2 * var 1 * var 2 * var 4 * var 10 + num 2 * var 4 * var 5 * var 6 * var 10 - num 2 * var 3 * var 6 ^ 2 * var 10 - num 2 * var 2 * var 4 * var 9 * var 10 + var 2 ^ 2 * var 10 ^ 2 + var 6 ^ 2 * var 10 ^ 2 - num 2 * var 2 ^ 2 * var 5 * var 11 - num 2 * var 4 ^ 2 * var 5 * var 11 + num 2 * var 1 * var 2 * var 6 * var 11 + num 2 * var 3 * var 4 * var 6 * var 11 - num 2 * var 2 * var 6 * var 9 * var 11 - num 2 * var 4 * var 6 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 4 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E1 : map (value K l) (cross (generator (point_bisector c)) (generator (point_bisector_polynomial c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (point_bisector c)) (vsub (directrix (point_bisector_polynomial c)) (directrix (point_bisector c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (point_bisector c)) (generator (point_bisector c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (point_bisector_polynomial c)) (generator (point_bisector_polynomial c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (point_bisector c))) (map (value K l) (generator (point_bisector c))) (map (value K l) (directrix (point_bisector_polynomial c))) (map (value K l) (generator (point_bisector_polynomial c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (point_bisector c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (point_bisector_polynomial c))) (conj eq_refl U2)) E1 E2).
@@ -164,6 +174,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 2 * var 3 - var 1 * var 4 + var 4 * var 9 - var 2 * var 10; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([0; 1; 4], [0; 0; 0])] : list (list nat * list nat)).
@@ -172,15 +184,15 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (direct_determinant_z c : expr)%formula (var 7 ^ 3)%formula (var 2 * var 3 - var 1 * var 4 + var 4 * var 9 - var 2 * var 10)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (direct_determinant_z c : expr)%formula (var 7 ^ 3)%formula (var 2 * var 3 - var 1 * var 4 + var 4 * var 9 - var 2 * var 10)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E1 : map (value K l) (directrix (point_bisector_direct_naive c) : list expr)%formula = map (value K l) (directrix (point_bisector_direct_z c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (generator (point_bisector_direct_naive c) : list expr)%formula = map (value K l) (generator (point_bisector_direct_z c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (conj E1 E2).
 Qed.
 
@@ -195,6 +207,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 4 * var 5 - var 3 * var 6 + var 6 * var 10 - var 4 * var 11; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1; 4], [0; 0; 0])] : list (list nat * list nat)).
@@ -203,13 +217,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (direct_determinant_x c : expr)%formula (var 7 ^ 3)%formula (var 4 * var 5 - var 3 * var 6 + var 6 * var 10 - var 4 * var 11)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (direct_determinant_x c : expr)%formula (var 7 ^ 3)%formula (var 4 * var 5 - var 3 * var 6 + var 6 * var 10 - var 4 * var 11)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : value K l (direct_x_of_directrix c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -224,6 +238,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := [num 2; var 2 * var 5 - var 1 * var 6 + var 6 * var 9 - var 2 * var 11; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1; 4], [0; 0; 0])] : list (list nat * list nat)).
@@ -232,13 +248,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (direct_determinant_y c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 2 * var 5 - var 1 * var 6 + var 6 * var 9 - var 2 * var 11)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (direct_determinant_y c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 2 * var 5 - var 1 * var 6 + var 6 * var 9 - var 2 * var 11)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H2]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : value K l (direct_y_of_directrix c : expr)%formula = value K l (num 0 : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -250,12 +266,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (direct_determinant_x c : expr)%formula = value K l (generator_x c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -267,12 +285,14 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (direct_determinant_y c : expr)%formula = value K l (generator_y c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -284,11 +304,13 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_ ++ [q1; q2; q3]).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1 ++ constants [9; 10; 11]%positive) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) [var 9; var 10; var 11]).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (through_point_height c : expr)%formula = value K l (through_point_height_by_determinant c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

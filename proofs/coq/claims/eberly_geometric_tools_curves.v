@@ -17,6 +17,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3] (var 5) []).
   pose (atoms := [var 5]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -25,7 +27,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jet_1 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.velocity c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -37,6 +39,8 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -45,7 +49,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jet_1 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.velocity c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -57,6 +61,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 7]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -65,7 +71,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jet_2 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.acceleration c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -77,6 +83,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 10]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -85,7 +93,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jet_2 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.acceleration c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -97,6 +105,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5] (var 9) []).
   pose (atoms := [var 9]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -105,7 +115,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jet_3 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.jerk c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -117,6 +127,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 13]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -125,7 +137,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact Hw. }
   clear N. rename N1 into N.
   assert (E : map (value K l) (jet_3 c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.jerk c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -137,12 +149,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (dot_perp c : expr)%formula = value K l (chen_riesenfeld_cohen_2007.f0 c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -168,11 +182,11 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (component 0 (tangent_by_arc_length c) - component 0 (bending_along_the_clockwise_normal c) : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   apply (different_vectors K 0); vm_cast_no_check U.
@@ -188,6 +202,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [num 2; var 2 ^ 2 + var 5 ^ 2]%formula : list expr).
   pose (known := [([1], [0]); ([0; 2], [0; 0])] : list (list nat * list nat)).
@@ -196,10 +212,10 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 7 ^ 4)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 7 ^ 4)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (E : map (value K l) (tangent_by_arc_length c : list expr)%formula = map (value K l) (vmul (number (-1)) (bending_along_the_clockwise_normal c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -211,11 +227,13 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (normal_of_the_frame c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.normal c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.

@@ -17,12 +17,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (inflections_lifted c : expr)%formula = value K l (chen_riesenfeld_cohen_2007.f2 c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -34,12 +36,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (inflections_lifted c : expr)%formula = value K l (w c ^ 3 * chen_riesenfeld_cohen_2007.f0 c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -51,12 +55,14 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5] (var 9) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (vertices_lifted c : expr)%formula = value K l (number 2 * w c ^ 8 * chen_riesenfeld_cohen_2007.g0 c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -69,6 +75,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5] (var 9) []).
   pose (atoms := [num 2]%formula : list expr).
   pose (known := [([1], [0])] : list (list nat * list nat)).
@@ -77,7 +85,7 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (E : value K l (chen_riesenfeld_cohen_2007.g2 c : expr)%formula = value K l (number 1 / number 2 * w c * vertices_lifted c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -91,6 +99,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [num 2; var 3 * var 5 - var 2 * var 6; var 7]%formula : list expr).
   pose (known := [([1; 1; 6], [0; 0; 0]); ([0; 1; 0], [0; 0; 0])] : list (list nat * list nat)).
@@ -99,13 +109,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.f2 c : expr)%formula (num 0 - var 7 ^ 3)%formula (var 3 * var 5 - var 2 * var 6)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (evolute_lifted c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.evolute c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -118,18 +128,20 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4] (var 7) []).
   pose (atoms := [var 2 ^ 2 + var 5 ^ 2; var 7]%formula : list expr).
   pose (known := [([3; 12], [0; 0]); ([3; 0], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 7 ^ 4)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 7 ^ 4)%formula (var 2 ^ 2 + var 5 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E : value K l (curvature_squared_lifted c : expr)%formula = value K l (chen_riesenfeld_cohen_2007.curvature_squared c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -141,12 +153,14 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (torsion_zeros_lifted c : expr)%formula = value K l (w c ^ 4 * chen_riesenfeld_cohen_2007.velocity_acceleration_jerk c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -158,12 +172,14 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (chen_riesenfeld_cohen_2007.D1_D2_D3 c : expr)%formula = value K l (w c ^ 2 * torsion_zeros_lifted c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -176,18 +192,20 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; var 13]%formula : list expr).
   pose (known := [([1; 6], [0; 0]); ([1; 0], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E : value K l (torsion_lifted c : expr)%formula = value K l (chen_riesenfeld_cohen_2007.torsion c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -201,6 +219,8 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [num 2; var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12; var 13]%formula : list expr).
   pose (known := [([1; 1; 8], [0; 0; 0]); ([0; 1; 0], [0; 0; 0])] : list (list nat * list nat)).
@@ -209,13 +229,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.D1_D2_D3 c : expr)%formula (num 0 - var 13 ^ 6)%formula (var 4 * var 7 * var 10 - var 3 * var 8 * var 10 - var 4 * var 6 * var 11 + var 2 * var 8 * var 11 + var 3 * var 6 * var 12 - var 2 * var 7 * var 12)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (focal_curve_lifted c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.focal_curve c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -229,6 +249,8 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [num 2; var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2; var 10]%formula : list expr).
   pose (known := [([1; 1; 9], [0; 0; 0]); ([0; 1; 0], [0; 0; 0])] : list (list nat * list nat)).
@@ -237,13 +259,13 @@ Proof.
   { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
-  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 1 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E : map (value K l) (circle_centre_lifted c : list expr)%formula = map (value K l) (chen_riesenfeld_cohen_2007.osculating_circle_centre c : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -255,12 +277,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (binormal_lifted c : list expr)%formula = map (value K l) (vmul (w c ^ 3) (chen_riesenfeld_cohen_2007.binormal c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -272,12 +296,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : map (value K l) (chen_riesenfeld_cohen_2007.D1_x_D2 c : list expr)%formula = map (value K l) (vmul (w c) (binormal_lifted c) : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -289,12 +315,14 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := []%formula : list expr).
   pose (known := [] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (E : value K l (space_critical_curvature_lifted c : expr)%formula = value K l (number 2 * w c ^ 11 * chen_riesenfeld_cohen_2007.space_critical_curvature c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -307,18 +335,20 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 2 ^ 2 + var 5 ^ 2 + var 8 ^ 2; var 10]%formula : list expr).
   pose (known := [([3; 12], [0; 0]); ([3; 0], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 10 ^ 4)%formula (var 2 ^ 2 + var 5 ^ 2 + var 8 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 10 ^ 4)%formula (var 2 ^ 2 + var 5 ^ 2 + var 8 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E : value K l (space_curvature_squared_lifted c : expr)%formula = value K l (chen_riesenfeld_cohen_2007.space_curvature_squared c : expr)%formula).
-  { apply (one_value K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
 
@@ -331,24 +361,26 @@ Proof.
   pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 z_ ++ jets s 1 w_).
   pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ chain 7 1) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 3; var 5] (var 7) []).
   pose (atoms := [var 2 ^ 2 + var 4 ^ 2 + var 6 ^ 2; var 7]%formula : list expr).
   pose (known := [([1], [0]); ([1; 4], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 7 ^ 4)%formula (var 2 ^ 2 + var 4 ^ 2 + var 6 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.D1_squared c : expr)%formula (var 7 ^ 4)%formula (var 2 ^ 2 + var 4 ^ 2 + var 6 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E1 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.tangent_developable c)) (generator (tangent_developable_lifted c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.tangent_developable c)) (vsub (directrix (tangent_developable_lifted c)) (directrix (chen_riesenfeld_cohen_2007.tangent_developable c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (chen_riesenfeld_cohen_2007.tangent_developable c)) (generator (chen_riesenfeld_cohen_2007.tangent_developable c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (tangent_developable_lifted c)) (generator (tangent_developable_lifted c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (chen_riesenfeld_cohen_2007.tangent_developable c))) (map (value K l) (generator (chen_riesenfeld_cohen_2007.tangent_developable c))) (map (value K l) (directrix (tangent_developable_lifted c))) (map (value K l) (generator (tangent_developable_lifted c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (chen_riesenfeld_cohen_2007.tangent_developable c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (tangent_developable_lifted c))) (conj eq_refl U2)) E1 E2).
@@ -363,24 +395,26 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2; var 10]%formula : list expr).
   pose (known := [([1], [0]); ([1; 6], [0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
   clear N. rename N2 into N.
   assert (E1 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.binormal_scroll c)) (generator (binormal_scroll_lifted c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.binormal_scroll c)) (vsub (directrix (binormal_scroll_lifted c)) (directrix (chen_riesenfeld_cohen_2007.binormal_scroll c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (chen_riesenfeld_cohen_2007.binormal_scroll c)) (generator (chen_riesenfeld_cohen_2007.binormal_scroll c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (binormal_scroll_lifted c)) (generator (binormal_scroll_lifted c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (chen_riesenfeld_cohen_2007.binormal_scroll c))) (map (value K l) (generator (chen_riesenfeld_cohen_2007.binormal_scroll c))) (map (value K l) (directrix (binormal_scroll_lifted c))) (map (value K l) (generator (binormal_scroll_lifted c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (chen_riesenfeld_cohen_2007.binormal_scroll c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (binormal_scroll_lifted c))) (conj eq_refl U2)) E1 E2).
@@ -396,30 +430,32 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2; num 2; var 2 ^ 2 + var 5 ^ 2 + var 8 ^ 2; var 10]%formula : list expr).
   pose (known := [([0; 1], [0; 0]); ([1; 2], [0; 0]); ([1; 0; 1], [0; 0; 0]); ([1; 0; 1; 10], [0; 0; 0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
-  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R (firstn 2 atoms) known N (num 4 * (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2) ^ 1)%formula (num 4 * var 3 ^ 2 + num 4 * var 6 ^ 2 + num 4 * var 9 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 5 * var 6 - num 2 * var 8 * var 9)%formula (var 2 ^ 2 + var 5 ^ 2 + var 8 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R roots Q (firstn 2 atoms) known N (num 4 * (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2) ^ 1)%formula (num 4 * var 3 ^ 2 + num 4 * var 6 ^ 2 + num 4 * var 9 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 5 * var 6 - num 2 * var 8 * var 9)%formula (var 2 ^ 2 + var 5 ^ 2 + var 8 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R roots Q (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
   clear N. rename N3 into N.
   assert (N4 : all_nonzero K l (firstn 4 atoms)).
   { apply (and_nonzero K l (firstn 3 atoms) (nth 3 atoms (num 0)) N). exact Hw. }
   clear N. rename N4 into N.
   assert (E1 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.normal_scroll c)) (generator (normal_scroll_lifted c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.normal_scroll c)) (vsub (directrix (normal_scroll_lifted c)) (directrix (chen_riesenfeld_cohen_2007.normal_scroll c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (chen_riesenfeld_cohen_2007.normal_scroll c)) (generator (chen_riesenfeld_cohen_2007.normal_scroll c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (normal_scroll_lifted c)) (generator (normal_scroll_lifted c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (chen_riesenfeld_cohen_2007.normal_scroll c))) (map (value K l) (generator (chen_riesenfeld_cohen_2007.normal_scroll c))) (map (value K l) (directrix (normal_scroll_lifted c))) (map (value K l) (generator (normal_scroll_lifted c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (chen_riesenfeld_cohen_2007.normal_scroll c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (normal_scroll_lifted c))) (conj eq_refl U2)) E1 E2).
@@ -435,30 +471,32 @@ Proof.
   pose (l := jets s 3 x_ ++ jets s 3 y_ ++ jets s 3 z_ ++ jets s 3 w_).
   pose (r := of_parameters (chain 1 3 ++ chain 5 3 ++ chain 9 3 ++ chain 13 3) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 5; var 9] (var 13) []).
   pose (atoms := [var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2; num 2; var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2; var 13]%formula : list expr).
   pose (known := [([1], [0]); ([0; 1], [0; 0]); ([1; 2], [0; 0]); ([0; 0; 1], [0; 0; 0]); ([1; 0; 0], [0; 0; 1]); ([2; 0; 0; 10], [0; 0; 0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 13 ^ 6)%formula (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
   clear N. rename N2 into N.
   assert (N3 : all_nonzero K l (firstn 3 atoms)).
-  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R (firstn 2 atoms) known N (num 4 * (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2) ^ 1)%formula (num 4 * var 3 ^ 2 + num 4 * var 7 ^ 2 + num 4 * var 11 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 6 * var 7 - num 2 * var 10 * var 11)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
+  { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). apply (differential_factor_nonzero K l r R roots Q (firstn 2 atoms) known N (num 4 * (var 3 ^ 2 * var 6 ^ 2 - num 2 * var 2 * var 3 * var 6 * var 7 + var 2 ^ 2 * var 7 ^ 2 + var 3 ^ 2 * var 10 ^ 2 + var 7 ^ 2 * var 10 ^ 2 - num 2 * var 2 * var 3 * var 10 * var 11 - num 2 * var 6 * var 7 * var 10 * var 11 + var 2 ^ 2 * var 11 ^ 2 + var 6 ^ 2 * var 11 ^ 2) ^ 1)%formula (num 4 * var 3 ^ 2 + num 4 * var 7 ^ 2 + num 4 * var 11 ^ 2)%formula (num 0 - num 2 * var 2 * var 3 - num 2 * var 6 * var 7 - num 2 * var 10 * var 11)%formula (var 2 ^ 2 + var 6 ^ 2 + var 10 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | apply (unit_nonzero K l r R roots Q (firstn 2 atoms) known N); vm_cast_no_check (eq_refl true)]. }
   clear N. rename N3 into N.
   assert (N4 : all_nonzero K l (firstn 4 atoms)).
   { apply (and_nonzero K l (firstn 3 atoms) (nth 3 atoms (num 0)) N). exact Hw. }
   clear N. rename N4 into N.
   assert (E1 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.rectifying_developable c)) (generator (rectifying_developable_lifted c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.rectifying_developable c)) (vsub (directrix (rectifying_developable_lifted c)) (directrix (chen_riesenfeld_cohen_2007.rectifying_developable c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (chen_riesenfeld_cohen_2007.rectifying_developable c)) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c))) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (rectifying_developable_lifted c)) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c))) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (chen_riesenfeld_cohen_2007.rectifying_developable c))) (map (value K l) (generator (chen_riesenfeld_cohen_2007.rectifying_developable c))) (map (value K l) (directrix (rectifying_developable_lifted c))) (map (value K l) (generator (rectifying_developable_lifted c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c)))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c)))) (conj eq_refl U2)) E1 E2).
@@ -474,12 +512,14 @@ Proof.
   pose (l := jets s 2 x_ ++ jets s 2 y_ ++ jets s 2 z_ ++ jets s 2 w_).
   pose (r := of_parameters (chain 1 2 ++ chain 4 2 ++ chain 7 2 ++ chain 10 2) ([])).
   assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
   pose (c := homogeneous s [var 1; var 4; var 7] (var 10) []).
   pose (atoms := [var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2; num 2; var 10]%formula : list expr).
   pose (known := [([1], [0]); ([1; 1; 9], [0; 0; 0]); ([1; 0; 0], [0; 0; 0]); ([1; 0; 6], [0; 0; 0])] : list (list nat * list nat)).
   assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
   assert (N1 : all_nonzero K l (firstn 1 atoms)).
-  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula (var 10 ^ 6)%formula (var 3 ^ 2 * var 5 ^ 2 - num 2 * var 2 * var 3 * var 5 * var 6 + var 2 ^ 2 * var 6 ^ 2 + var 3 ^ 2 * var 8 ^ 2 + var 6 ^ 2 * var 8 ^ 2 - num 2 * var 2 * var 3 * var 8 * var 9 - num 2 * var 5 * var 6 * var 8 * var 9 + var 2 ^ 2 * var 9 ^ 2 + var 5 ^ 2 * var 9 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check H1]. }
   clear N. rename N1 into N.
   assert (N2 : all_nonzero K l (firstn 2 atoms)).
   { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact P2. }
@@ -488,13 +528,13 @@ Proof.
   { apply (and_nonzero K l (firstn 2 atoms) (nth 2 atoms (num 0)) N). exact Hw. }
   clear N. rename N3 into N.
   assert (E1 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.focal_surface c)) (generator (focal_surface_lifted c)) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (E2 : map (value K l) (cross (generator (chen_riesenfeld_cohen_2007.focal_surface c)) (vsub (directrix (focal_surface_lifted c)) (directrix (chen_riesenfeld_cohen_2007.focal_surface c))) : list expr)%formula = map (value K l) ([num 0; num 0; num 0] : list expr)%formula).
-  { apply (one_vector K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U1 : value K l (dot (generator (chen_riesenfeld_cohen_2007.focal_surface c)) (generator (chen_riesenfeld_cohen_2007.focal_surface c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U2 : value K l (dot (generator (focal_surface_lifted c)) (generator (focal_surface_lifted c)) : expr) <> zero K).
-  { apply (unit_nonzero K l r R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check (one_surface K (map (value K l) (directrix (chen_riesenfeld_cohen_2007.focal_surface c))) (map (value K l) (generator (chen_riesenfeld_cohen_2007.focal_surface c))) (map (value K l) (directrix (focal_surface_lifted c))) (map (value K l) (generator (focal_surface_lifted c))) eq_refl eq_refl eq_refl eq_refl
     (ex_intro _ (map (value K l) (generator (chen_riesenfeld_cohen_2007.focal_surface c))) (conj eq_refl U1))
     (ex_intro _ (map (value K l) (generator (focal_surface_lifted c))) (conj eq_refl U2)) E1 E2).

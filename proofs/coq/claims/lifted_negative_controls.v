@@ -32,11 +32,11 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 2). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (component 0 (cross (generator (chen_riesenfeld_cohen_2007.tangent_developable c)) (generator (chen_riesenfeld_cohen_2007.binormal_scroll c))) : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   intro Z. assert (Y : same_surface ((map (value K l) (directrix (chen_riesenfeld_cohen_2007.tangent_developable c))), (map (value K l) (generator (chen_riesenfeld_cohen_2007.tangent_developable c)))) ((map (value K l) (directrix (chen_riesenfeld_cohen_2007.binormal_scroll c))), (map (value K l) (generator (chen_riesenfeld_cohen_2007.binormal_scroll c))))) by vm_cast_no_check Z.
@@ -65,11 +65,11 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 6). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 6). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (chen_riesenfeld_cohen_2007.binormal_form_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (component 0 (cross (generator (chen_riesenfeld_cohen_2007.focal_surface c)) (vsub (directrix (chen_riesenfeld_cohen_2007.binormal_scroll c)) (directrix (chen_riesenfeld_cohen_2007.focal_surface c)))) : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   intro Z. assert (Y : same_surface ((map (value K l) (directrix (chen_riesenfeld_cohen_2007.focal_surface c))), (map (value K l) (generator (chen_riesenfeld_cohen_2007.focal_surface c)))) ((map (value K l) (directrix (chen_riesenfeld_cohen_2007.binormal_scroll c))), (map (value K l) (generator (chen_riesenfeld_cohen_2007.binormal_scroll c))))) by vm_cast_no_check Z.
@@ -98,9 +98,9 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 2). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (chen_riesenfeld_cohen_2007.f0 c - chen_riesenfeld_cohen_2007.f1 c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   apply different; vm_cast_no_check U.
 Qed.
@@ -127,11 +127,11 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 12). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 12). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (chen_riesenfeld_cohen_2007.f2 c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (chen_riesenfeld_cohen_2007.curvature_radius_squared c - chen_riesenfeld_cohen_2007.curvature_squared c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   apply different; vm_cast_no_check U.
@@ -155,9 +155,9 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 0). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (chen_riesenfeld_cohen_2007.f2 c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   exact U.
 Qed.
@@ -185,11 +185,11 @@ Proof.
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true).
     - apply (explicit_nonzero K t Hz Ht 1). vm_cast_no_check (eq_refl true). }
   assert (H0 : value K l (w c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (H1 : value K l (chen_riesenfeld_cohen_2007.plane_bisector_determinant c : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   assert (U : value K l (component 0 (chen_riesenfeld_cohen_2007.plane_bisector_polynomial c ++ [number 0]) - component 0 (directrix (chen_riesenfeld_cohen_2007.tangent_developable (embedded c))) : expr)%formula <> zero K).
-  { apply (unit_nonzero K l explicit_rules R atoms known N). vm_cast_no_check (eq_refl true). }
+  { apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }
   split; [vm_cast_no_check H0|].
   split; [vm_cast_no_check H1|].
   apply (different_vectors K 0); vm_cast_no_check U.

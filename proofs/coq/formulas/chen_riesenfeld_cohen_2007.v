@@ -562,6 +562,86 @@ Definition rectifying_geodesic (c : curve A) : A :=
 Definition focal_development (c : curve A) : A :=
   det [vder (along c) (directrix (focal_surface_reduced c)); generator (focal_surface_reduced c); vder (along c) (generator (focal_surface_reduced c))].
 
+(** eq. (7). `‖γ′‖`. *)
+Definition speed (c : framed A) : A :=
+  sigma c.
+
+(** eq. (13). `‖γ′ × γ″‖`. *)
+Definition binormal_length (c : framed A) : A :=
+  rho c.
+
+(** eq. (13). `γ′ / ‖γ′‖`. *)
+Definition unit_tangent (c : framed A) : list A :=
+  vdiv (vder (along c) (gamma c)) (sigma c).
+
+(** eq. (13). `γ′ × γ″ / ‖γ′ × γ″‖`. *)
+Definition unit_binormal (c : framed A) : list A :=
+  vdiv (binormal c) (rho c).
+
+(** eq. (13). `(γ′ × γ″) × γ′ / (‖γ′ × γ″‖ ‖γ′‖)`. *)
+Definition unit_normal (c : framed A) : list A :=
+  vdiv (normal c) (rho c * sigma c).
+
+(** eq. (13). `B × T`. *)
+Definition unit_normal_by_product (c : framed A) : list A :=
+  cross (unit_binormal c) (unit_tangent c).
+
+(** eq. (13). The scalar products and the determinant of T, N, B without those of an orthonormal, right-handed basis. *)
+Definition frame_products (c : framed A) : list A :=
+  ([dot (unit_tangent c) (unit_tangent c) - number 1] ++ [dot (unit_normal c) (unit_normal c) - number 1] ++ [dot (unit_binormal c) (unit_binormal c) - number 1] ++ [dot (unit_tangent c) (unit_normal c)] ++ [dot (unit_normal c) (unit_binormal c)] ++ [dot (unit_binormal c) (unit_tangent c)] ++ [det [unit_tangent c; unit_normal c; unit_binormal c] - number 1]).
+
+(** eq. (15). `‖γ′ × γ″‖ / ‖γ′‖³`. *)
+Definition curvature_in_space (c : framed A) : A :=
+  rho c / sigma c ^ 3.
+
+(** eq. (16). `N / κ`. *)
+Definition normal_by_curvature (c : framed A) : list A :=
+  vdiv (unit_normal c) (curvature_in_space c).
+
+(** Frenet equations. `T′`. *)
+Definition unit_tangent_derivative (c : framed A) : list A :=
+  vder (along c) (unit_tangent c).
+
+(** Frenet equations. `N′`. *)
+Definition unit_normal_derivative (c : framed A) : list A :=
+  vder (along c) (unit_normal c).
+
+(** Frenet equations. `B′`. *)
+Definition unit_binormal_derivative (c : framed A) : list A :=
+  vder (along c) (unit_binormal c).
+
+(** Frenet equations. `τ B − κ T`: the derivative of N by arc length. *)
+Definition turn_of_normal (c : framed A) : list A :=
+  vsub (vmul (torsion c) (unit_binormal c)) (vmul (curvature_in_space c) (unit_tangent c)).
+
+(** §5.4. `τ T + κ B`. *)
+Definition rectifying_direction (c : framed A) : list A :=
+  vadd (vmul (torsion c) (unit_tangent c)) (vmul (curvature_in_space c) (unit_binormal c)).
+
+(** §5.4. The generator of the rectifying developable. *)
+Definition rectifying_generator (c : framed A) : list A :=
+  generator (rectifying_developable c).
+
+(** §5.5. `(1/κ)′ B`. *)
+Definition radius_derivative_along_binormal (c : framed A) : list A :=
+  vmul (der (along c) (number 1 / curvature_in_space c)) (unit_binormal c).
+
+(** §4.3. `γ′⊥ / ‖γ′⊥‖`. *)
+Definition unit_normal_in_plane (c : framed A) : list A :=
+  vdiv (perp (vder (along c) (gamma c))) (sigma c).
+
+(** §4.1. `[γ′ γ″] / ‖γ′‖³`. *)
+Definition signed_curvature (c : framed A) : A :=
+  f0 c / sigma c ^ 3.
+
+(** §4.2. `κ′`. *)
+Definition signed_curvature_derivative (c : framed A) : A :=
+  der (along c) (signed_curvature c).
+
+(** eq. (12). `γ + N/κ`. *)
+Definition evolute_by_unit_normal (c : framed A) : list A :=
+  vadd (gamma c) (vdiv (unit_normal_in_plane c) (signed_curvature c)).
+
 (** eq. (22). `γ·γ′`: the height of the normal plane, naive. *)
 Definition normal_height (c : curve A) : A :=
   dot (gamma c) (vder (along c) (gamma c)).

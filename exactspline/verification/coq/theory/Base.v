@@ -125,8 +125,65 @@ Arguments Pair {A} _ _. Arguments first {A} _. Arguments second {A} _.
 Arguments Table {A} _ _ _ _ _ _. Arguments p1 {A} _. Arguments w1 {A} _. Arguments v1 {A} _.
 Arguments p2 {A} _. Arguments w2 {A} _. Arguments v2 {A} _.
 
+(** A curve with more beside it: constants, or functions on which it depends. *)
+Record accompanied (A : Type) := Accompanied { plain : curve A; beside : list A }.
+Arguments Accompanied {A} _ _. Arguments plain {A} _. Arguments beside {A} _.
+Coercion plain : accompanied >-> curve.
+
+(** A curve with σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖. *)
+Record framed (A : Type) := Framed { bare : curve A; sigma : A; rho : A }.
+Arguments Framed {A} _ _ _. Arguments bare {A} _. Arguments sigma {A} _. Arguments rho {A} _.
+Coercion bare : framed >-> curve.
+
+(** A curve in the zero set of a function F: what is free (its pace, or the direction in which a surface is cut), the
+    first partial derivatives of F along the curve, and the rows of the second ones. *)
+Record implicit (A : Type) :=
+  Implicit { on_level : curve A; free : list A; gradient_f : list A; hessian_f : list (list A) }.
+Arguments Implicit {A} _ _ _ _. Arguments on_level {A} _. Arguments free {A} _.
+Arguments gradient_f {A} _. Arguments hessian_f {A} _.
+Coercion on_level : implicit >-> curve.
+
+(** A surface S(u, v), its numerators and denominator in the fields of a curve; s is u, and s_bar is v. *)
+Record patch (A : Type) := Patch { net : curve A }.
+Arguments Patch {A} _. Arguments net {A} _.
+Coercion net : patch >-> curve.
+
 Section Arguments.
 Context {A : Type} {o : operations A}.
+Local Open Scope formula_scope.
+
+(** What stands beside a curve whose hodograph is (u² − v², 2uv) h. *)
+Definition u_of (c : accompanied A) := component 0 (beside c).
+Definition v_of (c : accompanied A) := component 1 (beside c).
+Definition h_of (c : accompanied A) := component 2 (beside c).
+Definition speed_of (c : accompanied A) := (u_of c * u_of c + v_of c * v_of c) * h_of c.
+Definition velocity_of (c : accompanied A) :=
+  vmul (h_of c) [u_of c * u_of c - v_of c * v_of c; u_of c * v_of c + u_of c * v_of c].
+
+(** The partial derivatives of F. *)
+Definition pace_of (c : implicit A) := component 0 (free c).
+Definition cut_of (c : implicit A) := free c.
+Definition fx_of (c : implicit A) := component 0 (gradient_f c).
+Definition fy_of (c : implicit A) := component 1 (gradient_f c).
+Definition fz_of (c : implicit A) := component 2 (gradient_f c).
+Definition hessian_fx_of (c : implicit A) := nth 0 (hessian_f c) [].
+Definition hessian_fy_of (c : implicit A) := nth 1 (hessian_f c) [].
+Definition hessian_fz_of (c : implicit A) := nth 2 (hessian_f c) [].
+Definition fxx_of (c : implicit A) := component 0 (hessian_fx_of c).
+Definition fxy_of (c : implicit A) := component 1 (hessian_fx_of c).
+Definition fxz_of (c : implicit A) := component 2 (hessian_fx_of c).
+Definition fyy_of (c : implicit A) := component 1 (hessian_fy_of c).
+Definition fyz_of (c : implicit A) := component 2 (hessian_fy_of c).
+Definition fzz_of (c : implicit A) := component 2 (hessian_fz_of c).
+
+(** The surface itself; two quadratic forms E, F, G and L, M, N, and the function w beside them. *)
+Definition S_of (c : patch A) := gamma c.
+Definition E_of (c : accompanied A) := component 0 (beside c).
+Definition F_of (c : accompanied A) := component 1 (beside c).
+Definition G_of (c : accompanied A) := component 2 (beside c).
+Definition L_of (c : accompanied A) := component 3 (beside c).
+Definition M_of (c : accompanied A) := component 4 (beside c).
+Definition N_of (c : accompanied A) := component 5 (beside c).
 
 (** The curve [γ = p/w], with a point (empty for none). *)
 Definition rational_curve (q : parameter) (p : list A) (w : A) (point : list A) : curve A :=
@@ -228,3 +285,98 @@ Definition every_two_curves (P : forall K : differential_field, pair K -> Prop) 
 Definition every_table (P : forall K : differential_field, table K -> Prop) : Prop :=
   forall (K : differential_field) (p1 w1 x1 y1 z1 p2 w2 x2 y2 z2 : K), w1 <> zero K -> w2 <> zero K ->
   P K (Table p1 w1 [x1; y1; z1] p2 w2 [x2; y2; z2]).
+
+(** *** Polynomial curves: the denominator is 1 *)
+
+Definition every_polynomial_plane_curve (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y : K), P K (rational_curve s [x; y] (number 1) []).
+
+Definition every_polynomial_space_curve (P : forall K : differential_field, curve K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z : K), P K (rational_curve s [x; y; z] (number 1) []).
+
+(** *** Curves with constants beside them *)
+
+Fixpoint every_constants {K : differential_field} (n : nat) (P : list K -> Prop) : Prop :=
+  match n with
+  | 0 => P []
+  | S n => forall k : K, constant k -> every_constants n (fun ks => P (k :: ks))
+  end.
+
+(** Every rational plane curve with so many constants. *)
+Definition every_plane_curve_with (n : nat) (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w : K), w <> zero K ->
+  every_constants n (fun ks => P K (Accompanied (rational_curve s [x; y] w []) ks)).
+
+(** Every rational space curve with so many constants. *)
+Definition every_space_curve_with (n : nat) (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w : K), w <> zero K ->
+  every_constants n (fun ks => P K (Accompanied (rational_curve s [x; y; z] w []) ks)).
+
+(** *** Curves with the roots of their frames *)
+
+(** Every rational plane curve with σ, σ² = γ′·γ′. *)
+Definition every_framed_plane_curve (P : forall K : differential_field, framed K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w sigma : K), w <> zero K ->
+  let c := rational_curve s [x; y] w [] in
+  let velocity := vder s (gamma c) in
+  times K sigma sigma = dot velocity velocity -> P K (Framed c sigma (zero K)).
+
+(** Every rational space curve with σ and ρ, ρ² = (γ′ × γ″)·(γ′ × γ″). *)
+Definition every_framed_space_curve (P : forall K : differential_field, framed K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w sigma rho : K), w <> zero K ->
+  let c := rational_curve s [x; y; z] w [] in
+  let velocity := vder s (gamma c) in
+  let binormal := cross velocity (vders s 2 (gamma c)) in
+  times K sigma sigma = dot velocity velocity -> times K rho rho = dot binormal binormal -> P K (Framed c sigma rho).
+
+(** *** Curves whose speed is no root *)
+
+(** Every polynomial plane curve with γ′ = (u² − v², 2uv) h. *)
+Definition every_hodograph (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
+  forall (K : differential_field) (x y u v h : K),
+  let c := Accompanied (rational_curve s [x; y] (number 1) []) [u; v; h] in
+  [derivative K s x; derivative K s y] = velocity_of c -> P K c.
+
+(** Every polynomial plane curve with γ′ = (u² − v², 2uv). *)
+Definition every_primitive_hodograph (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
+  forall (K : differential_field) (x y u v : K),
+  let c := Accompanied (rational_curve s [x; y] (number 1) []) [u; v; number 1] in
+  [derivative K s x; derivative K s y] = velocity_of c -> P K c.
+
+(** *** Curves along which a function is constant *)
+
+(** The chain rule for the partial derivatives of F along a curve. *)
+Definition chain_rule {K : differential_field} (c : implicit K) : Prop :=
+  vder s (gradient_f c) = map (fun row => dot row (vder s (gamma c))) (hessian_f c).
+
+(** Every curve that runs along F = constant in the plane, at any pace. *)
+Definition every_implicit_curve (P : forall K : differential_field, implicit K -> Prop) : Prop :=
+  forall (K : differential_field) (x y pace fx fy fxx fxy fyy : K),
+  let c := Implicit (rational_curve s [x; y] (number 1) []) [pace] [fx; fy] [[fxx; fxy]; [fxy; fyy]] in
+  vder s (gamma c) = vmul pace (perp (gradient_f c)) -> chain_rule c -> P K c.
+
+(** Every curve on F = constant in space: it runs along ∇F × cut, for any cut. *)
+Definition every_implicit_surface (P : forall K : differential_field, implicit K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z l m n fx fy fz fxx fxy fxz fyy fyz fzz : K),
+  let c := Implicit (rational_curve s [x; y; z] (number 1) []) [l; m; n] [fx; fy; fz]
+    [[fxx; fxy; fxz]; [fxy; fyy; fyz]; [fxz; fyz; fzz]] in
+  vder s (gamma c) = cross (gradient_f c) (free c) -> chain_rule c -> P K c.
+
+(** *** Surfaces: functions of u and v, whose derivatives commute *)
+
+Definition commuting (K : differential_field) : Prop :=
+  forall a : K, derivative K s (derivative K s_bar a) = derivative K s_bar (derivative K s a).
+
+(** Every rational surface in space. *)
+Definition every_surface (P : forall K : differential_field, patch K -> Prop) : Prop :=
+  forall (K : differential_field) (x y z w : K), commuting K -> w <> zero K ->
+  P K (Patch (rational_curve s [x; y; z] w [])).
+
+(** Every rational map of the plane. *)
+Definition every_planar_map (P : forall K : differential_field, patch K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w : K), commuting K -> w <> zero K -> P K (Patch (rational_curve s [x; y] w [])).
+
+(** Every two quadratic forms. *)
+Definition every_two_forms (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
+  forall (K : differential_field) (E F G L M N w : K), commuting K ->
+  P K (Accompanied (rational_curve s [] w []) [E; F; G; L; M; N]).

@@ -17,6 +17,12 @@ Proof.
   intro Hw. unfold rational_curve, homogeneous. f_equal.
   induction p as [|x p IH]; [reflexivity|]. simpl. rewrite <- IH. f_equal. field. exact Hw.
 Qed.
+
+Lemma over_one (x : K) : quotient K x (one K) = x.
+Proof. field. apply (F_1_neq_0 (field_axioms K)). Qed.
+
+Lemma times_one (x : K) : times K x (one K) = x.
+Proof. ring. Qed.
 End Position.
 
 Lemma plane_by_position (P : forall K : differential_field, curve K -> Prop) :
@@ -46,6 +52,146 @@ Proof.
   rewrite (rational_is_homogeneous K s_bar [X; Y; Z] W) by exact HW. now apply H.
 Qed.
 
+(** A polynomial curve is one over the denominator 1. *)
+Lemma polynomial_is_homogeneous (K : differential_field) (q : parameter) (p : list K) (Q : list K) :
+  rational_curve q p (number 1) Q = homogeneous q p (number 1) Q.
+Proof.
+  assert (E : vdiv p (number 1) = p).
+  { rewrite <- (map_id p) at 2. apply map_ext. intro x. apply over_one. }
+  unfold rational_curve, homogeneous. rewrite E. f_equal.
+  rewrite <- (map_id p) at 1. apply map_ext. intro x. symmetry. apply times_one.
+Qed.
+
+Lemma polynomial_plane_by_position (P : forall K : differential_field, curve K -> Prop) :
+  (forall (K : differential_field) (x y : K), P K (homogeneous s [x; y] (number 1) [])) ->
+  every_polynomial_plane_curve P.
+Proof. intros H K x y. rewrite polynomial_is_homogeneous. apply H. Qed.
+
+Lemma polynomial_space_by_position (P : forall K : differential_field, curve K -> Prop) :
+  (forall (K : differential_field) (x y z : K), P K (homogeneous s [x; y; z] (number 1) [])) ->
+  every_polynomial_space_curve P.
+Proof. intros H K x y z. rewrite polynomial_is_homogeneous. apply H. Qed.
+
+Lemma plane_with_by_position (n : nat) (P : forall K : differential_field, accompanied K -> Prop) :
+  (forall (K : differential_field) (x y w : K), w <> zero K ->
+   every_constants n (fun ks => P K (Accompanied (homogeneous s [x; y] w []) ks))) -> every_plane_curve_with n P.
+Proof. intros H K x y w Hw. rewrite rational_is_homogeneous by exact Hw. apply H, Hw. Qed.
+
+Lemma space_with_by_position (n : nat) (P : forall K : differential_field, accompanied K -> Prop) :
+  (forall (K : differential_field) (x y z w : K), w <> zero K ->
+   every_constants n (fun ks => P K (Accompanied (homogeneous s [x; y; z] w []) ks))) -> every_space_curve_with n P.
+Proof. intros H K x y z w Hw. rewrite rational_is_homogeneous by exact Hw. apply H, Hw. Qed.
+
+Lemma framed_plane_by_position (P : forall K : differential_field, framed K -> Prop) :
+  (forall (K : differential_field) (x y w sigma : K), w <> zero K ->
+   times K sigma sigma = dot (vder s [x; y]) (vder s [x; y]) ->
+   P K (Framed (homogeneous s [x; y] w []) sigma (zero K))) ->
+  every_framed_plane_curve P.
+Proof. intros H K x y w sigma Hw c velocity Hs. unfold c. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
+Lemma framed_space_by_position (P : forall K : differential_field, framed K -> Prop) :
+  (forall (K : differential_field) (x y z w sigma rho : K), w <> zero K ->
+   let velocity := vder s [x; y; z] in
+   let binormal := cross velocity (vders s 2 [x; y; z]) in
+   times K sigma sigma = dot velocity velocity -> times K rho rho = dot binormal binormal ->
+   P K (Framed (homogeneous s [x; y; z] w []) sigma rho)) ->
+  every_framed_space_curve P.
+Proof.
+  intros H K x y z w sigma rho Hw c velocity binormal Hs Hr. unfold c. rewrite rational_is_homogeneous by exact Hw.
+  now apply H.
+Qed.
+
+Lemma hodograph_by_position (P : forall K : differential_field, accompanied K -> Prop) :
+  (forall (K : differential_field) (x y u v h : K),
+   derivative K s x = mul (sub (mul u u) (mul v v)) h -> derivative K s y = mul (add (mul u v) (mul u v)) h ->
+   P K (Accompanied (homogeneous s [x; y] (number 1) []) [u; v; h])) -> every_hodograph P.
+Proof.
+  intros H K x y u v h c E. injection E as Ex Ey. unfold c. rewrite polynomial_is_homogeneous. now apply H.
+Qed.
+
+Lemma primitive_hodograph_by_position (P : forall K : differential_field, accompanied K -> Prop) :
+  (forall (K : differential_field) (x y u v : K),
+   derivative K s x = mul (sub (mul u u) (mul v v)) (number 1) ->
+   derivative K s y = mul (add (mul u v) (mul u v)) (number 1) ->
+   P K (Accompanied (homogeneous s [x; y] (number 1) []) [u; v; number 1])) -> every_primitive_hodograph P.
+Proof.
+  intros H K x y u v c E. injection E as Ex Ey. unfold c. rewrite polynomial_is_homogeneous. now apply H.
+Qed.
+
+Lemma implicit_curve_by_position (P : forall K : differential_field, implicit K -> Prop) :
+  (forall (K : differential_field) (x y pace fx fy fxx fxy fyy : K),
+   let dx := mul (neg fy) pace in
+   let dy := mul fx pace in
+   derivative K s x = dx -> derivative K s y = dy ->
+   derivative K s fx = add (mul fxx dx) (mul fxy dy) -> derivative K s fy = add (mul fxy dx) (mul fyy dy) ->
+   P K (Implicit (homogeneous s [x; y] (number 1) []) [pace] [fx; fy] [[fxx; fxy]; [fxy; fyy]])) ->
+  every_implicit_curve P.
+Proof.
+  intros H K x y pace fx fy fxx fxy fyy c V C. unfold chain_rule in C. unfold c in *. clear c.
+  rewrite polynomial_is_homogeneous in *. cbn [on_level gamma homogeneous gradient_f hessian_f free] in *.
+  injection V as Vx Vy. injection C as Cx Cy. rewrite Vx, Vy in Cx, Cy. now apply H.
+Qed.
+
+Lemma implicit_surface_by_position (P : forall K : differential_field, implicit K -> Prop) :
+  (forall (K : differential_field) (x y z l m n fx fy fz fxx fxy fxz fyy fyz fzz : K),
+   let dx := sub (mul fy n) (mul fz m) in
+   let dy := sub (mul fz l) (mul fx n) in
+   let dz := sub (mul fx m) (mul fy l) in
+   derivative K s x = dx -> derivative K s y = dy -> derivative K s z = dz ->
+   derivative K s fx = add (add (mul fxx dx) (mul fxy dy)) (mul fxz dz) ->
+   derivative K s fy = add (add (mul fxy dx) (mul fyy dy)) (mul fyz dz) ->
+   derivative K s fz = add (add (mul fxz dx) (mul fyz dy)) (mul fzz dz) ->
+   P K (Implicit (homogeneous s [x; y; z] (number 1) []) [l; m; n] [fx; fy; fz]
+     [[fxx; fxy; fxz]; [fxy; fyy; fyz]; [fxz; fyz; fzz]])) ->
+  every_implicit_surface P.
+Proof.
+  intros H K x y z l m n fx fy fz fxx fxy fxz fyy fyz fzz c V C. unfold chain_rule in C. unfold c in *. clear c.
+  rewrite polynomial_is_homogeneous in *. cbn [on_level gamma homogeneous gradient_f hessian_f free] in *.
+  injection V as Vx Vy Vz. injection C as Cx Cy Cz. rewrite Vx, Vy, Vz in Cx, Cy, Cz. now apply H.
+Qed.
+
+Lemma surface_by_position (P : forall K : differential_field, patch K -> Prop) :
+  (forall (K : differential_field) (x y z w : K), commuting K -> w <> zero K ->
+   P K (Patch (homogeneous s [x; y; z] w []))) -> every_surface P.
+Proof. intros H K x y z w C Hw. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
+Lemma planar_map_by_position (P : forall K : differential_field, patch K -> Prop) :
+  (forall (K : differential_field) (x y w : K), commuting K -> w <> zero K ->
+   P K (Patch (homogeneous s [x; y] w []))) -> every_planar_map P.
+Proof. intros H K x y w C Hw. rewrite rational_is_homogeneous by exact Hw. now apply H. Qed.
+
+(** ** Roots *)
+
+Section OneRoot.
+Variable K : differential_field.
+Add Field K2 : (field_axioms K).
+
+Lemma root_nonzero (y square : K) : times K y y = square -> square <> zero K -> y <> zero K.
+Proof. intros <- N Z. apply N. rewrite Z. ring. Qed.
+
+Lemma root_inverse (y : K) : y <> zero K -> times K (quotient K (one K) y) y = one K.
+Proof. intro N. field. exact N. Qed.
+
+(** σ′ from σ² = S, and with it (1/σ)′; [half] is half of S′. *)
+Lemma root_derivative (y square half : K) : times K y y = square -> y <> zero K -> integer K 2 <> zero K ->
+  derivative K s square = plus K half half -> derivative K s y = times K half (quotient K (one K) y).
+Proof.
+  intros <- N T H. rewrite derivative_times in H.
+  assert (E : integer K 2 = plus K (one K) (one K)) by reflexivity. rewrite E in T.
+  assert (D : times K (plus K (one K) (one K)) (times K (derivative K s y) y)
+              = times K (plus K (one K) (one K)) half) by (transitivity (plus K half half); [rewrite <- H|]; ring).
+  transitivity (quotient K (times K (plus K (one K) (one K)) (times K (derivative K s y) y))
+                           (times K (plus K (one K) (one K)) y)); [field; auto|].
+  rewrite D. field. auto.
+Qed.
+
+Lemma inverse_derivative (y half : K) : y <> zero K -> derivative K s y = times K half (quotient K (one K) y) ->
+  derivative K s (quotient K (one K) y) = opposite K (times K half (repeated K (quotient K (one K) y) 3)).
+Proof.
+  intros N H. rewrite derivative_quotient by exact N. rewrite H, derivative_one. simpl. field. exact N.
+Qed.
+End OneRoot.
+
 (** ** Jets *)
 
 Definition jets {K : differential_field} (q : parameter) (order : nat) (x : K) : list K :=
@@ -53,16 +199,35 @@ Definition jets {K : differential_field} (q : parameter) (order : nat) (x : K) :
 
 (** The rules of so many variables, each the derivative of the one before. *)
 Fixpoint chain (i : positive) (order : nat) : rules :=
-  match order with 0 => [] | S n => (i, inl (Pos.succ i)) :: chain (Pos.succ i) n end.
+  match order with 0 => [] | S n => (i, var (Pos.succ i)) :: chain (Pos.succ i) n end.
 
-Definition constants (is : list positive) : rules := map (fun i => (i, inr 0%Z)) is.
+Definition constants (is : list positive) : rules := map (fun i => (i, num 0)) is.
 
 Definition of_parameters (first second : rules) (q : parameter) : rules :=
   match q with s => first | s_bar => second end.
 
+(** The partial derivatives up to an order: row by row, in the n-th row first all by u, at last all by v. *)
+Definition partials {K : differential_field} (order : nat) (x : K) : list K :=
+  flat_map (fun n => map (fun j => ders s (n - j) (ders s_bar j x)) (seq 0 (S n))) (seq 0 (S order)).
+
+(** Their rules: to the next row, to the place below ([right = 0], by u) or to that right of it ([right = 1], by v). *)
+Definition grid (i : positive) (order right : nat) : rules :=
+  let place n j := Pos.of_nat (Pos.to_nat i + Nat.div2 (n * S n) + j) in
+  flat_map (fun n => map (fun j => (place n j, var (place (S n) (j + right)%nat))) (seq 0 (S n))) (seq 0 order).
+
+Lemma commuted (K : differential_field) (a : K) n : commuting K ->
+  derivative K s_bar (ders s n a) = ders s n (derivative K s_bar a).
+Proof.
+  intro C. induction n as [|n IH]; [reflexivity|].
+  change (ders s (S n) a) with (derivative K s (ders s n a)).
+  change (ders s (S n) (derivative K s_bar a)) with (derivative K s (ders s n (derivative K s_bar a))).
+  rewrite <- IH. symmetry. apply C.
+Qed.
+
 Ltac rules_by_computation :=
   let q := fresh in intro q; destruct q; repeat (apply Forall_cons; [first [reflexivity | match goal with
-    H : constant _ |- _ => exact (H _) end]|]); apply Forall_nil.
+    H : constant _ |- _ => exact (H _) | C : commuting _ |- _ => first
+      [exact (commuted _ _ 1 C) | exact (commuted _ _ 2 C) | exact (commuted _ _ 3 C) | exact (commuted _ _ 4 C)] | H : _ = _ |- _ => exact H end]|]); apply Forall_nil.
 
 (** ** Atoms *)
 
@@ -71,9 +236,11 @@ Variable K : differential_field.
 Variable l : list K.
 Variable r : parameter -> rules.
 Hypothesis Hr : forall q, rules_hold K l q (r q).
+Variable roots : list expr.
+Hypothesis Hs : roots_hold K l roots.
 
-Definition polynomial (e : expr) : poly := match norm [] [] r e with Some (a, []) => a | _ => Pc 0%Z end.
-Definition is_polynomial (e : expr) : bool := match norm [] [] r e with Some (_, []) => true | _ => false end.
+Definition polynomial (e : expr) : poly := match norm [] [] [] r e with Some (a, []) => a | _ => Pc 0%Z end.
+Definition is_polynomial (e : expr) : bool := match norm [] [] [] r e with Some (_, []) => true | _ => false end.
 
 Definition all_nonzero (es : list expr) : Prop := Forall (fun e => value K l e <> zero K) es.
 
@@ -83,8 +250,8 @@ Proof.
   induction es as [|e es IH]; intros H N; [constructor|].
   simpl in H. apply andb_prop in H. destruct H as [He H]. inversion N; subst. constructor; [|now apply IH].
   unfold is_polynomial in He. unfold polynomial.
-  destruct (norm [] [] r e) as [[a [|? ?]]|] eqn:E; try discriminate.
-  exact (atom_nonzero K l [] [] r Hr (Forall_nil _) e a E H2).
+  destruct (norm [] [] [] r e) as [[a [|? ?]]|] eqn:E; try discriminate.
+  exact (atom_nonzero K l [] [] [] r Hr I (Forall_nil _) e a E H2).
 Qed.
 
 Lemma and_nonzero es e : all_nonzero es -> value K l e <> zero K -> all_nonzero (es ++ [e]).
@@ -96,28 +263,28 @@ Hypothesis Hes : all_nonzero es.
 
 (** Two expressions are one. *)
 Lemma one_value a b :
-  forallb is_polynomial es && equal (map polynomial es) known r a b = true -> value K l a = value K l b.
+  forallb is_polynomial es && equal (map polynomial es) roots known r a b = true -> value K l a = value K l b.
 Proof.
   intro H. apply andb_prop in H. destruct H as [P E].
-  exact (equal_sound K l _ known r Hr (nonzero_polynomials es P Hes) a b E).
+  exact (equal_sound K l _ roots known r Hr Hs (nonzero_polynomials es P Hes) a b E).
 Qed.
 
 (** Two vectors are one. *)
 Lemma one_vector a b :
-  forallb is_polynomial es && all_equal (map polynomial es) known r a b = true ->
+  forallb is_polynomial es && all_equal (map polynomial es) roots known r a b = true ->
   map (value K l) a = map (value K l) b.
 Proof.
   intro H. apply andb_prop in H. destruct H as [P E].
-  exact (all_equal_sound K l _ known r Hr (nonzero_polynomials es P Hes) a b E).
+  exact (all_equal_sound K l _ roots known r Hr Hs (nonzero_polynomials es P Hes) a b E).
 Qed.
 
 (** What divides something that is not zero. *)
 Lemma factor_nonzero e b a :
-  forallb is_polynomial es && equal (map polynomial es) known r e (emul b a) = true ->
+  forallb is_polynomial es && equal (map polynomial es) roots known r e (emul b a) = true ->
   value K l e <> zero K -> value K l a <> zero K.
 Proof.
   intro H. apply andb_prop in H. destruct H as [P E].
-  exact (divisor_nonzero K l _ known r Hr (nonzero_polynomials es P Hes) e b a E).
+  exact (divisor_nonzero K l _ roots known r Hr Hs (nonzero_polynomials es P Hes) e b a E).
 Qed.
 
 Add Field K' : (field_axioms K).
@@ -125,18 +292,18 @@ Add Field K' : (field_axioms K).
 (** What would, with its derivative, make something vanish that does not. *)
 Lemma differential_factor_nonzero e b c a :
   forallb is_polynomial es &&
-    equal (map polynomial es) known r e (eadd (emul b a) (emul c (eder s a))) = true ->
+    equal (map polynomial es) roots known r e (eadd (emul b a) (emul c (eder s a))) = true ->
   value K l e <> zero K -> value K l a <> zero K.
 Proof.
   intro H. apply andb_prop in H. destruct H as [P E]. intros N Z. apply N.
-  rewrite (equal_sound K l _ known r Hr (nonzero_polynomials es P Hes) _ _ E). simpl. rewrite Z.
+  rewrite (equal_sound K l _ roots known r Hr Hs (nonzero_polynomials es P Hes) _ _ E). simpl. rewrite Z.
   rewrite derivative_zero. ring.
 Qed.
 
 (** What is a product of atoms. *)
 Definition is_unit (e : expr) : bool :=
-  match norm (map polynomial es) known r e with
-  | Some b => match recognized (map polynomial es) b known with Some _ => true | None => false end
+  match norm (map polynomial es) roots known r e with
+  | Some b => match recognized (map polynomial es) roots b known with Some _ => true | None => false end
   | None => false
   end.
 
@@ -144,10 +311,10 @@ Lemma unit_nonzero e : forallb is_polynomial es && is_unit e = true -> value K l
 Proof.
   intro H. apply andb_prop in H. destruct H as [P E]. unfold is_unit in E.
   pose proof (nonzero_polynomials es P Hes) as N.
-  destruct (norm (map polynomial es) known r e) as [b|] eqn:En; [|discriminate].
-  destruct (recognized (map polynomial es) b known) as [[[positive top] bottom]|] eqn:Eb; [|discriminate].
-  pose proof (recognized_sound K l _ known N b positive top bottom Eb) as H.
-  intro Z. rewrite <- (norm_sound K l _ known r Hr N e b En) in Z.
+  destruct (norm (map polynomial es) roots known r e) as [b|] eqn:En; [|discriminate].
+  destruct (recognized (map polynomial es) roots b known) as [[[positive top] bottom]|] eqn:Eb; [|discriminate].
+  pose proof (recognized_sound K l _ roots known Hs N b positive top bottom Eb) as H.
+  intro Z. rewrite <- (norm_sound K l _ roots known r Hr Hs N e b En) in Z.
   assert (Hb : at_point K l (fst b) = zero K).
   { transitivity (times K (quotient K (at_point K l (fst b)) (at_point K l (product (map polynomial es) (snd b))))
                           (at_point K l (product (map polynomial es) (snd b)))).
@@ -251,7 +418,7 @@ Hypothesis Hz : characteristic_zero K.
 Hypothesis Ht : derivative K s t = one K.
 Add Field K3 : (field_axioms K).
 
-Definition explicit_rules : parameter -> rules := of_parameters [(1%positive, inr 1%Z)] [].
+Definition explicit_rules : parameter -> rules := of_parameters [(1%positive, num 1)] [].
 
 Lemma explicit_rules_hold q : rules_hold K [t] q (explicit_rules q).
 Proof. destruct q; [apply Forall_cons; [exact Ht|]|]; apply Forall_nil. Qed.
@@ -278,8 +445,8 @@ Lemma explicit_nonzero n e :
   value K [t] e <> zero K.
 Proof.
   intro H. apply andb_prop in H. destruct H as [P C]. unfold is_polynomial in P. unfold polynomial in C.
-  destruct (norm [] [] explicit_rules e) as [[a [|? ?]]|] eqn:E; try discriminate.
-  rewrite <- (norm_sound K [t] [] [] explicit_rules explicit_rules_hold (Forall_nil _) e _ E). cbn [fst snd].
+  destruct (norm [] [] [] explicit_rules e) as [[a [|? ?]]|] eqn:E; try discriminate.
+  rewrite <- (norm_sound K [t] [] [] [] explicit_rules explicit_rules_hold I (Forall_nil _) e _ E). cbn [fst snd].
   apply constant_after_sound in C. intro Z. apply C.
   rewrite den_nil in Z. rewrite <- Z. field. apply (F_1_neq_0 (field_axioms K)).
 Qed.
@@ -317,3 +484,44 @@ Proof.
 Qed.
 
 End Explicit.
+
+(** ** The osculating sphere *)
+
+Section Sphere.
+Variable K : differential_field.
+Add Field K4 : (field_axioms K).
+Local Open Scope formula_scope.
+
+(** With a = γ′, k = κN, b = (κ²)′ and τ, of which k·a = 0 is all that is used: what remains of the radius. *)
+Lemma radius_of_the_sphere (g1 g2 g3 a1 a2 a3 k1 k2 k3 b t : K) :
+  let g := [g1; g2; g3] in
+  let a := [a1; a2; a3] in
+  let k := [k1; k2; k3] in
+  let S := dot a a in
+  let B := dot k k in
+  let v := vsub (vsub (vadd g (vdiv k B)) (vmul (b / (number 2 * S * B ^ 2 * t)) (cross a k))) g in
+  number 2 <> zero K -> dot k a = zero K -> S <> zero K -> B <> zero K -> t <> zero K ->
+  b ^ 2 / S - number 4 * t ^ 2 * B ^ 2 * (B - number 1) = number 4 * B ^ 3 * t ^ 2 * (dot v v - number 1).
+Proof.
+  intros g a k S B v H2 O HS HB Ht.
+  pose (q := b / (number 2 * S * B ^ 2 * t)).
+  assert (E : dot v v = number 1 / B + S * B * q ^ 2).
+  { assert (L : dot v v = B / (B * B) + (S * B - dot k a * dot k a) * q ^ 2).
+    { unfold v. fold q. clearbody q. clear v. unfold vsub, vadd, vmul, vdiv, cross, component, g, k, a.
+      cbn [map zip nth].
+      assert (Z : times K B (number 1 / B) = one K) by (simpl; field; exact HB).
+      set (i := number 1 / B) in *.
+      assert (D : forall x : K, x / B = x * i) by (intro x; unfold i; simpl; field; exact HB).
+      rewrite !D. unfold dot. cbn [sum_from].
+      transitivity (plus K (times K (times K B i) i) (times K (minus K (times K S B)
+        (times K (plus K (plus K (times K k1 a1) (times K k2 a2)) (times K k3 a3))
+                 (plus K (plus K (times K k1 a1) (times K k2 a2)) (times K k3 a3)))) (times K q q))).
+      - unfold B, S. simpl. ring.
+      - rewrite Z. unfold i, k, a, dot. cbn [sum_from]. simpl. field. exact HB. }
+    rewrite L, O. simpl. field. exact HB. }
+  rewrite E. unfold q. clearbody S B. clear E v.
+  change (number 4) with (times K (plus K (one K) (one K)) (plus K (one K) (one K))).
+  change (number 2) with (plus K (one K) (one K)) in *. change (number 1) with (one K).
+  cbn -[plus times minus quotient one] in *. field. repeat split; assumption.
+Qed.
+End Sphere.

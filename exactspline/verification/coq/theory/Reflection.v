@@ -40,14 +40,26 @@ Fixpoint ppow (a : poly) (n : nat) : poly :=
 
 Definition lifted (j : N) (a : poly) : poly := match j with N0 => a | Npos k => mkPinj k a end.
 
-(** The derivative of a variable: another variable or a constant. *)
-Definition rules := list (positive * (positive + Z)).
+(** An expression that neither divides nor differentiates is a polynomial. *)
+Fixpoint simple (e : expr) : option poly :=
+  match e with
+  | var i => Some (pvar i)
+  | num z => Some (Pc z)
+  | eadd a b => match simple a, simple b with Some a, Some b => Some (padd a b) | _, _ => None end
+  | esub a b => match simple a, simple b with Some a, Some b => Some (psub a b) | _, _ => None end
+  | emul a b => match simple a, simple b with Some a, Some b => Some (pmul a b) | _, _ => None end
+  | eneg a => match simple a with Some a => Some (popp a) | _ => None end
+  | epow a n => match simple a with Some a => Some (ppow a n) | _ => None end
+  | ediv _ _ | eder _ _ => None
+  end.
+
+(** The derivative of a variable: a polynomial, mostly another variable or a constant. *)
+Definition rules := list (positive * expr).
 
 Fixpoint rule (i : positive) (r : rules) : option poly :=
   match r with
   | [] => None
-  | (k, target) :: r =>
-    if Pos.eqb i k then Some (match target with inl k => pvar k | inr z => Pc z end) else rule i r
+  | (k, target) :: r => if Pos.eqb i k then simple target else rule i r
   end.
 
 (** The derivative of a polynomial whose first variable is the one after the [j]-th. *)
@@ -65,6 +77,51 @@ Fixpoint dpoly (r : rules) (j : N) (a : poly) : option poly :=
     | _, _, _ => None
     end
   end.
+
+(** ** Square roots
+
+    The first two variables may be [1/σ] and [σ], where [σ²] is a polynomial S in the variables that follow, and so on:
+    the S's are the roots. Modulo these relations a polynomial is 0 if it is after clearing [1/σ] and replacing [σ²]. *)
+
+(** The exponent of the first variable. *)
+Fixpoint first_degree (a : poly) : nat :=
+  match a with PX a i b => (Pos.to_nat i + first_degree a)%nat | _ => 0 end.
+
+(** A polynomial in the second, third, … variable from one in the first, second, …: the first one does not occur. *)
+Definition without_first (a : poly) : poly := match a with Pinj i a => lifted (Pos.pred_N i) a | a => a end.
+
+(** A polynomial times the [n]-th power of σ, without [1/σ]. *)
+Fixpoint cleared (n : nat) (a : poly) : poly :=
+  match a with
+  | PX a i b => padd (cleared (n - Pos.to_nat i) a) (pmul (ppow (pvar 1) n) b)
+  | _ => pmul (ppow (pvar 1) n) (without_first a)
+  end.
+
+(** Parts P and Q with [a = P + σ Q], from [σ² = square]. *)
+Fixpoint parted (square : poly) (a : poly) : poly * poly :=
+  match a with
+  | PX a i b =>
+    let '(P, Q) := parted square a in
+    let k := Pos.to_nat i in
+    let half := ppow square (Nat.div2 k) in
+    if Nat.even k then (padd (pmul half P) b, pmul half Q)
+    else (padd (pmul (pmul half square) Q) b, pmul half P)
+  | _ => (without_first a, Pc 0%Z)
+  end.
+
+Fixpoint vanishing (roots : list expr) (a : poly) : bool :=
+  match roots with
+  | [] => peq a (Pc 0%Z)
+  | square :: roots =>
+    match simple square with
+    | None => false
+    | Some square =>
+      let '(P, Q) := parted square (cleared (first_degree a) a) in vanishing roots P && vanishing roots Q
+    end
+  end.
+
+Definition same (roots : list expr) (a b : poly) : bool :=
+  if peq a b then true else match roots with [] => false | _ => vanishing roots (psub a b) end.
 
 (** ** Fractions whose denominators are products of atoms *)
 
@@ -120,6 +177,9 @@ Fixpoint logarithmic (r : rules) (atoms : list poly) (e : list nat) : option (po
   | _, _ => Some (Pc 1%Z, Pc 0%Z, [])
   end.
 
+(** What squares of roots are. *)
+Variable roots : list expr.
+
 (** What denominators are up to their sign: products of atoms over products of atoms. *)
 Variable known : list (list nat * list nat).
 
@@ -128,8 +188,8 @@ Fixpoint recognized (b : fraction) (known : list (list nat * list nat)) : option
   | [] => None
   | (top, bottom) :: known =>
     let '(l, r, _) := common atoms (sums top (snd b)) bottom in
-    if peq (pmul (fst b) l) r then Some (true, top, bottom)
-    else if peq (popp (pmul (fst b) l)) r then Some (false, top, bottom)
+    if same roots (pmul (fst b) l) r then Some (true, top, bottom)
+    else if same roots (popp (pmul (fst b) l)) r then Some (false, top, bottom)
     else recognized b known
   end.
 
@@ -172,7 +232,7 @@ Fixpoint norm (e : expr) : option fraction :=
 
 Definition equal (a b : expr) : bool :=
   match norm a, norm b with
-  | Some a, Some b => let '(l, r, _) := common atoms (snd a) (snd b) in peq (pmul (fst a) l) (pmul (fst b) r)
+  | Some a, Some b => let '(l, r, _) := common atoms (snd a) (snd b) in same roots (pmul (fst a) l) (pmul (fst b) r)
   | _, _ => false
   end.
 
@@ -351,11 +411,27 @@ Proof.
   rewrite (pow_pos_succ setoid (Rmul_ext extension) (Rmul_assoc ring_axioms)). ring.
 Qed.
 
+Lemma simple_sound e : forall a, simple e = Some a -> at_point a = value e.
+Proof.
+  induction e as [i|z|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa|a IHa n|k a IHa]; intros d; cbn [simple value];
+    unfold at_point in *.
+  - intro E. injection E as <-. apply at_pvar.
+  - intro E. injection E as <-. reflexivity.
+  - destruct (simple a) as [x|]; [|discriminate]. destruct (simple b) as [y|]; [|discriminate].
+    intro E. injection E as <-. now rewrite at_padd, (IHa x), (IHb y).
+  - destruct (simple a) as [x|]; [|discriminate]. destruct (simple b) as [y|]; [|discriminate].
+    intro E. injection E as <-. now rewrite at_psub, (IHa x), (IHb y).
+  - destruct (simple a) as [x|]; [|discriminate]. destruct (simple b) as [y|]; [|discriminate].
+    intro E. injection E as <-. now rewrite at_pmul, (IHa x), (IHb y).
+  - discriminate.
+  - destruct (simple a) as [x|]; [|discriminate]. intro E. injection E as <-. now rewrite at_popp, (IHa x).
+  - destruct (simple a) as [x|]; [|discriminate]. intro E. injection E as <-. now rewrite at_ppow, (IHa x).
+  - discriminate.
+Qed.
+
 (** The rules say what the derivatives of the variables are. *)
-Definition target_value (t : positive + Z) : K :=
-  match t with inl k => nth (zero K) k l | inr z => number z end.
 Definition rules_hold (r : rules) : Prop :=
-  Forall (fun t => der q (nth (zero K) (fst t) l) = target_value (snd t)) r.
+  Forall (fun t => der q (nth (zero K) (fst t) l) = value (snd t)) r.
 
 Lemma rule_sound r i a :
   rules_hold r -> rule i r = Some a -> derivative K q (nth (zero K) i l) = at_point a.
@@ -363,8 +439,7 @@ Proof.
   induction r as [|[k t] r IH]; [discriminate|].
   intro H. inversion H as [|x y Hk Hrest]; subst. simpl.
   destruct (Pos.eqb_spec i k) as [->|_]; [|now apply IH].
-  intro E. injection E as <-. simpl in Hk. rewrite Hk. unfold at_point.
-  destruct t; simpl; [now rewrite at_pvar | reflexivity].
+  intro E. simpl in Hk. rewrite Hk. symmetry. now apply simple_sound.
 Qed.
 
 Variable r : rules.
@@ -547,13 +622,123 @@ Qed.
 
 End Soundness.
 
+(** *** Square roots *)
+
+Section Roots.
+Variable K : differential_field.
+Add Field K : (field_axioms K).
+
+(** The list begins with [1/σ] and [σ], for each of the roots. *)
+Fixpoint roots_hold (l : list K) (roots : list expr) : Prop :=
+  match roots with
+  | [] => True
+  | square :: roots =>
+    let x := hd (zero K) l in
+    let y := hd (zero K) (tl l) in
+    let m := tl (tl l) in
+    times K x y = one K /\ times K y y = value K m square /\ roots_hold m roots
+  end.
+
+Lemma at_sum l a i b : at_point K l (PX a i b)
+  = plus K (times K (at_point K l a) (repeated K (hd (zero K) l) (Pos.to_nat i))) (at_point K (tl l) b).
+Proof. unfold at_point. cbn [Pphi]. now rewrite pow_pos_repeated. Qed.
+
+Lemma at_without_first l a : (forall b i d, a <> PX b i d) -> at_point K l a = at_point K (tl l) (without_first a).
+Proof.
+  destruct a as [c|i a|b i d]; intro H; [reflexivity| |now destruct (H b i d)].
+  cbn [without_first]. rewrite at_lifted.
+  assert (E : forall j, jump j (tl l) = jump (Pos.succ j) l) by (intro j; now rewrite jump_succ, <- jump_tl).
+  destruct i as [i|i|]; [| |reflexivity]; unfold at_point; cbn [Pphi Pos.pred_N jumped]; rewrite E; [reflexivity|].
+  now rewrite Pos.succ_pred_double.
+Qed.
+
+Lemma repeated_inverse x y n : times K x y = one K -> times K (repeated K y n) (repeated K x n) = one K.
+Proof.
+  intro H. rewrite <- repeated_times. assert (E : times K y x = one K) by (rewrite <- H; ring).
+  rewrite E. apply repeated_one.
+Qed.
+
+Lemma at_first_power l n : at_point K l (ppow (pvar 1) n) = repeated K (hd (zero K) l) n.
+Proof. rewrite at_power. unfold at_point. rewrite at_pvar. destruct l; reflexivity. Qed.
+
+Lemma cleared_sound l a : times K (hd (zero K) l) (hd (zero K) (tl l)) = one K -> forall n, (first_degree a <= n)%nat ->
+  times K (repeated K (hd (zero K) (tl l)) n) (at_point K l a) = at_point K (tl l) (cleared n a).
+Proof.
+  intro H. induction a as [c|i a IH|a IHa i b IHb]; intros n Hn.
+  - cbn [cleared]. rewrite at_times, at_first_power. f_equal.
+  - cbn [cleared]. rewrite at_times, at_first_power. f_equal. apply at_without_first. discriminate.
+  - cbn [cleared]. cbn [first_degree] in Hn. rewrite at_plus, at_times, at_first_power, at_sum.
+    rewrite <- IHa by lia. set (k := Pos.to_nat i) in *. replace n with (n - k + k) at 1 by lia.
+    rewrite repeated_add. pose proof (repeated_inverse _ _ k H) as I.
+    set (x := repeated K (hd (zero K) l) k) in *. set (y := repeated K (hd (zero K) (tl l)) k) in *.
+    transitivity (plus K (times K (times K (repeated K (hd (zero K) (tl l)) (n - k)) (at_point K l a)) (times K y x))
+                         (times K (times K (repeated K (hd (zero K) (tl l)) (n - k)) y) (at_point K (tl l) b))); [ring|].
+    rewrite I. unfold y. rewrite <- repeated_add. replace (n - k + k) with n by lia. ring.
+Qed.
+
+Lemma repeated_halved (y z : K) k : times K y y = z ->
+  repeated K y k = times K (repeated K z (Nat.div2 k)) (if Nat.even k then one K else y).
+Proof.
+  intro H. rewrite (Nat.div2_odd k) at 1. rewrite <- Nat.negb_even, Nat.mul_comm, repeated_add.
+  assert (E : repeated K y (Nat.div2 k * 2) = repeated K z (Nat.div2 k)).
+  { rewrite repeated_mul. f_equal. simpl. exact H. }
+  rewrite E. destruct (Nat.even k); simpl; ring.
+Qed.
+
+Lemma parted_sound l square a : times K (hd (zero K) l) (hd (zero K) l) = at_point K (tl l) square ->
+  forall P Q, parted square a = (P, Q) ->
+  at_point K l a = plus K (at_point K (tl l) P) (times K (hd (zero K) l) (at_point K (tl l) Q)).
+Proof.
+  intro H. induction a as [c|i a IH|a IHa i b IHb]; intros P Q.
+  - cbn [parted without_first]. intro E. injection E as <- <-.
+    change (at_point K (tl l) (Pc 0%Z)) with (zero K).
+    change (at_point K (tl l) (Pc c)) with (at_point K l (Pc c)). ring.
+  - cbn [parted]. intro E. injection E as <- <-. change (at_point K (tl l) (Pc 0%Z)) with (zero K).
+    rewrite (at_without_first l (Pinj i a)) by discriminate. cbn [without_first]. ring.
+  - cbn [parted]. destruct (parted square a) as [P0 Q0]. specialize (IHa P0 Q0 eq_refl).
+    rewrite at_sum, IHa, (repeated_halved _ _ (Pos.to_nat i) H).
+    destruct (Nat.even (Pos.to_nat i)); intro E; injection E as <- <-; rewrite !at_plus, !at_times, at_power.
+    + ring.
+    + rewrite <- H. ring.
+Qed.
+
+Lemma vanishing_sound roots : forall l a, roots_hold l roots -> vanishing roots a = true -> at_point K l a = zero K.
+Proof.
+  induction roots as [|square roots IH]; intros l a; cbn [roots_hold vanishing].
+  - intros _ H. apply (at_equal K l) in H. exact H.
+  - intros [Hx [Hy Hm]]. destruct (simple square) as [T|] eqn:ES; [|discriminate].
+    destruct (parted T (cleared (first_degree a) a)) as [P Q] eqn:EP.
+    intro H. apply andb_prop in H. destruct H as [HP HQ].
+    apply (IH _ _ Hm) in HP. apply (IH _ _ Hm) in HQ.
+    apply (simple_sound K (tl (tl l))) in ES. rewrite <- ES in Hy.
+    pose proof (parted_sound (tl l) T _ Hy P Q EP) as H.
+    rewrite <- (cleared_sound l a Hx (first_degree a) (le_n _)), HP, HQ in H.
+    assert (N : hd (zero K) (tl l) <> zero K).
+    { intro Z. rewrite Z in Hx. apply (F_1_neq_0 (field_axioms K)). rewrite <- Hx. ring. }
+    apply (repeated_nonzero K _ (first_degree a)) in N.
+    set (y := repeated K (hd (zero K) (tl l)) (first_degree a)) in *.
+    transitivity (quotient K (times K y (at_point K l a)) y); [field; exact N|]. rewrite H. field. exact N.
+Qed.
+
+Lemma same_sound roots l a b : roots_hold l roots -> same roots a b = true -> at_point K l a = at_point K l b.
+Proof.
+  intro Hr. unfold same. destruct (peq a b) eqn:E; [intros _; exact (at_equal K l a b E)|].
+  destruct roots as [|square roots]; [discriminate|]. intro H. apply (vanishing_sound _ l _ Hr) in H.
+  rewrite at_minus in H.
+  transitivity (plus K (minus K (at_point K l a) (at_point K l b)) (at_point K l b)); [ring|]. rewrite H. ring.
+Qed.
+
+End Roots.
+
 Section Norm.
 Variable K : differential_field.
 Variable l : list K.
 Variable atoms : list poly.
+Variable roots : list expr.
 Variable known : list (list nat * list nat).
 Variable r : parameter -> rules.
 Hypothesis Hr : forall q, rules_hold K l q (r q).
+Hypothesis Hs : roots_hold K l roots.
 Hypothesis Ha : Forall (nonzero K l) atoms.
 Add Field K' : (field_axioms K).
 
@@ -587,7 +772,7 @@ Proof.
   destruct minus; unfold at_point; [rewrite at_minus | rewrite at_plus]; rewrite !at_times; field; exact Hm.
 Qed.
 
-Lemma recognized_sound b positive top bottom : recognized atoms b known = Some (positive, top, bottom) ->
+Lemma recognized_sound b positive top bottom : recognized atoms roots b known = Some (positive, top, bottom) ->
   times K (at_point (fst b)) (den bottom) =
   times K (if positive then one K else opposite K (one K)) (times K (den top) (den (snd b))).
 Proof.
@@ -598,15 +783,15 @@ Proof.
   change (den m = times K (times K (den t) (den (snd b))) (at_point x)) in Hx.
   change (den m = times K (den u) (at_point y)) in Hy.
   assert (Nx : at_point x <> zero K) by (intro E; apply Hm; rewrite Hx, E; ring).
-  destruct (peq (pmul (fst b) x) y) eqn:E1; [|destruct (peq (popp (pmul (fst b) x)) y) eqn:E2; [|exact IH]];
+  destruct (same roots (pmul (fst b) x) y) eqn:E1; [|destruct (same roots (popp (pmul (fst b) x)) y) eqn:E2; [|exact IH]];
     intro E; injection E as <- <- <-.
-  - apply (at_equal K l) in E1. change (at_point (pmul (fst b) x) = at_point y) in E1.
+  - apply (same_sound K roots l _ _ Hs) in E1. change (at_point (pmul (fst b) x) = at_point y) in E1.
     unfold at_point in E1. rewrite at_times in E1. fold at_point in E1. rewrite <- E1 in Hy.
     assert (H : times K (times K (at_point (fst b)) (den u)) (at_point x)
                 = times K (times K (den t) (den (snd b))) (at_point x)) by (rewrite <- Hx, Hy; ring).
     transitivity (quotient K (times K (times K (at_point (fst b)) (den u)) (at_point x)) (at_point x));
       [field; exact Nx|]. rewrite H. field. exact Nx.
-  - apply (at_equal K l) in E2. change (at_point (popp (pmul (fst b) x)) = at_point y) in E2.
+  - apply (same_sound K roots l _ _ Hs) in E2. change (at_point (popp (pmul (fst b) x)) = at_point y) in E2.
     assert (E3 : opposite K (times K (at_point (fst b)) (at_point x)) = at_point y).
     { rewrite <- E2. unfold at_point. rewrite at_negated. now rewrite at_times. }
     rewrite <- E3 in Hy.
@@ -616,9 +801,9 @@ Proof.
       [field; exact Nx|]. rewrite H. field. exact Nx.
 Qed.
 
-Lemma fdiv_sound a b f : fdiv atoms known a b = Some f -> meaning f = quotient K (meaning a) (meaning b).
+Lemma fdiv_sound a b f : fdiv atoms roots known a b = Some f -> meaning f = quotient K (meaning a) (meaning b).
 Proof.
-  unfold fdiv. destruct (recognized atoms b known) as [[[positive top] bottom]|] eqn:Eb; [|discriminate].
+  unfold fdiv. destruct (recognized atoms roots b known) as [[[positive top] bottom]|] eqn:Eb; [|discriminate].
   apply recognized_sound in Eb.
   pose proof (cancelled_sound K l atoms bottom (sums (snd a) top)) as H.
   destruct (cancelled bottom (sums (snd a) top)) as [above below]. rewrite sums_sound in H.
@@ -670,7 +855,7 @@ Proof.
   rewrite HD. field. auto.
 Qed.
 
-Lemma norm_sound e : forall f, norm atoms known r e = Some f -> meaning f = value K l e.
+Lemma norm_sound e : forall f, norm atoms roots known r e = Some f -> meaning f = value K l e.
 Proof.
   induction e as [i|z|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa|a IHa n|q a IHa];
     intros f; cbn [norm value].
@@ -678,23 +863,23 @@ Proof.
     transitivity (at_point (pvar i)); [field; apply (F_1_neq_0 (field_axioms K))|]. apply at_pvar.
   - intro E. injection E as <-. unfold meaning. cbn [fst snd]. rewrite den_empty.
     change (at_point (Pc z)) with (integer K z). simpl. field. apply (F_1_neq_0 (field_axioms K)).
-  - destruct (norm atoms known r a) as [x|]; [|discriminate]. destruct (norm atoms known r b) as [y|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate]. destruct (norm atoms roots known r b) as [y|]; [|discriminate].
     intro E. injection E as <-. rewrite fadd_sound, (IHa x), (IHb y); reflexivity.
-  - destruct (norm atoms known r a) as [x|]; [|discriminate]. destruct (norm atoms known r b) as [y|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate]. destruct (norm atoms roots known r b) as [y|]; [|discriminate].
     intro E. injection E as <-. rewrite fadd_sound, (IHa x), (IHb y); reflexivity.
-  - destruct (norm atoms known r a) as [x|]; [|discriminate]. destruct (norm atoms known r b) as [y|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate]. destruct (norm atoms roots known r b) as [y|]; [|discriminate].
     intro E. injection E as <-. rewrite <- (IHa x), <- (IHb y) by reflexivity. unfold meaning. cbn [fst snd].
     unfold den, at_point. rewrite sums_sound, at_times. fold at_point.
     change (at_point (product atoms (snd x))) with (den (snd x)).
     change (at_point (product atoms (snd y))) with (den (snd y)).
     simpl. field. auto.
-  - destruct (norm atoms known r a) as [x|]; [|discriminate]. destruct (norm atoms known r b) as [y|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate]. destruct (norm atoms roots known r b) as [y|]; [|discriminate].
     intro E. rewrite (fdiv_sound _ _ _ E), (IHa x), (IHb y); reflexivity.
-  - destruct (norm atoms known r a) as [x|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate].
     intro E. injection E as <-. rewrite <- (IHa x) by reflexivity. unfold meaning. cbn [fst snd].
     assert (H : at_point (popp (fst x)) = opposite K (at_point (fst x))) by apply at_negated.
     rewrite H. simpl. field. auto.
-  - destruct (norm atoms known r a) as [x|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate].
     intro E. injection E as <-. rewrite <- (IHa x) by reflexivity. unfold meaning. cbn [fst snd].
     assert (H : den (map (Nat.mul n) (snd x)) = repeated K (den (snd x)) n).
     { apply den_scaled. }
@@ -704,20 +889,20 @@ Proof.
                 = repeated K (at_point (fst x)) n).
     { rewrite <- repeated_times. f_equal. field. exact N. }
     rewrite <- P. field. now apply repeated_nonzero.
-  - destruct (norm atoms known r a) as [x|]; [|discriminate].
+  - destruct (norm atoms roots known r a) as [x|]; [|discriminate].
     intro E. rewrite (fder_sound _ _ _ E), (IHa x); reflexivity.
 Qed.
 
-Theorem equal_sound a b : equal atoms known r a b = true -> value K l a = value K l b.
+Theorem equal_sound a b : equal atoms roots known r a b = true -> value K l a = value K l b.
 Proof.
-  unfold equal. destruct (norm atoms known r a) as [x|] eqn:Ea; [|discriminate].
-  destruct (norm atoms known r b) as [y|] eqn:Eb; [|discriminate].
+  unfold equal. destruct (norm atoms roots known r a) as [x|] eqn:Ea; [|discriminate].
+  destruct (norm atoms roots known r b) as [y|] eqn:Eb; [|discriminate].
   rewrite <- (norm_sound _ _ Ea), <- (norm_sound _ _ Eb).
   pose proof (common_sound K l atoms (snd x) (snd y)) as H.
   destruct (common atoms (snd x) (snd y)) as [[u v] m]. destruct H as [Hu Hv].
   change (den m = times K (den (snd x)) (at_point u)) in Hu.
   change (den m = times K (den (snd y)) (at_point v)) in Hv.
-  intro E. apply (at_equal K l) in E. change (at_point (pmul (fst x) u) = at_point (pmul (fst y) v)) in E.
+  intro E. apply (same_sound K roots l _ _ Hs) in E. change (at_point (pmul (fst x) u) = at_point (pmul (fst y) v)) in E.
   unfold at_point in E. rewrite !at_times in E. fold at_point in E.
   pose proof (den_not_zero m) as Hm. pose proof (den_not_zero (snd x)). pose proof (den_not_zero (snd y)).
   assert (Nu : at_point u <> zero K) by (intro Z; apply Hm; rewrite Hu, Z; ring).
@@ -727,7 +912,7 @@ Proof.
   rewrite E, Hv. field. auto.
 Qed.
 
-Theorem all_equal_sound a : forall b, all_equal atoms known r a b = true -> map (value K l) a = map (value K l) b.
+Theorem all_equal_sound a : forall b, all_equal atoms roots known r a b = true -> map (value K l) a = map (value K l) b.
 Proof.
   induction a as [|x a IH]; intros [|y b]; try discriminate; [reflexivity|].
   cbn [all_equal]. intro H. apply andb_prop in H. destruct H as [H1 H2].
@@ -735,14 +920,14 @@ Proof.
 Qed.
 
 (** An element divides one that is not zero: it is not zero. *)
-Theorem divisor_nonzero e q a : equal atoms known r e (emul q a) = true ->
+Theorem divisor_nonzero e q a : equal atoms roots known r e (emul q a) = true ->
   value K l e <> zero K -> value K l a <> zero K.
 Proof.
   intros H N E. apply N. rewrite (equal_sound _ _ H). simpl. rewrite E. ring.
 Qed.
 
 (** The atoms are the polynomials that expressions come to. *)
-Theorem atom_nonzero e a : norm atoms known r e = Some (a, []) -> value K l e <> zero K -> nonzero K l a.
+Theorem atom_nonzero e a : norm atoms roots known r e = Some (a, []) -> value K l e <> zero K -> nonzero K l a.
 Proof.
   intros H N E. apply N. rewrite <- (norm_sound _ _ H). unfold meaning. cbn [fst snd]. rewrite den_empty.
   change (at_point a = zero K) in E. rewrite E. field. apply (F_1_neq_0 (field_axioms K)).

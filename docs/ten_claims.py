@@ -1,0 +1,112 @@
+"""Write ``docs/ten-claims.md``: ten claims in print, in Python and in Coq, and what is said of them.
+
+``python -m docs.ten_claims`` asks Coq, too, and needs its ``coqc``; what it says is what the page is expected to say,
+which a test compares.
+"""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from exactspline import example
+from exactspline.display.latex import latex
+from exactspline.language.formula import Formula
+from exactspline.papers import papers
+from exactspline.verification import coq_judge
+from exactspline.verification.claim import Claim
+from exactspline.verification.claims import claims_of
+from exactspline.verification.coq.emission import Stated, library
+from exactspline.verification.coq.formulas import Formulas
+from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.vocabulary import Verdict
+
+PAGE = Path(__file__).parent / "ten-claims.md"
+#: The claims, by paper and key.
+CLAIMS = {
+    "chen_riesenfeld_cohen_2007": (
+        "C41a-f0-f2",
+        "C42b-g1-g0",
+        "C42a-signed_curvature_derivative-g0",
+        "E12-evolute_contact_1",
+        "E13-unit_normal_derivative-turn_of_normal",
+        "E19-focal_contact_1",
+        "C54a-rectifying_developable-rectifying_developable_reduced",
+        "E22-bisector_equidistance",
+    ),
+    "petrunin_zamora_barrera": ("PZ3d-spherical_identity-off_the_unit_sphere",),
+    "surfaces": ("S3-parabolic-brioschi",),
+}
+#: The example curves on which claims about curves are checked.
+CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
+INTRODUCTION = """# Ten claims, side by side
+
+What is printed, the function that computes it, the same function as a definition of Coq with the theorem that is
+proved about it, and three verdicts: for all curves by polynomials in jets, on example curves by splines, and by Coq's
+kernel. The words of the statements are in
+[`Base.v`](../proofs/coq/Base.v); [what has to be trusted](what-is-trusted.md) says what follows from what. All theorems
+are in [`proofs/coq/claims`](../proofs/coq/claims).
+
+*Written by `python -m docs.ten_claims`; do not edit.*
+"""
+
+
+def chosen() -> list[Claim]:
+    """The ten claims."""
+    return [claim for paper, keys in CLAIMS.items() for key in keys for claim in claims_of(paper) if claim.key == key]
+
+
+def expected(claim: Claim) -> str:
+    """What Coq should say of a claim."""
+    return f"{'fails' if claim.expected == Verdict.REFUTED else 'holds'}, no axioms"
+
+
+def page(kernel: Mapping[str, str]) -> str:
+    """The page, with what Coq says of each claim by its key."""
+    stated = {each.claim.key: each for own in library().theorems.values() for each in own}
+    parts = [_section(claim, stated[claim.key], kernel[claim.key]) for claim in chosen()]
+    return "\n".join([INTRODUCTION, *parts])
+
+
+def _section(claim: Claim, theorem: Stated, kernel: str) -> str:
+    formulas = Formulas(papers())
+    named = list(dict.fromkeys(claim.find(name) for name in claim.named))
+    lines = [f"## {claim.id}: {claim.statement}\n", f"{claim.source_paper.title}, {claim.place or claim.source}."]
+    lines += [f"In print: `` {' '.join(claim.words.split())} ``\n" if claim.words else ""]
+    lines += [f"{latex(formula)}\n" for formula in named]
+    lines += ["```python", "\n\n\n".join(_python(formula) for formula in named), "```\n"]
+    definitions = [_definition(formula, formulas) for formula in named]
+    statement = theorem.text[: theorem.text.index("Proof.")].strip()
+    lines += ["```coq", "\n".join([*definitions, statement]), "```\n"]
+    lines += ["| for all curves | on example curves | Coq |", "|---|---|---|"]
+    lines.append(f"| {proved(claim).verdict} | {', '.join(_on_curves(claim)) or '–'} | {kernel} |\n")
+    return "\n".join(lines)
+
+
+def _python(formula: Formula) -> str:
+    return inspect.getsource(formula.function).strip()
+
+
+def _definition(formula: Formula, formulas: Formulas) -> str:
+    return formulas.definition(formula, formulas.owner[formula]).strip().split("\n", 1)[1] + "\n"
+
+
+def _on_curves(claim: Claim) -> Iterator[str]:
+    """The verdicts on the curves of which the claim speaks."""
+    for name in CURVES:
+        for task in tasks([claim], [example(name)]):
+            yield f"{task().verdict} on `{name}`"
+
+
+def main() -> int:
+    """Write the page; the exit code says whether Coq says what is expected."""
+    claims = chosen()
+    found = {key: str(opinion) for (_, key), opinion in coq_judge.opinions(claims).items()}
+    PAGE.write_text(page(found), encoding="utf-8")
+    return int(any(found[claim.key] != expected(claim) for claim in claims))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

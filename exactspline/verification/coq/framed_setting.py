@@ -1,0 +1,251 @@
+"""Curves with the roots of their frames: σ = ‖γ′‖ and, in space, ρ = ‖γ′ × γ″‖.
+
+Each root stands in the list of variables after its inverse; its derivative follows from its square by Leibniz' rule.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import cast
+
+from exactspline.errors import FormulaError
+from exactspline.language.adjoined_root import Adjoined
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import COORDINATES, Operands, T
+from exactspline.language.hodograph_kind import HodographKind
+from exactspline.language.implicit_kinds import ImplicitKind
+from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
+from exactspline.language.surface_kind import FormsKind, SurfaceKind
+from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.tree import Node, Operation
+from exactspline.verification.coq.ruled_settings import HodographSetting, ImplicitSetting
+from exactspline.verification.coq.settings import Setting
+from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceSetting
+from exactspline.verification.coq.terms import leaves, nodes
+
+#: The roots of a frame, the innermost last.
+ROOTS = ("sigma", "rho")
+
+
+def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, trees: Iterable[Node]) -> Setting:
+    """The setting of a kind of argument, for formulas with these trees."""
+    if isinstance(kind, FramedKind):
+        given = list(trees)
+        used = tuple(root for root in ROOTS if any(root in leaves(tree) for tree in given))
+        return FramedSetting(kind, dimension, order, used=used, differentiates=any(map(_differentiates, given)))
+    if isinstance(kind, HodographKind):
+        return HodographSetting(kind, dimension, order, polynomial)
+    if isinstance(kind, ImplicitKind):
+        return ImplicitSetting(kind, dimension, order)
+    if isinstance(kind, SurfaceKind):
+        return SurfaceSetting(kind, dimension, order)
+    if isinstance(kind, FormsKind):
+        return FormsSetting(kind, dimension, order)
+    return Setting(kind, dimension, order, polynomial)
+
+
+def _differentiates(tree: Node) -> bool:
+    """Whether a derivative of a root occurs."""
+    return any(node.op is Operation.DERIVATIVE and set(ROOTS) & leaves(node) for node in nodes(tree))
+
+
+class _Rooted(CurveKind):
+    """A curve with its roots as symbols, so that they are variables of the ring."""
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """Those of the curve, and the roots."""
+        return (*super().symbols(dimension, polynomial=polynomial), *(Symbol(name, name, ()) for name in ROOTS))
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The operands by name."""
+        return Operands(**{symbol.name: operand(symbol) for symbol in self.symbols(dimension)})
+
+
+@dataclass(frozen=True)
+class FramedSetting(Setting):
+    """A rational curve with σ and, in space, ρ; those of the roots that are `used` stand before the jets."""
+
+    used: tuple[str, ...] = ()
+    differentiates: bool = False
+
+    @property
+    def shape(self) -> str:
+        """Its word in the base."""
+        return "framed_plane" if self.dimension == 2 else "framed_space"
+
+    @property
+    def quantifier(self) -> str:
+        """What the theorem begins with."""
+        return f"every_{self.shape}_curve"
+
+    @cached_property
+    def ring(self) -> JetRing:
+        """The jets, and the roots as variables."""
+        return JetRing(_Rooted("curve with roots", self.kind.dimensions), self.dimension, self.order)
+
+    @property
+    def roots(self) -> tuple[str, ...]:
+        """Those that are used."""
+        return self.used
+
+    @property
+    def differentiates_roots(self) -> bool:
+        """Whether derivatives of roots occur."""
+        return self.differentiates
+
+    @property
+    def _all(self) -> tuple[str, ...]:
+        return ROOTS[: self.dimension - 1]
+
+    @property
+    def introduced(self) -> list[str]:
+        """Functions and roots, and the hypotheses about them."""
+        functions = [self.named(symbol.name) for symbol in self.symbols]
+        return [*functions, *map(self.named, self._all), "Hw", *self._bound, *[f"H{name}" for name in self._all]]
+
+    @property
+    def _bound(self) -> list[str]:
+        """The vectors that the quantifier names."""
+        return [] if self.dimension == 2 else ["velocity_", "binormal_"]
+
+    def _place(self, i: int) -> int:
+        """The number of the i-th variable of the ring in the list."""
+        name, _ = self.ring.variables[i]
+        return 2 * self.used.index(name) + 2 if name in ROOTS else 2 * len(self.used) + i + 1
+
+    def flat(self, value: object) -> object:
+        """A value in which one product of roots alone occurs as a fraction of the ring.
+
+        Raises `FormulaError` for a sum in which several occur.
+        """
+        if not isinstance(value, Adjoined):
+            return value
+        plain, rooted = cast(JetFraction, self.flat(value.plain)), cast(JetFraction, self.flat(value.rooted))
+        if rooted.is_zero:
+            return plain
+        if not plain.is_zero:
+            raise FormulaError("a denominator with and without a root", remedy="divide by products of roots")
+        root = "rho" if isinstance(value.plain, Adjoined) else "sigma"
+        return rooted * self._jet(root)
+
+    def square(self, root: str) -> JetFraction:
+        """What the square of a root is."""
+        velocity = [self._derivative(x, 1) for x in COORDINATES[: self.dimension]]
+        vector = velocity if root == "sigma" else self._binormal
+        total = vector[0] * vector[0]
+        for x in vector[1:]:
+            total = total + x * x
+        return JetFraction(self.ring, total.polynomial, self.ring.context.constant(1))
+
+    def _derivative(self, name: str, order: int) -> Jet:
+        return self.ring[name].d(order)
+
+    @property
+    def _binormal(self) -> list[Jet]:
+        a, b = ([self._derivative(x, k) for x in "xyz"] for k in (1, 2))
+        return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
+
+    def _square_text(self, root: str, shift: int) -> str:
+        """The square of a root from its definition, the variables before the jets counted by `shift`."""
+
+        def vector(order: int) -> str:
+            places = [shift + self.ring.index[x, (order,)] + 1 for x in COORDINATES[: self.dimension]]
+            return "[" + "; ".join(f"var {i}" for i in places) + "]"
+
+        v = vector(1) if root == "sigma" else f"(cross {vector(1)} {vector(2)})"
+        return f"dot {v} {v}"
+
+    def _half(self, root: str) -> str:
+        """Half the derivative of the square of a root."""
+        whole = Jet(self.ring, self.square(root).top).d().polynomial
+        return self.expression(whole / 2)
+
+    def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
+        """The roots do not vanish because their squares do not; their derivatives, by Leibniz' rule."""
+        bare = replace(self, used=())
+        lines = [
+            f"pose (k := {self.jets}).",
+            f"pose (r0 := {bare.rules}).",
+            "assert (R0 : forall q, rules_hold K k q (r0 q)) by rules_by_computation.",
+        ]
+        for root in self.used:
+            own = self.named(root)
+            lines += [
+                f"assert (N{root} : {own} <> zero K).",
+                f"{{ pose (c := {bare.deep}).",
+                f"  apply (root_nonzero K {own} _ H{root}).",
+                f"  {self._because(root, premises)} }}",
+            ]
+            if self.differentiates_roots:
+                half, square = f"({bare._half(root)})%formula", f"({bare._square_text(root, 0)})%formula"
+                lines += [
+                    f"assert (S{root} : value K k (eder s {square}) = value K k (eadd {half} {half})).",
+                    "{ apply (one_value K k r0 R0 [] I [] [] (Forall_nil _)). vm_cast_no_check (eq_refl true). }",
+                    f"assert (D{root} := root_derivative K {own} _ (value K k {half}) H{root} N{root} P2 S{root}).",
+                    f"assert (I{root} := inverse_derivative K {own} _ N{root} D{root}).",
+                ]
+        first = "; ".join(f"quotient K (one K) {self.named(root)}; {self.named(root)}" for root in self.used)
+        squares = "; ".join(self._square_text(root, 2 * (len(self.used) - i - 1)) for i, root in enumerate(self.used))
+        held = "I"
+        for root in reversed(self.used):
+            held = f"(conj (root_inverse K {self.named(root)} N{root}) (conj H{root} {held}))"
+        return [
+            *lines,
+            f"pose (l := [{first}] ++ {self.jets}).",
+            f"pose (r := {self.rules}).",
+            "assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.",
+            f"pose (roots := [{squares}]%formula : list expr).",
+            f"assert (Q : roots_hold K l roots) by exact {held}.",
+        ]
+
+    def _because(self, root: str, premises: Sequence[tuple[str, str, object]]) -> str:
+        """Why the square of a root does not vanish: it divides what does not."""
+        bare, square = replace(self, used=()), self.square(root).top
+        for name, term, value in premises:
+            if not isinstance(value, JetFraction) or not value.bottom.is_one():
+                continue
+            rest, remainder = divmod(value.top, square)
+            if not remainder:
+                parts = [term, bare.expression(rest), bare._square_text(root, 0)]
+                e, b, a = (f"({part} : expr)%formula" for part in parts)
+                return (
+                    f"assert (Z : value K k {a} <> zero K).\n  "
+                    f"{{ apply (factor_nonzero K k r0 R0 [] I [] [] (Forall_nil _) {e} {b} {a}); "
+                    f"[vm_cast_no_check (eq_refl true) | vm_cast_no_check {name}]. }}\n  vm_cast_no_check Z."
+                )
+        raise FormulaError(f"nothing shows that {root} is not zero", remedy="assume that its square is not")
+
+    @property
+    def own_rules(self) -> list[str]:
+        """The derivatives of the roots and their inverses."""
+        found = []
+        if self.differentiates_roots:
+            for root in self.used:
+                place = self.position(root)
+                half = self._half(root)
+                found.append(f"({place}%positive, ({half}) * var {place - 1})")
+                found.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
+        return found
+
+    @property
+    def symbols(self) -> tuple[Symbol, ...]:
+        """The functions."""
+        return self.kind.symbols(self.dimension)
+
+    @property
+    def jets(self) -> str:
+        """The list of jets."""
+        return " ++ ".join(f"jets s {self.order} {self.named(symbol.name)}" for symbol in self.symbols)
+
+    @property
+    def deep(self) -> str:
+        """The argument as expressions."""
+        n = self.dimension
+        curve = f"homogeneous s {self.variables(COORDINATES[:n])} ({self.variable('w')}) []"
+        sigma, rho = (self.variable(root) if root in self.used else "num 0" for root in ROOTS)
+        return f"Framed ({curve}) ({sigma}) ({rho})"
