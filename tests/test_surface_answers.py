@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign, rational
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
+from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
 from exactspline.geometry.surface.umbilics import UmbilicKind
@@ -83,7 +84,7 @@ def test_an_ellipsoid_of_three_axes_has_four_umbilics():
     found = inspect_surface(surface)
     assert found.complete
     assert [one.kind for one in found.umbilics] == [UmbilicKind.POSITIVE] * 4
-    assert all(one.place.on_border and not one.one_sided and len(one.place.patches) == 2 for one in found.umbilics)
+    assert all(one.place.inner is None and not one.one_sided and len(one.place.patches) == 2 for one in found.umbilics)
     squares = set()
     for one in found.umbilics:
         x, y, z = surface(*(mpq((a + b) / 2) for a, b in one.place.box(30)))
@@ -236,6 +237,14 @@ def test_poles_and_jumps_are_told_with_their_place():
     cone = inspect_surface(example_surface("cone"))
     assert {(pole.along, pole.value, pole.point) for pole in cone.poles} == {(Along.U, 1, (0, 0, 2))}
     assert not cone.singular_points
+    assert {pole.gap for pole in cone.poles} == {Gap.INFINITE}
+    spheroid = example_surface("sphere").transform([[1, 0, 0], [0, 1, 0], [0, 0, 2]])
+    ellipsoid, sphere = example_surface("ellipsoid"), example_surface("sphere")
+    for surface, gap in ((spheroid, Gap.NONE), (sphere, Gap.NONE), (ellipsoid, Gap.FINITE)):
+        assert {pole.gap for pole in inspect_surface(surface).poles} == {gap}
+    # on the way to the pole of the spheroid the gap of the oracle goes to zero, on that of the ellipsoid it does not
+    assert _relative_gap(spheroid) < Fraction(1, 10**6)
+    assert _relative_gap(ellipsoid) > Fraction(1, 100)
     net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)], [(1, 0, 0), (1, 1, 1)], [(2, 0, 3), (2, 1, 0)]]
     whole = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], net))
     assert [(jump.across, jump.value, jump.open) for jump in whole.jumps] == [(Along.U, 1, False)]
@@ -246,6 +255,12 @@ def test_poles_and_jumps_are_told_with_their_place():
     net[2] = net[1]
     same = NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], net, weights)
     assert [jump.open for jump in inspect_surface(same).jumps] == [False]
+
+
+def _relative_gap(surface):
+    """The squared difference of the principal curvatures beside their squared sum, near v = 0."""
+    (a, b, c, d), _ = shape_operator(surface, Fraction(1, 3), Fraction(1, 10**4))
+    return ((a - d) ** 2 + 4 * b * c) / (a + d) ** 2
 
 
 def test_a_singular_point_is_no_umbilic():

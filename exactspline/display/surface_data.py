@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from exactspline.display.sheet import Sheet
 from exactspline.exact import mpq, text
+from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.forms import in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place
@@ -15,6 +16,8 @@ from exactspline.geometry.surface.zero_curve import Part
 from exactspline.splines.patch_forms import Box, Interval, box_text
 from exactspline.splines.surface import Along, NurbsSurface
 
+#: What poles of one line have in common.
+_PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 #: The index of an umbilic by its kind.
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
 #: The description of a patch of a kind.
@@ -87,6 +90,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
                 "value": text(pole.value),
                 "interval": _ends(pole.interval),
                 "point": None if pole.point is None else [text(x) for x in pole.point],
+                "gap": pole.gap.value,
             }
             for pole in found.poles
         ],
@@ -201,8 +205,9 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
     for place in found.singular_points:
         made.add_row("singular point", *_parameters(place, digits), "no tangent plane")
-    for (along, value, point), intervals in _poles(found):
-        at = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
+    for (along, value, point, gap), intervals in _poles(found):
+        told = f"the point ({', '.join(text(x) for x in point)})" if point else "no tangent planes along a curve"
+        at = f"{told}, {gap.value}"
         for interval in intervals:
             made.add_row("pole" if point else "singular line", *_line(along, value, interval), at)
     for jump in found.jumps:
@@ -262,11 +267,11 @@ def _of_umbilic(umbilic: Umbilic) -> str:
     return ", ".join(filter(None, parts))
 
 
-def _poles(found: SurfaceInspection) -> Iterator[tuple[tuple[Along, mpq, tuple[mpq, ...] | None], list[Interval]]]:
+def _poles(found: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Interval]]]:
     """Poles along one line at one point together."""
-    groups: dict[tuple[Along, mpq, tuple[mpq, ...] | None], list[Interval]] = {}
+    groups: dict[_PoleKey, list[Interval]] = {}
     for pole in found.poles:
-        own = groups.setdefault((pole.along, pole.value, pole.point), [])
+        own = groups.setdefault((pole.along, pole.value, pole.point, pole.gap), [])
         if own and own[-1][1] == pole.interval[0]:
             own[-1] = own[-1][0], pole.interval[1]
         else:

@@ -6,27 +6,39 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import StrEnum
 from itertools import pairwise
 
 from exactspline.exact import mpq
-from exactspline.geometry.surface.borders import Edge
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, sides_of
+from exactspline.geometry.surface.borders import EDGES, Edge
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.patch_forms import Interval
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
 
+class Gap(StrEnum):
+    """What becomes of the difference of the principal curvatures on the way to a pole, but for single directions."""
+
+    #: It vanishes: an umbilic, where the surface is smooth there.
+    NONE = "umbilic in the limit"
+    FINITE = "no umbilic"
+    INFINITE = "the curvatures grow without bound"
+
+
 @dataclass(frozen=True)
 class Pole:
     """An isoparametric line along which a surface has no tangent plane: ``along`` runs over the `interval`, the other
-    parameter is `value`. `point` is where all of it lies, None where it is a curve.
+    parameter is `value`. `point` is where all of it lies, None where it is a curve; `gap` tells of the principal
+    curvatures beside it.
     """
 
     along: Along
     value: mpq
     interval: Interval
     point: tuple[mpq, ...] | None
+    gap: Gap
 
 
 @dataclass(frozen=True)
@@ -47,7 +59,19 @@ def pole_at(forms: SurfaceForms, patch: Patch, edge: Edge) -> Pole:
     """The pole on an edge of a patch."""
     surface, sides = forms.surface, sides_of(forms.surface, patch)
     value = edge.value(sides)
-    return Pole(line_of(edge), value, sides[1 - edge.direction], _point_of(surface, patch, edge))
+    return Pole(
+        line_of(edge), value, sides[1 - edge.direction], _point_of(surface, patch, edge), _gap(forms, patch, edge)
+    )
+
+
+def _gap(forms: SurfaceForms, patch: Patch, edge: Edge) -> Gap:
+    """The square of the difference is umbilicity over the third power of ``EG − F²``: by the orders of their zeros."""
+    own, area = on_patch(forms.umbilicity, patch), on_patch(forms.area, patch)
+    if own is None or area is None:
+        return Gap.NONE
+    at = EDGES.index(edge)
+    order = own.borders[at] - 3 * area.borders[at]
+    return Gap.FINITE if order == 0 else Gap.NONE if order > 0 else Gap.INFINITE
 
 
 def _point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...] | None:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
 from exactspline.language.formula import Formula
+from exactspline.language.parts import numerator
 from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.splines.patch_forms import Borders, Box, PatchForm
@@ -90,6 +91,13 @@ class SurfaceForms:
         """The coefficients of the lines of curvature ``A du² + B du dv + C dv² = 0``, up to one positive factor."""
         uu, uv, vv = (self.scalar(f"line_coefficient_{which}_lifted") for which in ("uu", "uv", "vv"))
         return uu, uv, vv
+
+    @cached_property
+    def umbilicity(self) -> TensorSpline:
+        """``(EN − 2FM + GL)² − 4 (EG − F²)(LN − M²)`` times a power of w."""
+        found = numerator(self._argument.calls(formula("umbilicity")))
+        assert isinstance(found, TensorSpline)
+        return lowest(found)
 
     @cached_property
     def lengths(self) -> tuple[TensorSpline, TensorSpline]:

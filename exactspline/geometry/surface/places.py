@@ -38,7 +38,8 @@ class InnerZero:
 
 @dataclass(frozen=True)
 class Place:
-    """A point of a surface by its parameters: inside a patch (`inner`), or with one parameter at a knot (`u` and `v`).
+    """A point of a surface by its parameters: as a certified zero inside a patch (`inner`), or by `u` and `v`, each a
+    rational number or a certified root, as on borders of patches.
 
     `patches` are those on which it was found: on a border of patches there may be several.
     """
@@ -47,11 +48,6 @@ class Place:
     inner: InnerZero | None = field(default=None, repr=False)
     u: Parameter | None = None
     v: Parameter | None = None
-
-    @property
-    def on_border(self) -> bool:
-        """Whether it is on the border of a patch."""
-        return self.inner is None
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
