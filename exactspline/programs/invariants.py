@@ -12,8 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, Kind
+from exactspline.language.operand import Operand
 from exactspline.language.vector import Vector, join, norm2
 from exactspline.programs.program import Given
 from exactspline.programs.term import Term
@@ -26,19 +28,19 @@ def _as_formula(kind: Kind) -> Callable[[Callable[[Any], object]], Formula]:
 
 
 @_as_formula(CURVE)
-def tangent(c: Any) -> Any:
+def tangent(c: Curve[Operand]) -> object:
     """γ′ times w²."""
     return c.p.d(1) if c.polynomial else Vector(*[lowest(Vector(c.w, x)) for x in c.p])
 
 
 @_as_formula(PLANE)
-def turning(c: Any) -> Any:
+def turning(c: Curve[Operand]) -> object:
     """``[γ′ γ″]`` times w³."""
     return lowest(tangent(c) if c.polynomial else join(c.w, c.p))
 
 
 @_as_formula(SPACE)
-def bending(c: Any) -> Any:
+def bending(c: Curve[Operand]) -> object:
     """``γ′ × γ″`` times w³."""
     x, y, z = tangent(c) if c.polynomial else c.p
     beside = () if c.polynomial else (c.w,)
@@ -46,19 +48,19 @@ def bending(c: Any) -> Any:
 
 
 @_as_formula(SPACE)
-def twisting(c: Any) -> Any:
+def twisting(c: Curve[Operand]) -> object:
     """``[γ′ γ″ γ‴]`` times w⁴."""
     return turning.function(c)
 
 
 @_as_formula(PLANE)
-def slope(c: Any) -> Any:
+def slope(c: Curve[Operand]) -> object:
     """κ′ times a power of ‖γ′‖ and w⁸."""
     return _slope([(turning(c), 2), (norm2(tangent(c)), -3)], c)
 
 
 @_as_formula(SPACE)
-def space_slope(c: Any) -> Any:
+def space_slope(c: Curve[Operand]) -> object:
     """κκ′ times a power of ‖γ′‖ and w¹¹."""
     return _slope([(norm2(bending(c)), 1), (norm2(tangent(c)), -3)], c)
 
@@ -70,13 +72,13 @@ INVARIANTS = frozenset(formula for own in TOGETHER.values() for formula in own)
 
 
 @_as_formula(PLANE)
-def plane_invariants(c: Any) -> Any:
+def plane_invariants(c: Curve[Operand]) -> object:
     """All of a plane curve."""
     return join(*[each(c) for each in TOGETHER[2]])
 
 
 @_as_formula(SPACE)
-def space_invariants(c: Any) -> Any:
+def space_invariants(c: Curve[Operand]) -> object:
     """All of a space curve."""
     return join(*[each(c) for each in TOGETHER[3]])
 

@@ -14,7 +14,7 @@ from exactspline.language.vector import Vector
 T = TypeVar("T", bound=Operand)
 
 
-def terms_of(value: Any, kind: type[T]) -> list[T]:
+def terms_of(value: object, kind: type[T]) -> list[T]:
     """The terms that a value consists of.
 
     Raises `FormulaError` for what formulas of programs do not return.
@@ -32,14 +32,15 @@ def terms_of(value: Any, kind: type[T]) -> list[T]:
     )
 
 
-def rebuilt(value: Any, splines: Iterator[Any]) -> Any:
+def rebuilt(value: object, splines: Iterator[object]) -> object:
     """The value with splines in the place of its terms."""
     if isinstance(value, RuledSurface):
         directrix = rebuilt(value.directrix, splines)
         return RuledSurface(directrix, rebuilt(value.generator, splines))
     if isinstance(value, Rational):
-        numerator = rebuilt(value.numerator, splines)
-        return Rational(numerator, next(splines))
+        numerator: Any = rebuilt(value.numerator, splines)
+        denominator: Any = next(splines)
+        return Rational(numerator, denominator)
     if isinstance(value, Vector):
         return Vector(*[rebuilt(part, splines) for part in value])
     return next(splines)

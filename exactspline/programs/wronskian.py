@@ -7,6 +7,7 @@ from math import factorial, prod
 from typing import Any
 
 from exactspline.language.formula import Formula
+from exactspline.language.operand import Operand
 from exactspline.language.vector import Vector, det
 from exactspline.programs.denominators import Denominator
 from exactspline.programs.term import Term
@@ -33,9 +34,10 @@ def lowest_wronskian(vector: Vector[Term]) -> Term:
     return value.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
 
-def lowest(vector: Vector[Any]) -> Any:
+def lowest(vector: Vector[Operand]) -> object:
     """The lowest Wronskian of terms of a program or of splines."""
-    return lowest_wronskian(vector) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(vector)
+    own: Any = vector
+    return lowest_wronskian(own) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(own)
 
 
 @cache

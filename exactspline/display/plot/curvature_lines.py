@@ -16,6 +16,7 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
 if TYPE_CHECKING:
+    from numpy import float64
     from numpy.typing import NDArray
 
 #: Distance between lines and length of a step, as fractions of the size of the surface; the most steps of a line.
@@ -74,7 +75,7 @@ class Samples:
         us, vs = (np.concatenate([*[t[:-1] for t in own[:-1]], own[-1]]) for own in ts)
         return cls(surface, ts[0], ts[1], points, signs, (us, vs), whole[0, 0], _principal(np, whole))
 
-    def lifted(self, line: Iterable[tuple[float, float]]) -> NDArray[Any]:
+    def lifted(self, line: Iterable[tuple[float, float]]) -> NDArray[float64]:
         """Points on the surface for points of the rectangle."""
         np: Any = library("numpy")
         points: NDArray[Any] = np.array([_between(self.whole, *self._cell(u, v)) for u, v in line])
@@ -168,7 +169,7 @@ def _between(values: Any, i: int, j: int, x: float, y: float) -> Any:
     return low * (1 - y) + (values[i, j + 1] * (1 - x) + values[i + 1, j + 1] * x) * y
 
 
-def lines_of_curvature(samples: Samples) -> tuple[list[Any], list[Any]]:
+def lines_of_curvature(samples: Samples) -> tuple[list[object], list[object]]:
     """The lines of both families as points of the rectangle."""
     return _family(samples, 0), _family(samples, 1)
 

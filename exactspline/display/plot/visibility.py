@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from math import cos, radians, sin
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import library
+
+if TYPE_CHECKING:
+    from numpy import bool_, float64
+    from numpy.typing import NDArray
 
 #: Cells of the buffer along the larger side, the most points that each face gives in each direction, and how far behind
 #: the nearest point something may be (a part of the size).
@@ -24,7 +28,7 @@ class Visibility:
     [True, False]
     """
 
-    def __init__(self, patches: Iterable[Any], elevation: float, azimuth: float) -> None:
+    def __init__(self, patches: Iterable[object], elevation: float, azimuth: float) -> None:
         self.np: Any = library("numpy")
         e, a = radians(elevation), radians(azimuth)
         view = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
@@ -48,20 +52,21 @@ class Visibility:
         cells = ((points[:, :2] - self.low[:2]) / self.size * CELLS).astype(int)
         return cells.clip(0, CELLS)
 
-    def of(self, points: Any) -> Any:
+    def of(self, points: object) -> NDArray[bool_]:
         """Which of the points are seen."""
         own = self.np.asarray(points, dtype=float) @ self.frame
         cells = self._cells(own)
-        return own[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size
+        seen: NDArray[bool_] = own[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size
+        return seen
 
-    def runs(self, points: Any) -> Iterator[Any]:
+    def runs(self, points: Iterable[Iterable[float]]) -> Iterator[NDArray[float64]]:
         """The parts of a line that are seen."""
-        points = self.np.asarray(points, dtype=float)
+        line = self.np.asarray(points, dtype=float)
         start = 0
-        for seen, run in groupby(self.of(points)):
+        for seen, run in groupby(self.of(line)):
             count = len(list(run))
             if seen and count > 1:
-                yield points[start : start + count]
+                yield line[start : start + count]
             start += count
 
 

@@ -88,7 +88,8 @@ class SurfaceForms:
     @cached_property
     def lines(self) -> tuple[TensorSpline, TensorSpline, TensorSpline]:
         """The coefficients of the lines of curvature ``A du² + B du dv + C dv² = 0``, up to one positive factor."""
-        return tuple(self.scalar(f"line_coefficient_{which}_lifted") for which in ("uu", "uv", "vv"))  # type: ignore[return-value]
+        first, second, third = (self.scalar(f"line_coefficient_{which}_lifted") for which in ("uu", "uv", "vv"))
+        return first, second, third
 
     @cached_property
     def lengths(self) -> tuple[TensorSpline, TensorSpline]:
