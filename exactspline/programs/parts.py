@@ -32,15 +32,18 @@ def terms_of(value: object, kind: type[T]) -> list[T]:
     )
 
 
-def rebuilt(value: object, splines: Iterator[object]) -> object:
+def rebuilt(value: object, splines: Iterator[Operand]) -> object:
     """The value with splines in the place of its terms."""
+    return _rebuilt(value, splines)
+
+
+def _rebuilt(value: object, splines: Iterator[Any]) -> Any:
     if isinstance(value, RuledSurface):
-        directrix = rebuilt(value.directrix, splines)
-        return RuledSurface(directrix, rebuilt(value.generator, splines))
+        directrix = _rebuilt(value.directrix, splines)
+        return RuledSurface(directrix, _rebuilt(value.generator, splines))
     if isinstance(value, Rational):
-        numerator: Any = rebuilt(value.numerator, splines)
-        denominator: Any = next(splines)
-        return Rational(numerator, denominator)
+        numerator = _rebuilt(value.numerator, splines)
+        return Rational(numerator, next(splines))
     if isinstance(value, Vector):
-        return Vector(*[rebuilt(part, splines) for part in value])
+        return Vector(*[_rebuilt(part, splines) for part in value])
     return next(splines)

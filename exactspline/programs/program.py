@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from exactspline.errors import FormulaError
 from exactspline.language.argument import Evaluated
@@ -193,7 +193,9 @@ class Program:
 
     def on(self, given: Given) -> SplineValue:
         """The value from the splines of an argument."""
-        return cast(SplineValue, rebuilt(self.value, iter(self.splines(given))))
+        made: Any = rebuilt(self.value, iter(self.splines(given)))
+        value: SplineValue = made
+        return value
 
     def splines(self, given: Given) -> list[BSpline]:
         """The terms of the value on the segments of an argument."""
@@ -266,7 +268,8 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
         return _program(formula, given.signature).on(given)
     pair = operands_of_pair(formula.kind, argument)
     if pair is not None and (program := program_of_pair(formula, pair.signature)) is not None:
-        value = cast(SplineValue, program.on(pair))
+        made: Any = program.on(pair)
+        value = made
     else:
         value = formula(argument)
     return value
