@@ -160,7 +160,8 @@ class PairTerm(Operand):
 
     def d(self, order: int = 1, *, by: str | None = None) -> PairTerm:
         """The derivative of an order of what depends on one curve only, by its parameter."""
-        if self.own is None or (by is not None and DIRECTION.get(by) != self.own[0]):  # type: ignore[call-overload]
+        directions: dict[str, int] = {str(name): which for name, which in DIRECTION.items()}
+        if self.own is None or (by is not None and directions.get(by) != self.own[0]):
             self._outside("a derivative of what depends on both curves, or by the parameter of the other")
         assert self.own is not None
         return PairTerm.of(self.patches, self.own[0], self.own[1].d(order))

@@ -74,8 +74,9 @@ def _divided_by(tree: Node) -> Iterator[Node]:
 def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly]:
     """What does not vanish: the weights and what is assumed."""
     for each in argument.together():
-        for name, value in each.operands().items():
-            if name in WEIGHTS and isinstance(value, JetFraction):
+        operands = each.operands()
+        for name in WEIGHTS if {"x", "p1"} & operands.keys() else ():  # where w is a denominator, not any function
+            if isinstance(value := operands.get(name), JetFraction):
                 yield value.top
     for assumed in filter(lambda assumed: assumed.speaks_of(kind), _all(claim.assumes)):
         try:
