@@ -42,12 +42,19 @@ class Quiet(SimpleHTTPRequestHandler):
         """Nothing."""
 
 
-@pytest.fixture(scope="module")
-def address() -> Iterator[str]:
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(SITE))) as server:
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """The address of a local server of a folder."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder))) as server:
         Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_port}"
         server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with served(SITE) as found:
+        yield found
 
 
 @pytest.fixture(scope="module")
@@ -276,23 +283,23 @@ def test_surfaces_turn_together_by_mouse_and_keys_and_come_back(browser, address
             tab.wait_for_function(f"document.body.dataset.surface === '{name}'", timeout=PATIENCE)
 
 
-def test_the_curve_stands_in_a_page_of_somebody_else(browser, address):
-    """One script tag, on a page of another host."""
+def test_the_curve_stands_in_a_page_of_somebody_else(browser, address, tmp_path):
+    """One script tag, on a page of another origin."""
     given = {"degree": 2, "knots": list("000111"), "points": [["0", "0"], ["1", "2"], ["2", "0"]], "weights": ["1"] * 3}
     code = base64.urlsafe_b64encode(json.dumps(given).encode()).decode().rstrip("=")
-    tab = browser.new_page()
     tag = f'<script src="{address}/play/embed.js" data-curve="{code}" data-height="700"></script>'
-    page = f"<p>before</p>{tag}<p>after</p>"
-    tab.route("http://another.example/", lambda route: route.fulfill(body=page, content_type="text/html"))
-    tab.goto("http://another.example/")
-    frame = tab.frame_locator("iframe")
-    frame.locator("#status", has_text="certified").wait_for(timeout=PATIENCE)
-    told = json.loads(frame.locator("body").get_attribute("data-features"))
-    assert told == in_this_python("features", given)["features"]
-    assert tab.locator("iframe").bounding_box()["height"] == 700
-    assert frame.locator("header").is_hidden()
-    assert tab.locator("p").all_inner_texts() == ["before", "after"]
-    tab.close()
+    (tmp_path / "index.html").write_text(f"<p>before</p>{tag}<p>after</p>", encoding="utf-8")
+    with served(tmp_path) as elsewhere:
+        tab = browser.new_page()
+        tab.goto(f"{elsewhere}/index.html")
+        frame = tab.frame_locator("iframe")
+        frame.locator("#status", has_text="certified").wait_for(timeout=PATIENCE)
+        told = json.loads(frame.locator("body").get_attribute("data-features"))
+        assert told == in_this_python("features", given)["features"]
+        assert tab.locator("iframe").bounding_box()["height"] == 700
+        assert frame.locator("header").is_hidden()
+        assert tab.locator("p").all_inner_texts() == ["before", "after"]
+        tab.close()
 
 
 @pytest.mark.parametrize("width", [1280, 390])

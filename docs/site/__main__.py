@@ -58,7 +58,7 @@ def main() -> int:
 
 def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     """All pages and their contents list."""
-    for file in (HERE / "conf.py", *DOCS.glob("*.md")):
+    for file in (HERE / "conf.py", HERE / "icon.svg", *DOCS.glob("*.md")):
         shutil.copy(file, source)
     shutil.copytree(PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"))
     for page in source.glob("*.md"):
