@@ -35,7 +35,7 @@ from exactspline.verification.kinds import Contact, Count, DegreeClaim, Existenc
 from exactspline.verification.kinds.coefficients import NONE, Coefficients, _exists
 from exactspline.verification.kinds.condition import _place
 from exactspline.verification.kinds.identity import Identity, Vanishing
-from exactspline.verification.kinds.invariance import _a
+from exactspline.verification.kinds.invariance import _a, _times
 from exactspline.verification.kinds.zero_set import ZeroSet
 from exactspline.verification.ledger import Proofs, checked, proved, tasks
 from exactspline.verification.questions import proof_of
@@ -47,6 +47,9 @@ from exactspline.verification.vocabulary import ArgumentKind, Counter
 def claim(key):
     (found,) = select([key])
     return found
+
+
+T = BSpline.identity(0, 1)
 
 
 def offset_claim(**changes):
@@ -467,3 +470,29 @@ def test_a_tree_tells_what_it_divides_by(name, found):
 def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
     """The right side of an iso-curve is handed the curve in space."""
     assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}
+
+
+def test_contact_is_verified_on_a_curve_that_is_not_special():
+    one = next(c for c in claims_of("petrunin_zamora_barrera") if isinstance(c, Contact) and c.expected == "PROVED")
+    names = [n for n in example_names() if example(n).dimension in one.dimensions and not example(n).polynomial]
+    verdicts = {one.check(example(n)).verdict for n in names if one.speaks_of(example(n).dimension, False)}
+    assert VERIFIED in verdicts or not verdicts
+    assert REFUTED not in verdicts
+
+
+def test_what_has_no_unit_has_no_weight():
+    assert _times([T], None, 2) == [T]
+    assert _times([T], T + 1, 0) == [T]
+    assert _times([T], T + 1, 2) == [T * (T + 1) * (T + 1)]
+
+
+def test_numerators_that_differ_by_a_harmful_factor_are_not_one_zero_set(monkeypatch):
+    """f2 and f2 · x / x have one value, and x more zeros in the numerator of the second."""
+    made = {
+        "f1": Formula(find("f2"), "f1", PLANE, ""),
+        "f2": Formula(lambda c: find("f2")(c) * c.p[0] / c.p[0], "f2", PLANE, ""),
+    }
+    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
+    one = replace(one, formulas=("f1", "f2"), assumes=("w",), measure="numerators")
+    monkeypatch.setattr(ZeroSet, "find", lambda self, name: made[name])
+    assert one.decide(2, False).verdict != PROVED

@@ -277,3 +277,15 @@ def test_a_denominator_that_is_zero_at_the_end_of_the_interval_is_waited_for():
     value = Real.root_of_quotient_at(1, t.constant(1), t - near, zeros(t * t - 2).roots[0]).told(1)
     ends = sorted(1 / end**2 + near for end in (value.low, value.high))
     assert ends[0] ** 2 <= 2 <= ends[1] ** 2
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_root_of_a_quotient_is_compared_exactly(sign):
+    """±√√2 = ±1.189207115002721…"""
+    t = BSpline.identity(0, 2)
+    told = Real.root_of_quotient_at(sign, t, t.constant(1), zeros(t * t - 2).roots[0])
+    near = mpq(1189207115002721, 10**15)
+    assert told.sign_above(sign * near) == sign
+    assert told.sign_above(sign * (near + mpq(1, 10**15))) == -sign
+    assert told.sign_above(mpq(0)) == sign
+    assert told.sign_above(mpq(-sign)) == sign

@@ -167,7 +167,7 @@ def _bracket(form: Form, n: int, root: Root, among: ZeroSet) -> Interval:
     """
     assert root.segment is not None
     a, b = root.segment
-    x = local(root)[0]
+    x, _ = local(root)
     others = [(r.refine(DIGITS)[0] - a) / (b - a) for r in among if r != root]
     ends = [mpq(end) if value(form, n, mpq(end)) else (x + end) / 2 for end in (0, 1)]
     return max([ends[0], *[(x + y) / 2 for y in others if 0 <= y < x]]), min(
