@@ -8,6 +8,7 @@ not hidden by what ran before; a test that fails without any mutant is left out.
 from __future__ import annotations
 
 import ast
+import copy
 import gc
 import hashlib
 import json
@@ -45,6 +46,28 @@ def functions_of(path: Path) -> Iterator[tuple[str, ast.FunctionDef]]:
 def fingerprint(function: ast.FunctionDef) -> str:
     """A function by what it says, wherever it stands."""
     return hashlib.sha256(ast.unparse(function).encode()).hexdigest()[:16]
+
+
+def meaning(function: ast.FunctionDef) -> str:
+    """The same by what it does: docstrings and annotations say nothing that runs."""
+    return fingerprint(_Bare().visit(copy.deepcopy(function)))
+
+
+class _Bare(ast.NodeTransformer):
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        node.returns = None
+        if ast.get_docstring(node, clean=False) is not None:
+            node.body = node.body[1:] or [ast.Pass()]
+        return self.generic_visit(node)
+
+    def visit_arg(self, node: ast.arg) -> ast.AST:
+        node.annotation = None
+        return node
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
+        if node.value is None:
+            return ast.copy_location(ast.Pass(), node)
+        return self.generic_visit(ast.copy_location(ast.Assign([node.target], node.value), node))
 
 
 def caches() -> list[Any]:

@@ -13,7 +13,6 @@ from typing import Any
 
 from exactspline.errors import InapplicableError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.arguments import PARAMETERS
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.papers import papers
@@ -188,7 +187,8 @@ def _meanings(place: Place) -> Iterator[tuple[str, Any]]:
 def _degrees(formula: Formula, dimension: int, polynomial: bool) -> list[str]:
     """Counted as Table 1 does, in each parameter; none where what depends on an argument has no degree."""
     found = []
-    for parameter in PARAMETERS if formula.kind.parts else PARAMETERS[:1]:
+    symbols = formula.kind.symbols(dimension, polynomial=polynomial)
+    for parameter in dict.fromkeys(each for symbol in symbols for each in symbol.parameters):
         try:
             c = DegreeReading(parameter=parameter).argument(formula.kind, dimension, polynomial=polynomial)
         except InapplicableError:

@@ -20,7 +20,7 @@ from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
 
-from mutation.coverage_map import fingerprint
+from mutation.coverage_map import meaning
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -76,7 +76,7 @@ class Mutant:
     @cached_property
     def key(self) -> str:
         """It alone, as long as its function says what it says, wherever that stands."""
-        return f"{self.file}:{self.function}#{self.number}@{_fingerprint(self.file, self.function)}"
+        return f"{self.file}:{self.function}#{self.number}@{_meaning(self.file, self.function)}"
 
     @property
     def stable(self) -> str:
@@ -127,8 +127,8 @@ def node_of(file: str, function: str) -> ast.FunctionDef:
 
 
 @cache
-def _fingerprint(file: str, function: str) -> str:
-    return fingerprint(node_of(file, function))
+def _meaning(file: str, function: str) -> str:
+    return meaning(node_of(file, function))
 
 
 def functions(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.FunctionDef]]:

@@ -103,7 +103,7 @@ ZERO_SET = {key: DEGREE[key] for key in ("id", "key", "status", "source", "state
         (DEGREE, {"formula": "D1_D2_D3"}, "one of 'space'"),
         (DEGREE, {"claimed": "3e − 3"}, "speaks of 'e'"),
         (DEGREE, {"measure": "height"}, "a height is a number"),
-        (DEGREE, {"least_d": 0}, "no number ≥ 1"),
+        (DEGREE, {"least_d": 0}, "not a number ≥ 1"),
         (DEGREE, {"assumes": ["γ′×γ″"]}, "says nothing of 'plane'"),
         (DEGREE, {"status": "printed"}, "neither words nor an equation"),
         (DEGREE, {"status": "printed", "words": "a", "expected": "REFUTED"}, "belongs to an error"),

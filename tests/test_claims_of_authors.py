@@ -189,7 +189,7 @@ def test_what_moves_along_is_told():
         ({"under": "similarity", "curve": "plane with delta"}, "constants"),
         ({"under": "similarity", "curve": "hodograph"}, "not decided"),
         ({"under": "shear"}, "unknown"),
-        ({"under": "scaling", "weight": True}, "no weight"),
+        ({"under": "scaling", "weight": True}, "not a weight"),
     ],
 )
 def test_invariance_that_says_nothing_is_refused(changes, told):

@@ -78,6 +78,23 @@ def test_a_picture_is_the_same_twice_and_keeps_its_lines(tmp_path):
     assert files[0].read_bytes() != files[1].read_bytes()
 
 
+def test_a_file_shows_every_surface(tmp_path):
+    from matplotlib.image import imread
+
+    ax, _ = crossing()
+    ax.set_axis_off()
+    file = tmp_path / "a.png"
+    save(ax, file)
+    pixels = imread(file)[..., :3]
+    middle = pixels[pixels.shape[0] // 3 : pixels.shape[0] // 2].reshape(-1, 3)
+    for channel, other in ((0, 2), (2, 0)):
+        assert (middle[:, channel] > middle[:, other] + 0.2).mean() > 0.05
+    vector = tmp_path / "a.svg"
+    save(ax, vector)
+    assert len(vector.read_bytes()) > 20_000
+    assert vector.read_text(encoding="utf-8").count("<image ") == 1
+
+
 def test_without_pyvista_the_faces_are_drawn_and_it_is_said(tmp_path, monkeypatch, capsys):
     from exactspline.cli.common import tell_how_surfaces_are_drawn
 

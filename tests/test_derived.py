@@ -87,7 +87,7 @@ def test_a_curve_that_is_no_pythagorean_hodograph_says_so():
 
 
 def test_names_forms_and_dimensions_are_checked():
-    with pytest.raises(FormulaError, match="no formula is called"):
+    with pytest.raises(FormulaError, match="there is no formula called"):
         derive("involute", example("circle"))
     with pytest.raises(FormulaError, match="variants are naive, paper, lifted, minimal"):
         derive("evolute", example("circle"), "best")

@@ -190,11 +190,12 @@ def test_the_plot_of_a_curve_hands_on_what_its_service_takes():
 
 
 #: Modules that import by a name in a string: the front door, the services, papers (folders of data), the optional
-#: drawing libraries, and what a user names on the command line.
+#: drawing libraries, what a user names on the command line, and what only notebooks need.
 IMPORT_BY_STRING = {
     "__init__.py",
     "batch/grade/adapters/__init__.py",
     "cli/reduce.py",
+    "display/__init__.py",
     "display/plot/canvas.py",
     "display/plot/html.py",
     "language/services.py",

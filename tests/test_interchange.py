@@ -242,8 +242,8 @@ def test_a_bulge_is_the_tangent_of_a_quarter_of_the_angle():
 
 
 @pytest.mark.parametrize(("words", "why"), [
-    ("0 ARC 10 0 20 0 40 1 50 0 51 30", "no multiple of 90"),
-    ("0 ELLIPSE 10 0 20 0 11 1 21 0 40 0.5 41 0 42 1.0", "no multiple of π/2"),
+    ("0 ARC 10 0 20 0 40 1 50 0 51 30", "not a multiple of 90"),
+    ("0 ELLIPSE 10 0 20 0 11 1 21 0 40 0.5 41 0 42 1.0", "not a multiple of π/2"),
     ("0 SPLINE 70 8 71 3 72 8 73 4 10 0 20 0", "8 knots announced, 0 there"),
     ("0 SPLINE 71 3 11 0 21 0", "fit points alone"),
     ("0 CIRCLE 10 0 20 0 40 1 210 1 220 1 230 0", "irrational length"),
@@ -393,7 +393,7 @@ def test_every_format_is_told_by_its_content(name):
 def test_files_that_are_none(tmp_path):
     with pytest.raises(CurveFileError, match="cannot be read"):
         read(tmp_path / "missing.g2")
-    with pytest.raises(CurveFileError, match="no regular file"):
+    with pytest.raises(CurveFileError, match="not a regular file"):
         read(tmp_path)
     with pytest.raises(CurveFileError, match="no known format"):
         read(b"hello")

@@ -117,11 +117,11 @@ def test_decimals_that_mean_right_angles(text, turns):
 @pytest.mark.parametrize("text", ["1", "3", "3.14", "1.57", "1.5708963", "1.570796326794890"])
 def test_decimals_that_do_not(text):
     """A decimal that its own last digit tells apart from the multiple of π/2 is none, nor is one of two digits."""
-    with pytest.raises(NumberError, match="no multiple of π/2"):
+    with pytest.raises(NumberError, match="not a multiple of π/2"):
         quarter_turns_of_radians(text)
 
 
 def test_degrees_are_exact():
     assert quarter_turns_of_degrees(mpq(-270)) == -3
-    with pytest.raises(NumberError, match="no multiple of 90"):
+    with pytest.raises(NumberError, match="not a multiple of 90"):
         quarter_turns_of_degrees(mpq(90) + mpq(1, 10**30))

@@ -193,7 +193,7 @@ ERRORS = {
     "return 3": ("the number 3", "f:"),
     "return c.p[1:1]": ("without components", "f:"),
     "return join(3, 4)": ("vector of numbers", "f:"),
-    "return ruled(c.w, c.w)": ("no vectors", "f:"),
+    "return ruled(c.w, c.w)": ("not vectors", "f:"),
     "return (norm2(c.gamma.d(1)) + norm2(c.gamma.d(2)) + c.gamma[0] * c.gamma.d(3)[1]) ** 10": ("terms", "line 4"),
 }
 
@@ -293,8 +293,11 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"expected": "TRUE"}, "is unknown"),
         ({"statement": "\\u001b[2J"}, "cannot be printed"),
         ({"kind": "identity", "right": "turning_by_normal", "factor": "speed_squared^99999999"}, "too large"),
-        ({"kind": "invariance", "left": None, "formula": "turning", "under": "scaling", "weight": 10**9}, "no weight"),
-        ({"kind": "degree", "left": None, "formula": "turning", "claimed": "6d", "least_d": 10**9}, "no number"),
+        (
+            {"kind": "invariance", "left": None, "formula": "turning", "under": "scaling", "weight": 10**9},
+            "not a weight",
+        ),
+        ({"kind": "degree", "left": None, "formula": "turning", "claimed": "6d", "least_d": 10**9}, "not a number"),
     ],
 )
 def test_words_that_nobody_knows(change, told, tmp_path):
@@ -313,13 +316,13 @@ def test_words_that_nobody_knows(change, told, tmp_path):
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("[[claim]\n", "no TOML"),
-        ("claim = 3\n", "no table of claims"),
+        ("[[claim]\n", "not TOML"),
+        ("claim = 3\n", "not a table of claims"),
         ("claim = [3]\n", "a claim is not a table"),
         ("formulas = ['../../x']\n", "the file"),
         ("formulas = 'x'\n", "formulas is 'x'"),
         ("colour = 1\n", "no 'colour'"),
-        ("uses = ['nobody']\n", "no paper is called"),
+        ("uses = ['nobody']\n", "there is no paper called"),
     ],
 )
 def test_tables_that_are_none(text, told, tmp_path):
@@ -331,7 +334,8 @@ def test_tables_that_are_none(text, told, tmp_path):
 
 
 def test_folders_and_names_that_are_none(tmp_path):
-    for name, told in ((tmp_path / "none", "no such folder"), (tmp_path, "no folder of a paper"), ("lifte", "nearest")):
+    unknown = ((tmp_path / "none", "no such folder"), (tmp_path, "not a folder of a paper"), ("lifte", "nearest"))
+    for name, told in unknown:
         with pytest.raises(ExactSplineError, match=told):
             named_papers([str(name)])
     for name in ("none.py:f", f"{tmp_path}:f", "f2x"):

@@ -174,6 +174,11 @@ def circle(x, y, radius, scale=100):
         ((3 * S - 1) ** 2 + (3 * T - 1) ** 2 + 1, []),
         ((S - T) * (S + T - 1), [Shape.CROSSED]),
         (circle(40, 50, 20) * (100 * S - 40), [Shape.CROSSED]),
+        # through the corner at which the square is first cut
+        ((61 * S - 29) ** 2 + (61 * T - 9) ** 2 - 400, [Shape.ARC]),
+        ((61 * S - 29) ** 2 + (61 * T - 49) ** 2 - 400, [Shape.ARC]),
+        (2 * T - S, [Shape.ARC]),
+        (29 * (61 * T - 29) - 17 * (61 * S - 29), [Shape.ARC]),
         # a lemniscate, and two crossings on one line
         (((3 * S - 1) ** 2 + (3 * T - 1) ** 2) ** 2 - (3 * S - 1) ** 2 + (3 * T - 1) ** 2, [Shape.CROSSED]),
         ((3 * T - 1) * ((4 * S - 2) ** 2 - (3 * T - 1) - 1), [Shape.CROSSED]),

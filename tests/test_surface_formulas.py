@@ -4,12 +4,14 @@ statements that are false.
 
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
-from gmpy2 import mpq
+from gmpy2 import isqrt, mpq
 from typer.testing import CliRunner
 
-from exactspline import example_surface, paper
+import exactspline as xs
+from exactspline import example_surface, load_paper, paper
 from exactspline.cli import app
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Curve
@@ -27,7 +29,7 @@ from exactspline.readings.taylor_surface import DoubleTaylorReading, double_tayl
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
-from exactspline.verification.patch_degrees import patch_table
+from exactspline.verification.patch_degrees import patch_table, variants_table
 from exactspline.verification.verdict import PROVED, REFUTED
 
 SOURCE = paper("surfaces")
@@ -122,6 +124,53 @@ def test_known_surfaces():
     assert value("minimality", example_surface("enneper")).is_zero
     saddle = example_surface("hyperbolic_paraboloid")
     assert at("gaussian_curvature", saddle, *inside(saddle, PLACES[0])) < 0
+
+
+def test_centres_of_curvature():
+    """Of a sphere its centre, twice; of a torus one on its axis and one on the circle of centres of its tubes."""
+    for name in ("sphere", "torus"):
+        surface = example_surface(name)
+        u, v = inside(surface, PLACES[0])
+        k, h, a = (at(x, surface, u, v) for x in ("parabolic_lifted", "minimality_lifted", "area_squared_lifted"))
+        w, normal = surface.w(u, v), tangent_normal(surface, u, v)
+        root = sqrt_of(h**2 - 4 * w**2 * k * a)
+        centres = []
+        for sign in (1, -1):
+            sigma = (h + sign * root) / (2 * w**2 * k)
+            centres.append([(x(u, v) + sigma * n) / w for x, n in zip(surface.p, normal, strict=True)])
+        if name == "sphere":
+            assert centres == [[0, 0, 0]] * 2
+        else:
+            radii = sorted(x**2 + y**2 for x, y, _ in centres)
+            on_axis, on_circle = sorted(centres, key=lambda c: c[0] ** 2 + c[1] ** 2)
+            assert radii[0] == 0 != on_axis[2]
+            assert on_circle[2] == 0
+            assert radii[1] == torus_circle(surface)
+
+
+def tangent_normal(surface, u, v):
+    d = partials(surface, u, v)
+    return [surface.w(u, v) ** 3 * x for x in cross(d[1, 0], d[0, 1])]
+
+
+def sqrt_of(q):
+    """The exact root of a square of a rational number."""
+    top, bottom = isqrt(q.numerator), isqrt(q.denominator)
+    assert top**2 == q.numerator
+    assert bottom**2 == q.denominator
+    return mpq(top, bottom)
+
+
+def torus_circle(surface):
+    """The squared radius of the circle of centres, from the largest and the smallest distance to the axis."""
+    (a, b), (c, d) = surface.domain
+    squared = {
+        x**2 + y**2
+        for i in range(5)
+        for j in range(5)
+        for x, y, _ in [surface(a + (b - a) * mpq(i, 4), c + (d - c) * mpq(j, 4))]
+    }
+    return ((sqrt_of(max(squared)) + sqrt_of(min(squared))) / 2) ** 2
 
 
 def test_ridges_of_known_surfaces():
@@ -282,3 +331,56 @@ def test_degrees_on_a_patch_by_command():
         ("rational", [8, 8], True),
         ("polynomial", [7, 7], True),
     ]
+
+
+def test_the_page_tells_the_degrees_that_are_computed():
+    page = (Path(__file__).parents[1] / "docs" / "surfaces.md").read_text(encoding="utf-8")
+    table = [[cell.strip() for cell in line.split("|")[2:-1]] for line in page.splitlines() if line.startswith("| ")]
+    rows = variants_table(SOURCE)
+    assert [[*vars(row).values()][1:] for row in rows] == [
+        cells for cells in table if "d" in cells[0] and cells[0] != "defined"
+    ]
+
+
+def test_the_projective_forms_of_lines_of_curvature_are_irreducible():
+    for name in LINES:
+        (factor,) = reduce(SOURCE.find(name)).main.powers
+        assert (factor.above, factor.below) == (1, 0)
+
+
+def test_a_stranger_writes_formulas_of_surfaces(tmp_path):
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "formulas.py").write_text(
+        "from exactspline import cross, dot, norm2, formula\n\n\n"
+        '@formula("1", on="surface")\ndef tangents(c):\n    """Squared."""\n'
+        '    return norm2(cross(c.S.d(1, by="u"), c.S.d(1, by="v")))\n\n\n'
+        '@formula("2", on="surface")\ndef along(c):\n    """A form."""\n'
+        '    return norm2(c.S.d(1, by="u")) * norm2(c.S.d(1, by="v")) - dot(c.S.d(1, by="u"), c.S.d(1, by="v"))**2\n'
+        "\n\n"
+        '@formula("3", on="curve on a surface")\ndef pace(c):\n    """The chain rule."""\n'
+        '    return c.gamma.d(1) - c.S.d(1, by="u") * c.u.d(1) - c.S.d(1, by="v") * c.v.d(1)\n'
+    )
+    (folder / "claims.toml").write_text(
+        '[[claim]]\nid = "1"\nkind = "identity"\nstatement = "Lagrange"\nleft = "tangents"\nright = "along"\n'
+        'curve = "surface"\n'
+        '[[claim]]\nid = "2"\nkind = "vanishing"\nstatement = "chain rule"\nleft = "pace"\n'
+        'curve = "curve on a surface"\n'
+        '[[claim]]\nid = "3"\nkind = "degree"\nstatement = "too low"\nformula = "tangents"\nclaimed = "4d_u"\n'
+        'parameter = "u"\ncurve = "surface"\nof = "rational"\n'
+    )
+    rows = list(audit(claims_of(load_paper(folder))))
+    assert [row.verdict for row in rows] == [PROVED, PROVED, REFUTED]
+
+
+def test_questions_of_surfaces_are_answered_in_either_parameter():
+    asked = [str(xs.degree("surfaces:L", parameter=parameter)) for parameter in (None, "u", "v")]
+    assert asked[0] == asked[1] == "L in R3: nominal 8d_u, in lowest terms 4d_u"
+    assert asked[2] == asked[1].replace("d_u", "d_v")
+    assert str(xs.reduction("surfaces:L", parameter=Parameter.V).main.generic) == "4d_v − 2"
+    assert bool(xs.prove("surfaces:L", "surfaces:L_lifted", "w^-4"))
+    for name, parameter in (("f2", "u"), ("surfaces:L", "s")):
+        with pytest.raises(FormulaError, match="function of"):
+            xs.degree(name, parameter=parameter)
+    with pytest.raises(ExactSplineError, match="surface"):
+        xs.derive("surfaces:L", xs.example("ellipse_in_space"))

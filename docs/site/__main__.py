@@ -26,6 +26,7 @@ WRITTEN = (
     "ten-claims",
     "your-own-paper",
     "degree-theorem",
+    "surfaces",
     "bisectors",
     "conditioning",
     "certified-filter",
@@ -57,7 +58,7 @@ def main() -> int:
 
 def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     """All pages and their contents list."""
-    for file in (HERE / "conf.py", *DOCS.glob("*.md")):
+    for file in (HERE / "conf.py", HERE / "icon.svg", *DOCS.glob("*.md")):
         shutil.copy(file, source)
     shutil.copytree(PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"))
     for page in source.glob("*.md"):
@@ -72,8 +73,8 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     written = [page for page in WRITTEN if (source / f"{page}.md").exists()]
     house = sorted(file.stem for file in DOCS.glob("*.md") if file.stem not in WRITTEN)
     contents = {
-        "Notebooks": notebooks,
         "To read": [*written, "gallery", "benchmarks", "glossary"],
+        "Notebooks": notebooks,
         "Ledgers": ["errata", *ledgers],
         "Reference": reference,
         "The house": house,

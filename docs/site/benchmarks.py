@@ -32,9 +32,7 @@ def measure(sections: list[str]) -> None:
     record = {
         "date": datetime.now(UTC).date().isoformat(),
         "exactspline": exactspline.__version__,
-        "commit": subprocess.run(
-            ["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True
-        ).stdout.strip(),
+        "commit": _commit(),
         "python": platform.python_version(),
         "system": f"{platform.system()} {platform.machine()}",
         "processor": _processor(),

@@ -20,6 +20,7 @@ mathjax_path = "mathjax/tex-svg.js"
 
 html_theme = "furo"
 html_title = "exactspline"
+html_favicon = "icon.svg"
 html_static_path = ["_static"]
 html_extra_path = ["_extra"]
 html_show_sphinx = False

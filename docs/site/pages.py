@@ -18,7 +18,14 @@ from exactspline.display.sheet import Sheet
 #: What stands in the place of words that the source does not have.
 STATUS = {"ours": "goes beyond the source", "meant": "as the printed statement must read"}
 
-Toctree = list[tuple[str, list[str]]]
+#: Pictures of the gallery besides the figures of the paper: a name, and the command that draws it.
+DRAWN = {
+    "vertices_of_an_ellipse": ("inspect", "ellipse_skew"),
+    "a_straight_piece_between_arcs": ("inspect", "straight_between_arcs"),
+    "a_cusp": ("inspect", "cusp"),
+    "a_point_and_a_curve_in_the_plane": ("bisector", "cubic_s", "--point", "7/4,3/2"),
+    "a_point_and_a_curve_in_space": ("bisector", "twisted_cubic", "--point", "1,0,1"),
+}
 
 
 def reference(folder: Path) -> list[str]:
@@ -69,20 +76,18 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
         by_source.setdefault(claim["paper"], []).append(claim)
     for name, told in by_source.items():
         counts = Counter(claim["verdict"] for claim in told)
-        lines = [
-            f"# {told[0]['title']}",
-            ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()) + ".",
-        ]
+        tally = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
+        lines = [f"# {told[0]['title']}", f"{tally}."]
         lines.append(
-            "What was found for all curves; a verdict is explained in the [glossary](../glossary.md). Formulas, degrees "
-            'and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
+            "What was found for all curves; verdicts are explained in the [glossary](../glossary.md). Formulas, "
+            'degrees and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
         )
         for place, group in groupby(told, lambda claim: claim["source"]):
             sheet = Sheet("claim", "the source's words", "as it is decided", "verdict", "what is true")
             for c in group:
                 words = f"“{c['words']}” ({c['place']})" if c["words"] else STATUS.get(c["status"], "–")
                 found = "" if c["computed"] == c["claimed"] else c["computed"] or c["witness"]
-                decided = c["statement"] if c["claimed"] in c["statement"] else f"{c['statement']}: {c['claimed']}"
+                decided = f"{c['statement']}: {c['claimed']}" if c["kind"] in ("degree", "count") else c["statement"]
                 sheet.add_row(c["id"], words, decided, c["verdict"], found)
             lines += [f"## {place}", sheet.markdown()]
         (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
@@ -98,9 +103,12 @@ def write_errata(file: Path) -> None:
 def draw_gallery(folder: Path, page: Path) -> None:
     """The figures, and the page that shows them."""
     _run("figures", "--out", str(folder))
-    lines = ["# Gallery"]
-    for picture in sorted(folder.glob("*.svg")):
-        title = picture.stem.replace("_", " ").capitalize()
+    for name, command in DRAWN.items():
+        _run(*command, "--plot", str(folder / f"{name}.svg"))
+    lines = ["# Gallery", "What `exactspline figures`, `inspect --plot` and `bisector --plot` draw."]
+    pictures = [*sorted(folder.glob("figure?.svg")), *(folder / f"{name}.svg" for name in DRAWN)]
+    for picture in pictures:
+        title = picture.stem.replace("_", " ").replace("figure", "figure ").capitalize()
         lines += [f"## {title}", f'<img src="gallery/{picture.name}" alt="{title}" style="max-width:100%">']
         turning = picture.with_suffix(".html")
         if turning.exists():

@@ -170,6 +170,10 @@ ARGUMENTS = {
     "plane point": "a point and a plane curve",
     "framed plane": "plane curves with their frames",
     "framed space": "space curves with their frames",
+    "surface": "surfaces",
+    "planar map": "planar maps",
+    "curve on a surface": "curves on surfaces",
+    "forms": "quadratic forms",
 }
 
 

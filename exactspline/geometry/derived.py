@@ -121,7 +121,8 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
             else (lambda c: joined(formula(c)))
         )
     if needed not in (CURVE, PLANE, SPACE) or curve.dimension not in needed.dimensions:
-        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {needed.name} curve")
+        of = f"{needed.name} curve" if needed.made_of_a_curve else needed.name
+        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {of}")
     found = formula(curve)
     ruled = isinstance(found, RuledSurface)
     exists, breaks = _exists(found), curve.breakpoints

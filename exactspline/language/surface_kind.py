@@ -161,7 +161,7 @@ class FormsKind(Kind):
     >>> from exactspline.readings.jet import JetReading
     >>> c = JetReading(1).argument(FORMS, 3)
     >>> (c.E * c.G - c.F * c.F).d(1, by="u")
-    G·E_u − 2·F·F_u + E·G_u
+    −2·F·F_u + E_u·G + E·G_u
     """
 
     name = "forms"

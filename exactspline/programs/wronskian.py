@@ -29,7 +29,7 @@ def lowest_wronskian(vector: Vector[Term]) -> Term:
         return vector[0].constant(0)
     columns = [term.partials(n, r) for term in vector]
     value: Term = det(*[Vector(*[column[i] for column in columns]) for i in range(r + 1)])
-    constant = prod(factorial(n - i) // factorial(n - r) for i in range(r + 1))
+    constant = prod(factorial(n - i) // factorial(n - r) for i in range(r))
     return value.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
 

@@ -168,6 +168,8 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
         grouped.setdefault(e[1:], {})[e[0]] = c
     for powers in grouped.values():
         common = common.gcd(fmpq_poly([powers.get(i, 0) for i in range(max(powers) + 1)]))
+        if common.degree() == 0:
+            return ()
     return tuple(
         sorted(
             int(-p[0] / p[1])

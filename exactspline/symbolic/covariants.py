@@ -128,6 +128,8 @@ def graded(jet: Jet, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
     >>> graded(x * x + 3 * x.d() * x + x.d())
     [x′, x², 3·x·x′]
     """
+    if _homogeneous(jet, parameter):
+        return [jet]
     moving = _moving(jet.ring, parameter)
     parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
     for exponents, c in jet.polynomial.terms():
@@ -140,6 +142,8 @@ def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]
     """Degree k and weight m in the functions of a parameter. `FormulaError` when it is not homogeneous in
     both.
     """
+    if (known := _homogeneous(jet, parameter)) is not None:
+        return known
     moving = _moving(jet.ring, parameter)
     exponents = ([int(x) for x in m] for m in jet.polynomial.monoms())
     found = {(sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)) for e in exponents}
@@ -149,6 +153,21 @@ def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]
             remedy="degree and weight exist for homogeneous ones only",
         )
     return found.pop()
+
+
+def _homogeneous(jet: Jet, parameter: Parameter) -> tuple[int, int] | None:
+    """Degree and weight where a polynomial is homogeneous in both: by Euler's theorem, from those of one monomial."""
+    p, gens, moving = jet.polynomial, jet.ring.gens, _moving(jet.ring, parameter)
+    if not p:
+        return None
+    exponents, used = p.monomial(0), p.degrees()
+    k, m = sum(int(exponents[n]) for n, _ in moving), sum(int(exponents[n]) * i for n, i in moving)
+    by_degree = by_weight = jet.ring.context.constant(0)
+    for n, i in moving:
+        if used[n]:
+            slope = p.derivative(n) * gens[n]
+            by_degree, by_weight = by_degree + slope, by_weight + slope * i
+    return (k, m) if by_degree == p * k and by_weight == p * m else None
 
 
 def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
@@ -222,7 +241,8 @@ def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], param
 def _with_d(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial in a ring that has d besides the jets."""
     context = fmpq_mpoly_ctx.get(["d", *ring.context.names()], Ordering.degrevlex)
-    return context.from_dict({(0, *map(int, exponents)): c for exponents, c in polynomial.terms()})
+    made: fmpq_mpoly = polynomial.compose(*context.gens()[1:], ctx=context)
+    return made
 
 
 def _lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq_mpoly:

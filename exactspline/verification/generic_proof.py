@@ -43,7 +43,7 @@ def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polyn
     proportional.
 
     >>> str(factor_of_numerators(find("f0"), find("f2"), 2))
-    'w⁶'
+    'w³'
     """
     factor = factor_of(left, right, dimension, polynomial=polynomial)
     if factor is None:

@@ -13,6 +13,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANAR_MAP, SURFACE
 from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
+from exactspline.papers import Paper
 from exactspline.readings.degree import DegreeReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lines import Degrees
@@ -41,6 +42,67 @@ class PatchRow:
     def agrees(self) -> bool:
         """Whether the witness attains what is proved."""
         return self.true == self.attained
+
+
+@dataclass(frozen=True)
+class VariantsRow:
+    """An object of surfaces, its degrees in u and v on rational patches: as defined, from the numerators of
+    derivatives, lifted, and the true one; and as defined and true on polynomial ones.
+    """
+
+    formula: str
+    defined: str
+    reduced: str
+    lifted: str
+    true: str
+    polynomial: str
+    polynomial_true: str
+
+
+def variants_table(source: Paper) -> list[VariantsRow]:
+    """The formulas of surfaces that a paper has in three variants: ``NAME``, ``NAME_reduced``, and ``NAME_projective``
+    or else ``NAME_lifted``.
+
+    >>> from exactspline.papers import paper
+    >>> row = variants_table(paper("surfaces"))[-1]
+    >>> row.formula, row.defined, row.reduced, row.lifted, row.true
+    ('line_coefficient_vv', '12d', '11d_u − 2, 11d_v − 4', '8d_u − 2, 8d_v − 4', '8d_u − 4, 8d_v − 8')
+    """
+    rows, known = [], source.formulas
+    for name, formula in known.items():
+        lifted = known.get(f"{name}_projective") or known.get(f"{name}_lifted")
+        if formula.kind is SURFACE and f"{name}_reduced" in known and lifted is not None:
+            reduced = known[f"{name}_reduced"]
+            rows.append(
+                VariantsRow(
+                    name,
+                    _counted(formula, polynomial=False),
+                    _counted(reduced, polynomial=False),
+                    _counted(lifted, polynomial=False),
+                    _proved(lifted, polynomial=False),
+                    _counted(formula, polynomial=True),
+                    _proved(lifted, polynomial=True),
+                )
+            )
+    return rows
+
+
+def _counted(formula: Formula, *, polynomial: bool) -> str:
+    """What Table 1 counts in u and in v."""
+    readings = [DegreeReading(parameter=parameter) for parameter in BOTH]
+    u, v = (str(formula(r.argument(formula.kind, 3, polynomial=polynomial)).degree) for r in readings)
+    return _in_both(u, v)
+
+
+def _proved(formula: Formula, *, polynomial: bool) -> str:
+    """The true degrees in lowest terms on the generic patch."""
+    u, v = (str(reduction_of(formula, 3, polynomial, parameter).main.generic_lowest) for parameter in BOTH)
+    return _in_both(u, v)
+
+
+def _in_both(u: str, v: str) -> str:
+    """Two degrees as one text, as one degree where they are alike."""
+    return u.replace("d_u", "d") if u.replace("d_u", "d_v") == v else f"{u}, {v}"
 
 
 def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[Callable[[], PatchRow]]:

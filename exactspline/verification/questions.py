@@ -10,6 +10,7 @@ from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
+from exactspline.language.choices import Parameter, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
@@ -155,18 +156,30 @@ class DegreeAnswer:
         return f"{self.formula} in R{self.dimension}: nominal {self.nominal}, in lowest terms {self.lowest}"
 
 
-def degree(formula: Named, *, dimension: int | None = None, polynomial: bool = False) -> DegreeAnswer:
-    """The degrees of a formula of the generic curve of degree d.
+def degree(
+    formula: Named, *, dimension: int | None = None, polynomial: bool = False, parameter: Parameter | str | None = None
+) -> DegreeAnswer:
+    """The degrees of a formula of the generic curve of degree d; where there are several parameters in the first one or
+    in that which is named.
 
     >>> print(degree("g2"))
     g2 in R2: nominal 9d − 6, in lowest terms 9d − 12
+    >>> print(degree("surfaces:L_lifted", parameter="v"))
+    L_lifted in R3: nominal 4d_v − 1, in lowest terms 4d_v − 2
 
     Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
     """
     (wanted,) = _formulas(formula)
     n = wanted.kind.dimensions[0] if dimension is None else dimension
-    nominal = wanted(DegreeReading().argument(wanted.kind, n, polynomial=polynomial)).degree
-    return DegreeAnswer(wanted.name, n, nominal, reduce(wanted, dimension=n, polynomial=polynomial).main.generic_lowest)
+    known = wanted.kind.parameters(n)
+    counted = known[0] if parameter is None else choice(Parameter, parameter, "parameter")
+    if counted not in known:
+        raise FormulaError(
+            f"the degree of {wanted.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
+        )
+    nominal = wanted(DegreeReading(parameter=counted).argument(wanted.kind, n, polynomial=polynomial)).degree
+    found = reduce(wanted, dimension=n, polynomial=polynomial, parameter=counted)
+    return DegreeAnswer(wanted.name, n, nominal, found.main.generic_lowest)
 
 
 def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
@@ -208,17 +221,22 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
 
 
 def reduction(
-    formula: Named | Callable[..., object], *, dimension: int | None = None, polynomial: bool = False
+    formula: Named | Callable[..., object],
+    *,
+    dimension: int | None = None,
+    polynomial: bool = False,
+    parameter: Parameter | None = None,
 ) -> Reduction:
     """What cancels in a formula, for all curves, and the lowest degree that is left (see
-    `exactspline.symbolic.reduction`).
+    `exactspline.symbolic.reduction`); where there are several parameters in the first one or in that which is named.
 
     >>> print(reduction("evolute").main.generic)
     6d − 6
 
     Raises `FormulaError` for an unknown formula, `ShapeError` where it does not fit the dimension.
     """
-    return reduce(find(formula) if isinstance(formula, str) else formula, dimension=dimension, polynomial=polynomial)
+    wanted = find(formula) if isinstance(formula, str) else formula
+    return reduce(wanted, dimension=dimension, polynomial=polynomial, parameter=parameter)
 
 
 def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> None:

@@ -80,6 +80,7 @@ function showFeatures({ answer, milliseconds }) {
   const head = html("tr", {}, ...["feature", "parameter t", "curvature"].map((name) => html("th", { scope: "col" }, name)));
   element("features").replaceChildren(html("thead", {}, head), html("tbody", {}, ...rows));
   document.body.dataset.answered = `${Number(document.body.dataset.answered ?? 0) + 1}`;
+  document.body.dataset.first ??= performance.now().toFixed(0);
   document.body.dataset.features = JSON.stringify(answer.features);
   say(`certified in ${milliseconds.toFixed(0)} ms · ${answer.polynomial ? "polynomial" : "rational"}, degree ${answer.degree}, segments: ${answer.segments}`);
 }

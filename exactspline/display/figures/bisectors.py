@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import GREEN, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.html import Scene, three_ticks
+from exactspline.display.plot.frames import three_ticks
+from exactspline.display.plot.html import Scene
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh
 from exactspline.exact import mpq

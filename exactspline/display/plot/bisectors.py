@@ -25,7 +25,7 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
-from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
 from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
 from exactspline.geometry.bisector.point_and_curve import PointBisector
@@ -75,6 +75,7 @@ def plot_curve_bisector(found: CurveBisector, ax: Axes | None = None, *, box: Bo
             _plot(ax, lines_mesh(rulings, box), label, ORANGE)
     for pair in found.pairs:
         _plot_pair(ax, pair, box)
+    show_box(ax, box)
     _legend_once(ax)
     return ax
 
@@ -251,6 +252,7 @@ def plot_point_bisector(found: PointBisector, curve: Nurbs, point: Sequence[Numb
             rulings.append(line)
         _plot(ax, lines_mesh(rulings, box), "bisector", SKY)
     mark_points(ax, [place], "point")
+    show_box(ax, box)
     _legend_once(ax)
     return ax
 

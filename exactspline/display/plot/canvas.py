@@ -171,6 +171,8 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
     metadata = {"Date": None} if suffix == ".svg" else {}
+    if any(ax.name == "3d" for ax in figure.axes):
+        figure.draw_without_rendering()  # only what was drawn once knows how much room its axes take
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(
             place, lambda stream: figure.savefig(stream, format=suffix[1:], dpi=150, metadata=metadata), PlotError

@@ -68,13 +68,12 @@ def knows_depth() -> bool:
 class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has no types
     """The faces of a mesh in one colour, for axes in space."""
 
-    def __init__(self, mesh: SurfaceMesh, color: str, shades: Sequence[tuple[float, ...]], **how: Any) -> None:
+    def __init__(self, mesh: SurfaceMesh, color: str, shades: Sequence[tuple[float, ...]], zorder: float = 1) -> None:
         corners = [[tuple(float(x) for x in p) for p in face] for face in mesh.faces]
-        super().__init__(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, **how)
+        super().__init__(corners, facecolors=shades, edgecolors=shades, linewidths=0.1, zorder=zorder)
         self.mesh = mesh
         self.color = color
         self._rendered_lines: list[Line3D] = []
-        self._last: tuple[object, NDArray[np.uint8]] | None = None
         # thousands of faces are a picture inside an SVG, not as many paths
         if not knows_depth():
             self.set_rasterized(True)
@@ -87,6 +86,8 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
         if not (knows_depth() and parallel):
             super().draw(renderer)
             return
+        if hasattr(renderer.draw_image, "__wrapped__"):
+            return  # a renderer that only lays out a picture: its methods are wrapped, and draw nothing
         surfaces = [c for c in space.collections if isinstance(c, DepthCollection) and c.get_visible()]
         if surfaces[0] is self:
             self._draw_all(space, surfaces, renderer)
@@ -94,13 +95,10 @@ class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has n
     def _draw_all(self, space: Any, surfaces: Sequence[DepthCollection], renderer: RendererBase) -> None:
         lines = [line for line in space.lines if line.get_visible() or line in self._rendered_lines]
         self._rendered_lines = [line for line in lines if _is_rendered(line)]
-        # matplotlib draws more than once for the layout
-        key = (space.M.tobytes(), space.bbox.bounds, space.figure.dpi, len(surfaces), len(self._rendered_lines))
-        if self._last is None or self._last[0] != key:
-            self._last = key, rendered(space, [(c.mesh, c.color) for c in surfaces], self._rendered_lines)
+        image = rendered(space, [(c.mesh, c.color) for c in surfaces], self._rendered_lines)
         frame = BboxImage(space.bbox, interpolation="antialiased", origin="upper")
         frame.set_figure(space.figure)
-        frame.set_data(self._last[1])
+        frame.set_data(image)
         frame.draw(renderer)
         # they are in the image already, so that matplotlib must skip them
         for line in self._rendered_lines:

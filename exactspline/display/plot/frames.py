@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import ceil, floor, log10
 
 from exactspline.display.plot.canvas import PlotError, Point
 from exactspline.exact import mpq
@@ -56,6 +57,24 @@ def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
     low, high = [c[cut] for c in columns], [c[-1 - cut] for c in columns]
     margin = AROUND * max(b - a for a, b in zip(low, high, strict=True))
     return tuple(x - margin for x in low), tuple(x + margin for x in high)
+
+
+def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
+    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten.
+
+    >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
+    [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
+    """
+    low, high = mpq(low), mpq(high)
+    if low >= high:
+        return [low]
+    power = floor(log10(high - low)) - 1
+    steps = (mpq(k) * mpq(10) ** (power + up) for up in range(3) for k in (1, 2, 5))
+    return next(
+        [k * step for k in range(first, last + 1)]
+        for step in steps
+        if (last := floor(high / step)) - (first := ceil(low / step)) < 3
+    )
 
 
 def kept(point: Point | None, box: Box) -> Point | None:

@@ -12,12 +12,11 @@ from dataclasses import dataclass, field
 from html import escape
 from importlib.resources import files
 from itertools import cycle
-from math import ceil, floor, log10
 from typing import TypedDict
 
 from exactspline.atomic_write import write_atomically
 from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, PlotError, Point, Run
-from exactspline.display.plot.frames import Box, box_around, grown
+from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh
 from exactspline.exact import mpq
 
@@ -134,24 +133,6 @@ def _places(points: Iterable[Point]) -> list[list[float]]:
 def _rounded(x: mpq) -> float:
     short = float(f"{float(x):.{DIGITS}g}")
     return int(short) if short == int(short) else short
-
-
-def three_ticks(low: mpq | float, high: mpq | float) -> list[mpq]:
-    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten.
-
-    >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
-    [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
-    """
-    low, high = mpq(low), mpq(high)
-    if low >= high:
-        return [low]
-    power = floor(log10(high - low)) - 1
-    steps = (mpq(k) * mpq(10) ** (power + up) for up in range(3) for k in (1, 2, 5))
-    return next(
-        [k * step for k in range(first, last + 1)]
-        for step in steps
-        if (last := floor(high / step)) - (first := ceil(low / step)) < 3
-    )
 
 
 def turning_page(scenes: Sequence[Scene], title: str) -> str:

@@ -20,7 +20,7 @@ from exactspline.display.plot.canvas import (
     library,
 )
 from exactspline.display.plot.curves import plot_quotient
-from exactspline.display.plot.frames import Box
+from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import Number, rational
@@ -112,6 +112,22 @@ def _framed(ax: Any, points: Iterable[Point]) -> None:
     columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
     ax.auto_scale_xyz(*columns)
     ax.set_aspect("equal")
+    _tick(ax)
+
+
+def show_box(ax: Axes, box: Box) -> None:
+    """Let axes in space show a box, in equal scales, with a few ticks."""
+    space: Any = ax  # axes in space have no types
+    for axis, low, high in zip("xyz", *box, strict=True):
+        getattr(space, f"set_{axis}lim")(float(low), float(high))
+    space.set_aspect("equal")
+    _tick(space)
+
+
+def _tick(space: Any) -> None:
+    for axis in "xyz":
+        ticks = three_ticks(*getattr(space, f"get_{axis}lim")())
+        getattr(space, f"{axis}axis").set_ticks([float(x) for x in ticks])
 
 
 def plot_ruled_surface(

@@ -237,8 +237,8 @@ def _changes_sign(g: fmpz_mpoly, boxes: list[Sides]) -> bool:
 
 
 def _without_repetition(found: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
-    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch; no single
-    pair where a curve of pairs of the next patch ends.
+    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch; no
+    single pair where a curve of pairs of the next patch ends.
     """
     curves = first, second
 

@@ -207,7 +207,10 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     curve = None
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         bare = form if singular.factor is None else without_powers(form, singular.factor)
-        curve = ZeroCurve(square_free(bare), singular.zeros)
+        simple = square_free(bare)
+        # a singular point is a critical point of the form itself, not of what is left of it
+        known = singular.zeros if simple.degree == own.form.degree else ()
+        curve = ZeroCurve(simple, known)
     kind = _BY_SIGN[signs.sign]
     if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(form)):
         kind = PatchKind.ELLIPTIC_BUT if signs.positive else PatchKind.HYPERBOLIC_BUT

@@ -111,9 +111,9 @@ def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Bo
         return
     signs = sign_on_patch(own.form)
     if signs.positive:
-        found.positive = found.positive or _inside(signs.positive, own.whole, sides)
+        found.positive = found.positive or _inside(signs.positive, 1, own.whole, sides)
     if signs.negative:
-        found.negative = found.negative or _inside(signs.negative, own.whole, sides)
+        found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides)
     found.zeros += [_placed(point, sides) for point in signs.zeros]
     found.undecided += [in_parameters(box, sides) for box in signs.undecided]
     found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
@@ -129,12 +129,13 @@ def _determinant(surface: NurbsSurface) -> TensorSpline:
     return lowest(value)
 
 
-def _inside(point: Point, whole: PatchForm, sides: Box) -> Point:
-    """A point near another one at which the whole form is not zero either: a factor may vanish on the border."""
-    x, y = point
-    while whole.value(x, y) == 0:
-        x, y = (3 * x + mpq(1, 2)) / 4, (3 * y + mpq(1, 2)) / 4
-    return _placed((mpq(x), mpq(y)), sides)
+def _inside(point: Point, sign: int, whole: PatchForm, sides: Box) -> Point:
+    """A point at or near another one at which the whole form has a sign: a factor may vanish on the border."""
+    (x, y), half = point, mpq(1, 2)
+    place, part = point, mpq(1, 4)
+    while whole.value(*place) * sign <= 0:
+        place, part = (mpq(x + (half - x) * part), mpq(y + (half - y) * part)), part / 2
+    return _placed(place, sides)
 
 
 def _placed(point: Point, sides: Box) -> Point:

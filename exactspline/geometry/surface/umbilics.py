@@ -24,6 +24,8 @@ from exactspline.splines.patch_forms import Box, PatchForm
 
 #: Bits to which a zero is refined before it is given up to tell whether it is an umbilic.
 BITS = 400
+#: Bits to which a point is refined to show that it is not on a curve.
+FAR = 64
 
 
 class UmbilicKind(StrEnum):
@@ -97,6 +99,8 @@ class _Search:
         self.area = area
         # which of the four edges have no tangent planes
         self.poles = singular.edges
+        # singular points at which the equations vanish though common factors are divided out
+        self.known = list(singular.zeros)
 
     def on_edges(self) -> tuple[tuple[Edge, ...], list[Umbilic]]:
         """Edges of umbilics, and the single ones on the other edges."""
@@ -130,6 +134,9 @@ class _Search:
             if sign_on_patch(factor).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
                 curve = ZeroCurve(square_free(factor))
                 curve = curve if curve.may_have_zeros else None
+        for f in (self.singular.factor, factor):
+            if f is not None:
+                self.known = [zero for zero in self.known if f.part(zero.refine(FAR)).sign in (1, -1)]
         if any(f.sign is not None for f in given.values()):
             return [], curve, ()
         best: tuple[list[Umbilic], tuple[Box, ...]] | None = None
@@ -164,7 +171,7 @@ class _Search:
 
     def _is_umbilic(self, zero: Zero, pair: tuple[int, int]) -> bool | None:
         """Whether a zero of two of the equations inside is one of the third, and the surface has a tangent plane."""
-        if any(same(point, zero) for point in self.singular.zeros):
+        if any(same(point, zero) for point in self.known):
             return False
         lengths = [PatchForm.of(f, *self.patch) for f in self.forms.lengths]
         # the third equation follows where E > 0 (of A, B), G > 0 (of B, C); A and C are a pair only if B = 0

@@ -50,8 +50,8 @@ class Shape(StrEnum):
 
 @dataclass(frozen=True)
 class Vertex:
-    """A zero on a line of the subdivision: on the line where x (direction 0) or y is `value`, the other coordinate
-    ``index``-th of its zeros; a corner has both coordinates and the index −1; a crossing is one of the certified cells.
+    """A zero on a line of the subdivision, on which x (direction 0) or y is `value`: by its `index` among the zeros on
+    that line, or, where both coordinates are rational, by x and y and the index −1.
     """
 
     direction: int
@@ -166,12 +166,14 @@ class ZeroCurve:
     def _zeros_on(self, direction: int, value: mpq, side: Interval) -> Iterator[tuple[Vertex, mpq | Root]]:
         """The vertices on a part of a line, with the coordinate along it."""
         for k, root in enumerate(self._line(direction, value)):
-            if root == side[0] or root == side[1]:
-                end = side[0] if root == side[0] else side[1]
-                x, y = (value, end) if direction == 0 else (end, value)
-                yield Vertex(0, x, -1, y), end
-            elif side[0] < root < side[1]:
+            if not side[0] <= root <= side[1]:
+                continue
+            if root.exact is None:
                 yield Vertex(direction, value, k), root
+            else:
+                # it may be the corner of some box, and on a line of the other direction
+                x, y = (value, root.exact) if direction == 0 else (root.exact, value)
+                yield Vertex(0, x, -1, y), root.exact
 
     def _on_border(self, box: Box) -> Iterator[Vertex]:
         for direction, end in EDGES:

@@ -154,7 +154,9 @@ def minimality_of_spheres(c):
 
 @formula("lifted", on="surface")
 def focal_discriminant_lifted(c):
-    """``(w⁸ h)² − 4 w² ‖Π_n‖² w⁸ (LN − M²)``: of the quadratic of the centres ``(w p + σ Π_n)/w²`` of curvature."""
+    """The discriminant of ``w² k σ² − h σ + ‖Π_n‖² = 0``, for ``k = w⁸ (LN − M²)`` and ``h = w⁸ (EN − 2FM + GL)``: its
+    roots are the centres of curvature ``(p + σ Π_n)/w``.
+    """
     return minimality_lifted(c) ** 2 - 4 * c.w**2 * area_squared_lifted(c) * parabolic_lifted(c)
 
 

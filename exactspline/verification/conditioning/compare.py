@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError, counted
@@ -14,7 +16,7 @@ from exactspline.splines.bernstein import Form, value
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.condition_number import DIGITS, Interval, condition_number, local, quotient
-from exactspline.verification.conditioning.double_precision import Double, double_precision_root
+from exactspline.verification.conditioning.double_precision import Double, double_precision_roots
 
 
 @dataclass(frozen=True)
@@ -107,12 +109,13 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     minimal = found[Variant.MINIMAL]
     inside = [root for root in minimal if not root.at_knot]
     rows = []
+    tried = {form: _in_doubles(f, inside, found[form]) if doubles else {} for form, f in splines.items()}
     for root in inside:
         # a rational zero becomes an exact one, and its condition number with it
         root.minimal_polynomial()
         same = {form: next(r for r in among if r == root) for form, among in found.items()}
         forms = [
-            _at_root(form, f, splines[Variant.MINIMAL], root, same[form].multiplicity, found[form] if doubles else None)
+            _at_root(form, f, splines[Variant.MINIMAL], root, same[form].multiplicity, tried[form].get(root))
             for form, f in splines.items()
         ]
         rows.append(RootConditions(root, tuple(forms)))
@@ -128,9 +131,9 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
 
 
 def _at_root(
-    form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, among: ZeroSet | None
+    form: str, f: BSpline, minimal: BSpline, root: Root, multiplicity: int, double: Double | None
 ) -> FormAtRoot:
-    """One form at a zero; `among` are all its zeros, when double precision is to be tried."""
+    """One form at a zero; `double` is what double precision gives, where it was tried."""
     i = _segment_of(f, root)
     own, n = f.forms[i], f.degree
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
@@ -140,8 +143,17 @@ def _at_root(
         one_sign = len(signs) == 1
         if multiplicity == root.multiplicity:
             growth = (mpq(1), mpq(1)) if one_sign else condition_number(factor, n - minimal.degree, root, 0)
-    double = None if among is None else double_precision_root(own, n, local(root)[0], _bracket(own, n, root, among))
     return FormAtRoot(form, n, multiplicity, condition_number(own, n, root, multiplicity), growth, one_sign, double)
+
+
+def _in_doubles(f: BSpline, roots: Sequence[Root], among: ZeroSet) -> dict[Root, Double]:
+    """What double precision gives for zeros of a form, of which `among` are all."""
+    found: dict[Root, Double] = {}
+    for i, own in groupby(roots, key=lambda root: _segment_of(f, root)):
+        form, here = f.forms[i], list(own)
+        zeros = [(local(root)[0], _bracket(form, f.degree, root, among)) for root in here]
+        found |= zip(here, double_precision_roots(form, f.degree, zeros), strict=True)
+    return found
 
 
 def _segment_of(f: BSpline, root: Root) -> int:

@@ -5,6 +5,7 @@ They come from exact numbers by rounding, once, and go back through `exactspline
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from sys import float_info
@@ -48,16 +49,25 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
     >>> double_precision_root(from_bezier([mpq(-1), mpq(2)]), 1, mpq(1, 3), (mpq(0), mpq(1))).units
     mpq(1,6)
     """
+    return double_precision_roots(form, n, [(x, bracket)])[0]
+
+
+def double_precision_roots(form: Form, n: int, zeros: Sequence[tuple[mpq, Interval]]) -> list[Double]:
+    """The same for several zeros of one form, each with its bracket: all bisections go on side by side."""
     points = _rounded(bezier(form, n))
     if points is None:
-        return Double(None, "the coefficients span more than the range of doubles")
-    errors = []
-    for j in range(STARTS):
-        low, high = (_double(end + (x - end) * mpq(j, 2 * STARTS)) for end in bracket)
-        found = _bisected(points, low, high)
-        if found is not None:
-            errors.append(abs(from_float(found) - x))
-    return Double(max(errors)) if errors else Double(None, "no change of sign in doubles")
+        return [Double(None, "the coefficients span more than the range of doubles") for _ in zeros]
+    starts = [
+        (_double(low + (x - low) * mpq(j, 2 * STARTS)), _double(high + (x - high) * mpq(j, 2 * STARTS)))
+        for x, (low, high) in zeros
+        for j in range(STARTS)
+    ]
+    found = _bisected(points, starts)
+    result = []
+    for k, (x, _) in enumerate(zeros):
+        errors = [abs(from_float(y) - x) for y in found[k * STARTS : (k + 1) * STARTS] if y is not None]
+        result.append(Double(max(errors)) if errors else Double(None, "no change of sign in doubles"))
+    return result
 
 
 def _rounded(points: list[mpq]) -> list[float] | None:
@@ -76,6 +86,25 @@ def _double(q: mpq) -> float:
     return int(q.numerator) / int(q.denominator)
 
 
+def _values(points: list[float], parameters: Sequence[float]) -> list[float]:
+    """The values at parameters by de Casteljau's algorithm, all rounded alike: with numpy, where it is installed, for
+    all parameters at once.
+    """
+    try:
+        import numpy
+    except ImportError:
+        return [_casteljau(points, t) for t in parameters]
+    t = numpy.array(parameters)
+    u, column = 1.0 - t, numpy.array(points, dtype=float)[:, None]
+    left, right = numpy.repeat(column, len(t), axis=1), numpy.empty((len(points), len(t)))
+    for m in range(len(points) - 1, 0, -1):
+        numpy.multiply(left[1 : m + 1], t, out=right[:m])
+        numpy.multiply(left[:m], u, out=left[:m])
+        numpy.add(left[:m], right[:m], out=left[:m])
+    values: list[float] = left[0].tolist()
+    return values
+
+
 def _casteljau(points: list[float], t: float) -> float:
     u = 1.0 - t
     while len(points) > 1:
@@ -83,14 +112,24 @@ def _casteljau(points: list[float], t: float) -> float:
     return points[0]
 
 
-def _bisected(points: list[float], low: float, high: float) -> float | None:
-    """Where bisection ends: neighbouring doubles, or a value of zero."""
-    first, last = _casteljau(points, low), _casteljau(points, high)
-    if first == 0 or last == 0 or (first > 0) == (last > 0):
-        return None
-    while low < (middle := (low + high) / 2) < high:
-        at = _casteljau(points, middle)
-        if at == 0:
-            return middle
-        low, high = (middle, high) if (at > 0) == (first > 0) else (low, middle)
-    return low
+def _bisected(points: list[float], starts: Sequence[tuple[float, float]]) -> list[float | None]:
+    """Where bisections end: neighbouring doubles, or a value of zero; None where there is no change of sign."""
+    first = _values(points, [low for low, _ in starts])
+    last = _values(points, [high for _, high in starts])
+    found: list[float | None] = [None] * len(starts)
+    going = {
+        k: start for k, start in enumerate(starts) if first[k] != 0 and last[k] != 0 and (first[k] > 0) != (last[k] > 0)
+    }
+    while going:
+        middles = {k: (low + high) / 2 for k, (low, high) in going.items()}
+        for k in [k for k, (low, high) in going.items() if not low < middles[k] < high]:
+            found[k] = going.pop(k)[0]
+            del middles[k]
+        for (k, middle), at in zip(middles.items(), _values(points, list(middles.values())), strict=True):
+            low, high = going[k]
+            if at == 0:
+                found[k] = middle
+                del going[k]
+            else:
+                going[k] = (middle, high) if (at > 0) == (first[k] > 0) else (low, middle)
+    return found

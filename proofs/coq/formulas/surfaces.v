@@ -391,7 +391,7 @@ Definition mean_curvature_squared_lifted (c : patch A) : A :=
 Definition minimality_of_spheres (c : patch A) : A :=
   det [components 1 5 (conformal_lift_of_surface c); vder s (components 1 5 (conformal_lift_of_surface c)); vder s_bar (components 1 5 (conformal_lift_of_surface c)); vadd (vsub (vmul (E_reduced c) (vders s_bar 2 (components 1 5 (conformal_lift_of_surface c)))) (vmul (number 2 * F_reduced c) (vder s_bar (vder s (components 1 5 (conformal_lift_of_surface c)))))) (vmul (G_reduced c) (vders s 2 (components 1 5 (conformal_lift_of_surface c))))].
 
-(** lifted. `(w⁸ h)² − 4 w² ‖Π_n‖² w⁸ (LN − M²)`: of the quadratic of the centres `(w p + σ Π_n)/w²` of curvature. *)
+(** lifted. The discriminant of `w² k σ² − h σ + ‖Π_n‖² = 0`, for `k = w⁸ (LN − M²)` and `h = w⁸ (EN − 2FM + GL)`: its roots are the centres of curvature `(p + σ Π_n)/w`. *)
 Definition focal_discriminant_lifted (c : patch A) : A :=
   minimality_lifted c ^ 2 - number 4 * w c ^ 2 * area_squared_lifted c * parabolic_lifted c.
 
