@@ -20,13 +20,15 @@ import pytest
 
 from docs import ten_claims
 from exactspline import example, example_names, zeros
-from exactspline.papers import find
+from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification import coq_judge
 from exactspline.verification.claims import select
 from exactspline.verification.coq.answers import answers, theorem_of
 from exactspline.verification.coq.emission import BY_HAND, ROOT, library
+from exactspline.verification.coq.formulas import Formulas
 from exactspline.verification.vocabulary import Verdict
+from mutation import kernel
 
 COMMITTED = Path(__file__).parent.parent / "proofs" / "coq"
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
@@ -217,3 +219,11 @@ def test_the_page_of_ten_claims_says_what_is_so() -> None:
     assert len(claims) == 10
     told = ten_claims.page({claim.key: ten_claims.expected(claim) for claim in claims})
     assert ten_claims.PAGE.read_text(encoding="utf-8") == told, "run python -m docs.ten_claims"
+
+
+def test_a_theorem_is_refused_for_every_change_of_a_formula_on_record() -> None:
+    made = library()
+    theorems = [each for own in made.theorems.values() for each in own if not each.reason]
+    record = kernel.recorded()
+    assert set(record) <= set(kernel.spoken_of(Formulas(papers()), theorems))
+    assert {found["refused"] for found in record.values()} <= {each.name for each in theorems}
