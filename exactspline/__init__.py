@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from exactspline.display.plot.curves import plot_quotient as plot_quotient
     from exactspline.display.plot.functions import plot_function as plot_function
     from exactspline.display.plot.functions import plot_roots as plot_roots
+    from exactspline.display.plot.patches import surface_figure as surface_figure
     from exactspline.display.plot.surfaces import plot_bisector as plot_bisector
     from exactspline.display.plot.surfaces import plot_ruled_surface as plot_ruled_surface
     from exactspline.display.serialize import derived_data as derived_data
@@ -147,6 +148,8 @@ if TYPE_CHECKING:
     from exactspline.verification.ledger import proved as proved
     from exactspline.verification.measure import measurable as measurable
     from exactspline.verification.measure import measure as measure
+    from exactspline.verification.patch_degrees import patch_table as patch_table
+    from exactspline.verification.patch_degrees import variants_table as variants_table
     from exactspline.verification.questions import degree as degree
     from exactspline.verification.questions import prove as prove
     from exactspline.verification.questions import reduction as reduction
@@ -277,6 +280,8 @@ _HOMES = {
     "prove": "verification.questions:prove",
     "proved": "verification.ledger:proved",
     "reduction": "verification.questions:reduction",
+    "patch_table": "verification.patch_degrees:patch_table",
+    "variants_table": "verification.patch_degrees:variants_table",
     "select_claims": "verification.claims:select",
     "statements": "verification.statement:statements",
     "verify": "verification.questions:verify",
@@ -311,6 +316,7 @@ _HOMES = {
     "plot_evolute": "display.plot.curves:plot_evolute",
     "plot_features": "display.plot.curves:plot_features",
     "plot_function": "display.plot.functions:plot_function",
+    "surface_figure": "display.plot.patches:surface_figure",
     "plot_quotient": "display.plot.curves:plot_quotient",
     "plot_roots": "display.plot.functions:plot_roots",
     "plot_ruled_surface": "display.plot.surfaces:plot_ruled_surface",

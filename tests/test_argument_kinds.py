@@ -82,7 +82,7 @@ def test_what_is_not_known_of_an_implicit_curve_is_told():
     for kind in (IMPLICIT, HODOGRAPH):
         with pytest.raises(InapplicableError, match="says nothing of the kind"):
             LeadingTermsReading(1).argument(kind, 2)
-    with pytest.raises(InapplicableError, match="one curve is not an implicit"):
+    with pytest.raises(InapplicableError, match="one curve is not an example of 'implicit"):
         argument("implicit", example("ellipse"))
 
 

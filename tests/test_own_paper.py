@@ -316,8 +316,8 @@ def test_words_that_nobody_knows(change, told, tmp_path):
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("[[claim]\n", "no TOML"),
-        ("claim = 3\n", "no table of claims"),
+        ("[[claim]\n", "not TOML"),
+        ("claim = 3\n", "not a table of claims"),
         ("claim = [3]\n", "a claim is not a table"),
         ("formulas = ['../../x']\n", "the file"),
         ("formulas = 'x'\n", "formulas is 'x'"),

@@ -385,3 +385,12 @@ def test_derivatives_by_the_parameters_of_a_surface_are_subscripts():
     curve = TreeReading().argument(PAIR, 3).first
     assert print_text(curve.w.d(1, by="s")) == "∂_s w"
     assert print_text(curve.w.d(1)) == "w′"
+
+
+def test_nodes_divide_and_are_divided_by_nodes_and_constants_alone():
+    c = TreeReading().argument(CURVE, 2)
+    assert print_text(c.w.dividing(c.p[0])) == "p[0]/w"
+    assert print_text(c.w.dividing(3)) == "3/w"
+    assert c.w.dividing(c.p).is_vector
+    assert not c.w.dividing(c.p[0]).is_vector
+    assert c.w.dividing(object()) is NotImplemented

@@ -12,14 +12,14 @@ from exactspline.errors import CurveFileError
 def test_a_pipe_is_refused_and_left_alone(tmp_path):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    with pytest.raises(CurveFileError, match="no regular file"):
+    with pytest.raises(CurveFileError, match="not a regular file"):
         write_atomically(pipe, lambda stream: stream.write(b"x"))
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert list(tmp_path.iterdir()) == [pipe]
 
 
 def test_a_folder_is_refused(tmp_path):
-    with pytest.raises(CurveFileError, match="no regular file"):
+    with pytest.raises(CurveFileError, match="not a regular file"):
         write_atomically(tmp_path, lambda stream: stream.write(b"x"))
 
 

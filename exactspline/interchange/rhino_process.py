@@ -46,7 +46,7 @@ def _described(rhino: Any, geometry: Any, where: str, name: str) -> list[dict[st
     ]
 
 
-def entries(data: bytes) -> list[dict[str, Any]]:
+def entries(data: bytes) -> list[dict[str, object]]:
     """The contents of an archive; the memory of this process is limited first."""
     import rhino3dm
 

@@ -1,8 +1,7 @@
-"""Papers as data: one folder a source, with its formulas, its claims, its constructions and its own words.
-
-No folder has a privilege: those that come with the library lie in this package, those of others wherever they are, and
-one code reads both (`exactspline.papers.folder`). Nothing outside this package names one. Every formula stands in one
-place and everything else (tables, proofs, LaTeX, programs) is derived from it.
+"""Papers as data: one folder per source, with its formulas, its claims, its constructions and the words of the source.
+No folder is privileged: those of the library are in this package, those of users anywhere, and the same code reads both
+(`exactspline.papers.folder`). Nothing outside this package names one. Every formula is written in one place, and
+everything else (tables, proofs, LaTeX, programs) is derived from it.
 """
 
 from __future__ import annotations
@@ -60,7 +59,7 @@ def papers() -> tuple[Paper, ...]:
 
 @cache
 def default_papers() -> tuple[Paper, ...]:
-    """Those that are meant where none is named."""
+    """The default papers."""
     return tuple(each for each in papers() if each.default)
 
 
@@ -87,7 +86,7 @@ def _by_name() -> dict[str, Paper]:
 
 
 def owner(formula: Formula) -> Paper | None:
-    """The paper whose own formula it is, of those that come with the library and those that were loaded.
+    """The paper to which a formula belongs, among those of the library and those that were loaded.
 
     >>> owner(find("f2")).name
     'chen_riesenfeld_cohen_2007'
@@ -97,7 +96,7 @@ def owner(formula: Formula) -> Paper | None:
 
 
 def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
-    """The paper in a folder of anybody. Its formulas are checked before they run; with `trust` they run as they stand.
+    """The paper in a user's folder. Its formulas are checked before they run; with `trust` they run as they stand.
 
     Raises `ClaimError` for what is not a folder of a paper, `FormulaError` for formulas that are none, with file and
     line.
@@ -112,7 +111,7 @@ def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
     while name in taken and not _is_folder(taken[name], place):
         name += "′"
     loaded = paper_in(place, name, paper, trusted=trust, importable=formulas_by_module)
-    loaded.formulas  # noqa: B018  # read now: whatever is wrong in them is told before anything is decided
+    loaded.formulas  # noqa: B018  # read now: errors in them are reported before anything is decided
     _loaded[name] = loaded
     return loaded
 
@@ -144,7 +143,7 @@ def named_papers(names: Iterable[str], *, trust: bool = False) -> tuple[Paper, .
 
 @cache
 def all_formulas() -> dict[str, Formula]:
-    """Every formula of the papers that are meant where none is named; where two share a name, ``paper:name``."""
+    """Every formula of the default papers; where two share a name, as ``paper:name``."""
     found: dict[str, Formula] = {}
     for source in default_papers():
         for name, formula in source.formulas.items():
@@ -153,7 +152,7 @@ def all_formulas() -> dict[str, Formula]:
 
 
 def formulas_by_module() -> Mapping[str, Formula]:
-    """The formulas that come with the library, by ``paper.module:name``: what formulas of others may import."""
+    """The formulas that come with the library, by ``paper.module:name``: which users' formulas may import."""
     return {
         f"{formula.__module__.removeprefix(f'{__package__}.')}:{name}": formula
         for source in papers()
@@ -189,7 +188,7 @@ def find(name: str) -> Formula:
 
 
 def resolve(name: str, *, trust: bool = False) -> Formula:
-    """The formula that a user names: ``name``, ``paper:name``, ``FOLDER:name`` or ``file.py:name``.
+    """A formula named by the user: ``name``, ``paper:name``, ``FOLDER:name`` or ``file.py:name``.
 
     Raises `FormulaError` with the nearest names, and for a file or a folder with errors in it.
     """

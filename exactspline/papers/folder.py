@@ -1,7 +1,6 @@
-"""The folder of a paper: its words, its formulas and its claims, read by one code whoever wrote them.
-
-A folder holds formulas (``formulas.py``), claims (``claims.toml``) and whatever ``paper.toml`` says of it; without a
-``paper.toml`` the first lines of ``claims.toml`` may say the same.
+"""The folder of a paper: its description, its formulas and its claims, read by the same code whoever wrote them. A
+folder contains formulas (``formulas.py``), claims (``claims.toml``) and its description (``paper.toml``), which may
+also stand in the first lines of ``claims.toml``.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ from exactspline.papers.loading import Importable, checked_formulas, trusted_for
 
 
 class Told(TypedDict):
-    """What a folder says of itself."""
+    """The description of a folder."""
 
     title: str
     reference: str
@@ -35,9 +34,9 @@ class Told(TypedDict):
     order: int
 
 
-#: So many bytes of a table are read.
+#: The largest size of a table in bytes.
 CHARACTERS = 4_000_000
-#: What it says if it is silent.
+#: The defaults of the description.
 SILENT: Told = {
     "title": "",
     "reference": "",
@@ -53,7 +52,7 @@ SILENT: Told = {
 
 @dataclass(frozen=True)
 class Table:
-    """A table as it stands in a file of a paper, with the place where it stands: ``file, entry number``."""
+    """A table of a file of a paper, with its place: ``file, entry number``."""
 
     place: str
     entry: dict[str, Any]
@@ -63,11 +62,11 @@ class Table:
 class Paper:
     """A source: its folder, its title, the modules of its formulas and the files of its claims.
 
-    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors by
-    the name under which claims are joined that fail for one reason, with what is wrong. ``sections`` says where claims
-    stand by the first letter of their ids. A ``default`` paper is one of those that are meant where none is named.
-    ``package`` is where its modules are imported from, empty for a folder of anybody; then formulas are checked before
-    they run, unless the folder is ``trusted``; what they may import from other papers is ``importable``.
+    ``uses`` are the papers whose formulas its own may build on and its claims may name. ``errors`` are its errors, each
+    a name that groups the claims failing for one reason, with an explanation. ``sections`` says where claims stand by
+    the first letter of their ids. A ``default`` paper is used where none is named. ``package`` is where its modules are
+    imported from, empty for a user's folder; then formulas are checked before they run, unless the folder is
+    ``trusted``; what they may import from other papers is ``importable``.
     """
 
     name: str
@@ -124,7 +123,7 @@ class Paper:
         raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
 
     def claim_tables(self) -> Iterator[Table]:
-        """Its claims as they stand in its files; what a file says in ``common`` belongs to each of its claims.
+        """Its claims as written in its files; the fields of ``common`` in a file belong to each of its claims.
 
         Raises `ClaimError` for what is not a table of claims.
         """
@@ -132,7 +131,7 @@ class Paper:
             data = self._read(file)
             common, entries = data.get("common", {}), data.get("claim", [])
             if not isinstance(common, dict) or not isinstance(entries, list):
-                raise ClaimError("no table of claims", where=f"{self.name}/{file}", remedy="write [[claim]]")
+                raise ClaimError("not a table of claims", where=f"{self.name}/{file}", remedy="write [[claim]]")
             for i, entry in enumerate(entries):
                 place = f"{self.name}/{file}, claim {i + 1}"
                 if not isinstance(entry, dict):
@@ -140,7 +139,7 @@ class Paper:
                 yield Table(place, common | entry)
 
     def construction_tables(self) -> dict[str, Table]:
-        """Its constructions by name, as they stand in ``constructions.toml``."""
+        """Its constructions by name, as written in ``constructions.toml``."""
         file = "constructions.toml"
         tables = self._read(file).items()
         return {name: Table(f"{self.name}/{file}, {name}", each) for name, each in tables if isinstance(each, dict)}
@@ -190,14 +189,11 @@ def read_toml(file: Traversable, place: str) -> dict[str, object]:
             raise ClaimError("is too large", where=place, remedy=f"at most {CHARACTERS} bytes are read")
         return tomllib.loads(data.decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ClaimError(f"no TOML: {error}", where=place, remedy="mend the file") from None
+        raise ClaimError(f"not TOML:  {error}", where=place, remedy="correct the file") from None
 
 
 def told_of(folder: Traversable, name: str) -> Told:
-    """What a folder says of itself.
-
-    Raises `ClaimError` for a word that says nothing, or of the wrong type.
-    """
+    """The description of a folder. Raises `ClaimError` for an unknown field, or one of the wrong type."""
     file = "paper.toml"
     data = read_toml(folder.joinpath(file), f"{name}/{file}")
     if not data:

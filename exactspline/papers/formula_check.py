@@ -1,8 +1,8 @@
-"""Formulas of others, checked before they run.
+"""Users' formulas, checked before they run.
 
-A file of formulas is code. Before anything of it runs, its syntax tree is read: functions whose bodies are expressions
+A file of formulas is code. Before any of it runs, its syntax tree is checked: functions whose bodies are expressions
 of the language (``+ − * / **``, derivatives, the operands of an argument, products of vectors) and calls of functions
-that stand above them. What is read is compiled and run without any of Python's built-in names, so that nothing can be
+defined above them. The checked code is compiled and run without any of Python's built-in names, so that nothing can be
 reached that is not named here.
 """
 
@@ -41,10 +41,10 @@ LANGUAGE: dict[str, Callable[..., Any]] = {
     "triple": triple,
     "wronskian": wronskian,
 }
-#: Where else they are imported from.
+#: Other modules from which they may be imported.
 HOMES = {"exactspline", "exactspline.language.complex_numbers", "exactspline.language.vector"}
 TRUST = "--trust runs the file as it stands, which may do anything"
-#: Limits: of a file, of what a formula is when all it calls is written out, of powers, of derivatives, of its degree.
+#: Limits: of a file, of a formula with all calls expanded, of powers, of derivatives, of its degree.
 CHARACTERS, WRITTEN_OUT, POWER, ORDER, DEGREE, DIGITS = 200_000, 100_000, 64, 20, 2000, 200
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
 _BRANCHES = (ast.If, ast.IfExp, ast.BoolOp, ast.Compare, ast.While, ast.Match, ast.Assert, ast.Try)
@@ -53,7 +53,7 @@ _REPEATS = (ast.For, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 @dataclass
 class Checked:
-    """What is known of the functions that were read: how large each is when written out, and its degree."""
+    """The functions that were checked: the size of each with all calls expanded, and its degree."""
 
     file: str
     functions: dict[str, tuple[int, int]] = field(default_factory=dict)
@@ -62,13 +62,13 @@ class Checked:
     constants: set[str] = field(default_factory=set)
 
     def refuse(self, node: ast.AST, problem: str, remedy: str = TRUST) -> FormulaError:
-        """The error of what may not stand there, with file and line."""
+        """The error for a construct that is not allowed, with file and line."""
         return FormulaError(problem, where=f"{self.file}, line {getattr(node, 'lineno', 1)}", remedy=remedy)
 
 
 def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bool = False) -> dict[str, Formula]:
-    """The formulas of a file, checked and then run. `known` are those of other papers, by ``module:name``; with `plain`
-    functions of one argument count that nothing marks as a formula: as formulas of a curve.
+    """The formulas of a file, checked and then run. `known` are those of other papers, by ``module:name``; with
+    `plain`, unmarked functions of one argument count as formulas of a curve.
 
     >>> text = "@formula('eq. (1)', on='plane')\\ndef f(c): return det(c.p, c.p.d(1))"
     >>> formulas_of(f"from exactspline import formula, det\\n{text}", "formulas.py", {})
@@ -92,17 +92,17 @@ def _parsed(text: str, file: str) -> ast.Module:
         return ast.parse(text, file)
     except SyntaxError as error:
         raise FormulaError(
-            f"no Python: {error.msg}", where=f"{file}, line {error.lineno}", remedy="mend the syntax"
+            f"not Python:  {error.msg}", where=f"{file}, line {error.lineno}", remedy="correct the syntax"
         ) from None
     except ValueError as error:
-        raise FormulaError(f"no Python: {error}", where=file, remedy="write a text file in UTF-8") from None
+        raise FormulaError(f"not Python:  {error}", where=file, remedy="write a text file in UTF-8") from None
 
 
 def _run(tree: ast.Module, file: str, known: Mapping[str, Formula], plain: bool) -> dict[str, Formula]:
     names, read = _checked(tree, file, known)
     space: dict[str, Any] = {"__builtins__": {}, "__name__": file, **names}
     body: list[ast.stmt] = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    exec(compile(ast.Module(body, []), file, "exec"), space)  # nothing but what `_checked` has read
+    exec(compile(ast.Module(body, []), file, "exec"), space)  # nothing but what `_checked` has accepted
     own = {name: space[name] for name in read.functions if name not in names}
     if plain:
         single = {node.name for node in body if isinstance(node, ast.FunctionDef) and len(node.args.args) == 1}
@@ -111,7 +111,7 @@ def _run(tree: ast.Module, file: str, known: Mapping[str, Formula], plain: bool)
 
 
 def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple[dict[str, Any], Checked]:
-    """What a file imports, once every statement of it is read."""
+    """The imports of a file, after every statement of it is checked."""
     names: dict[str, Any] = {}
     read = Checked(file)
     for i, node in enumerate(tree.body):
@@ -223,15 +223,15 @@ def _is_plain(node: ast.AST) -> bool:
 
 
 class _Body:
-    """A walk through the body of a function. Of every expression it gives how large it is when all that it calls is
-    written out, and a bound of its degree.
+    """A walk through the body of a function. For every expression it returns the size with all calls expanded, and a
+    bound of its degree.
     """
 
     def __init__(self, read: Checked, names: dict[str, tuple[int, int]]) -> None:
         self.read, self.names, self.argument = read, names, next(iter(names), "")
 
     def size(self, node: ast.FunctionDef) -> tuple[int, int]:
-        """That of what a function returns."""
+        """The same for the value of a function."""
         body = node.body[1:] if isinstance(node.body[0], ast.Expr) and _is_text(node.body[0].value) else node.body
         *steps, last = body or [node]
         if not isinstance(last, ast.Return) or last.value is None:
@@ -249,7 +249,7 @@ class _Body:
         pairs = [(target, value)]
         if isinstance(target, ast.Tuple):
             if not isinstance(value, ast.Tuple) or len(value.elts) != len(target.elts):
-                raise self.read.refuse(node, "a value taken apart", "write a, b = v[0], v[1]")
+                raise self.read.refuse(node, "unpacking a value", "write a, b = v[0], v[1]")
             pairs = list(zip(target.elts, value.elts, strict=True))
         made = {}
         for name, given in pairs:
@@ -277,7 +277,9 @@ class _Body:
             raise self.read.refuse(node, _told(node), _instead(node))
         size, degree = handled(node)
         if size > WRITTEN_OUT:
-            raise self.read.refuse(node, f"more than {WRITTEN_OUT} operations, all calls written out", "say it shorter")
+            raise self.read.refuse(
+                node, f"more than {WRITTEN_OUT} operations, with all calls expanded", "write it in a shorter form"
+            )
         if degree > DEGREE:
             raise self.read.refuse(node, f"a degree of more than {DEGREE}", "lower the powers")
         return size, degree
@@ -294,7 +296,7 @@ class _Body:
         if isinstance(node.value, float):
             raise self.read.refuse(node, f"the float {node.value!r}", f'write rational("{node.value!r}")')
         if type(node.value) is not int:
-            raise self.read.refuse(node, f"the constant {node.value!r}", 'numbers are whole, or rational("1/2")')
+            raise self.read.refuse(node, f"the constant {node.value!r}", 'numbers are integers, or rational("1/2")')
         if abs(node.value) >= 10**DIGITS:
             raise self.read.refuse(node, f"a number of more than {DIGITS} digits", "write it as a product")
         return 1, 1
@@ -329,7 +331,7 @@ class _Body:
 
     def _call(self, node: ast.Call) -> tuple[int, int]:
         if any(isinstance(arg, ast.Starred) for arg in node.args):
-            raise self.read.refuse(node, "a starred argument", "write the arguments one by one")
+            raise self.read.refuse(node, "a starred argument", "write the arguments separately")
         if isinstance(node.func, ast.Attribute) and node.func.attr == "d":
             return self._derivative(node, node.func.value)
         if not isinstance(node.func, ast.Name):
@@ -342,7 +344,7 @@ class _Body:
         if name == "formula":
             raise self.read.refuse(node, "formula marks a function", "write @formula above it")
         if node.keywords and not (name == "wronskian" and [k.arg for k in node.keywords] == ["order"]):
-            raise self.read.refuse(node, f"named arguments of {name}", "write the arguments one by one")
+            raise self.read.refuse(node, f"named arguments of {name}", "write the arguments separately")
         if name == "wronskian" and node.keywords and not _is_small(node.keywords[0].value):
             raise self.read.refuse(node, "the order of a Wronskian", "write a small whole number")
         found = [self.expression(arg) for arg in node.args]
@@ -352,7 +354,7 @@ class _Body:
 
     def _above(self, name: str) -> str:
         known = list(self.read.functions)
-        return f"functions stand above what calls them; {nearest(name, known)}" if known else "import it"
+        return f"functions are defined above those that call them; {nearest(name, known)}" if known else "import it"
 
     def _rational(self, node: ast.Call) -> tuple[int, int]:
         value = node.args[0].value if len(node.args) == 1 and isinstance(node.args[0], ast.Constant) else None
@@ -387,7 +389,7 @@ def _is_small(node: ast.expr) -> bool:
 
 
 def _told(node: ast.AST) -> str:
-    """What it is that may not stand there, in the author's terms."""
+    """A description of a construct that is not allowed, in the author's terms."""
     if isinstance(node, _BRANCHES):
         return "a formula branches"
     if isinstance(node, _REPEATS):
@@ -402,9 +404,9 @@ def _told(node: ast.AST) -> str:
 
 def _instead(node: ast.AST) -> str:
     if isinstance(node, _BRANCHES):
-        return "it is one expression, the same for every curve; cases are claims of their own"
+        return "it is one expression, the same for every curve; cases are separate claims"
     if isinstance(node, _REPEATS):
-        return "write the terms one by one"
+        return "write the terms separately"
     if isinstance(node, (ast.Import, ast.ImportFrom)):
         return 'write "from exactspline import formula, det, …"'
     return f"formulas are made of operands, + - * /, .d(k), det, dot, … and calls of formulas; {TRUST}"

@@ -18,7 +18,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.papers.formula_check import CHARACTERS, formulas_of
 
-#: What gives the formulas that others may import, by ``paper.module:name``.
+#: A function that gives the formulas that others may import, by ``paper.module:name``.
 Importable = Callable[[], Mapping[str, Formula]]
 
 
@@ -38,9 +38,9 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
 
 
 def trusted_formulas(file: Traversable) -> dict[str, Formula]:
-    """The formulas of a file that is run as it stands.
+    """The formulas of a file that is run unchecked.
 
-    Raises `FormulaError` for whatever goes wrong in it.
+    Raises `FormulaError` for any error in it.
     """
     place = str(file)
     module = run_file(Path(place))
@@ -49,9 +49,9 @@ def trusted_formulas(file: Traversable) -> dict[str, Formula]:
 
 
 def run_file(file: Path) -> ModuleType:
-    """A file of Python run as a module of its own, which is not kept.
+    """A Python file run as a temporary module.
 
-    Raises `FormulaError` for whatever goes wrong in it.
+    Raises `FormulaError` for any error in it.
     """
     spec = spec_from_file_location(f"paper_{file.stem}", file)
     if spec is None or spec.loader is None or not file.is_file():
@@ -89,14 +89,14 @@ def guarded(formula: Formula, file: str) -> Formula:
     return formula
 
 
-#: What a formula may return.
+#: The values that a formula may return.
 VALUES = "return a scalar, a vector, a quotient or a ruled surface made of operands"
 
 
 def _no_value(value: object) -> str:
-    """Why something is not a value of a formula; empty for what is one."""
+    """Why a value is not one of a formula; empty where it is."""
     if isinstance(value, CONSTANTS):
-        return f"the value is the number {value}, which says nothing of the argument"
+        return f"the value is the number {value}, which does not depend on the argument"
     if isinstance(value, Vector):
         if not len(value):
             return "the value is a vector without components"
@@ -110,7 +110,7 @@ def _no_value(value: object) -> str:
 
 
 def told(error: BaseException, file: str, name: str = "") -> FormulaError:
-    """What went wrong in a file, in its author's terms."""
+    """An error in a file, in its author's terms."""
     line = _line(error.__traceback__, file)
     problem = f"{type(error).__name__}: {' '.join(str(error).split())}"
     remedies: dict[type[BaseException], Callable[[], str]] = {

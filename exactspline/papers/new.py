@@ -1,4 +1,4 @@
-"""A new paper: a small one that works, copied into a folder of anybody."""
+"""A new paper: a small working one, copied into a user's folder."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from exactspline.errors import ClaimError
 
 #: The folder that is copied.
 TEMPLATE = "new_paper"
-#: What its Python ends in, which is not a module here.
+#: The suffix of its Python file, which is not a module here.
 TEXT = ".txt"
 
 
 def write_new_paper(folder: str | Path) -> list[Path]:
-    """Write the small paper into a folder; the files that were written.
+    """Write the small paper into a folder; return the files written.
 
     >>> import tempfile
     >>> [path.name for path in write_new_paper(Path(tempfile.mkdtemp()) / "mine")]

@@ -10,15 +10,20 @@ lift, with a third of its products.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
+from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, Kind
 from exactspline.language.vector import Vector, join, norm2
 from exactspline.programs.program import Given
 from exactspline.programs.term import Term
 from exactspline.programs.wronskian import lowest
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.values import SplineValue
+
+#: What the formulas here are evaluated on: terms of a program, or splines.
+T = TypeVar("T", Term, BSpline)
 
 
 def _as_formula(kind: Kind) -> Callable[[Callable[[Any], object]], Formula]:
@@ -26,19 +31,19 @@ def _as_formula(kind: Kind) -> Callable[[Callable[[Any], object]], Formula]:
 
 
 @_as_formula(CURVE)
-def tangent(c: Any) -> Any:
+def tangent(c: Curve[T]) -> Vector[T]:
     """γ′ times w²."""
     return c.p.d(1) if c.polynomial else Vector(*[lowest(Vector(c.w, x)) for x in c.p])
 
 
 @_as_formula(PLANE)
-def turning(c: Any) -> Any:
+def turning(c: Curve[T]) -> T:
     """``[γ′ γ″]`` times w³."""
     return lowest(tangent(c) if c.polynomial else join(c.w, c.p))
 
 
 @_as_formula(SPACE)
-def bending(c: Any) -> Any:
+def bending(c: Curve[T]) -> Vector[T]:
     """``γ′ × γ″`` times w³."""
     x, y, z = tangent(c) if c.polynomial else c.p
     beside = () if c.polynomial else (c.w,)
@@ -46,21 +51,24 @@ def bending(c: Any) -> Any:
 
 
 @_as_formula(SPACE)
-def twisting(c: Any) -> Any:
+def twisting(c: Curve[T]) -> T:
     """``[γ′ γ″ γ‴]`` times w⁴."""
-    return turning.function(c)
+    found: T = turning.function(c)
+    return found
 
 
 @_as_formula(PLANE)
-def slope(c: Any) -> Any:
+def slope(c: Curve[T]) -> T:
     """κ′ times a power of ‖γ′‖ and w⁸."""
-    return _slope([(turning(c), 2), (norm2(tangent(c)), -3)], c)
+    found: T = _slope([(turning(c), 2), (norm2(tangent(c)), -3)], c)
+    return found
 
 
 @_as_formula(SPACE)
-def space_slope(c: Any) -> Any:
+def space_slope(c: Curve[T]) -> T:
     """κκ′ times a power of ‖γ′‖ and w¹¹."""
-    return _slope([(norm2(bending(c)), 1), (norm2(tangent(c)), -3)], c)
+    found: T = _slope([(norm2(bending(c)), 1), (norm2(tangent(c)), -3)], c)
+    return found
 
 
 #: What is computed at once for a curve in the plane and in space, and how many components each value has.
@@ -70,13 +78,13 @@ INVARIANTS = frozenset(formula for own in TOGETHER.values() for formula in own)
 
 
 @_as_formula(PLANE)
-def plane_invariants(c: Any) -> Any:
+def plane_invariants(c: Curve[T]) -> Vector[T]:
     """All of a plane curve."""
     return join(*[each(c) for each in TOGETHER[2]])
 
 
 @_as_formula(SPACE)
-def space_invariants(c: Any) -> Any:
+def space_invariants(c: Curve[T]) -> Vector[T]:
     """All of a space curve."""
     return join(*[each(c) for each in TOGETHER[3]])
 
@@ -103,7 +111,7 @@ def invariants(given: Given) -> dict[Formula, SplineValue]:
     return found
 
 
-def _slope(powers: Sequence[tuple[Any, int]], c: Any) -> Any:
+def _slope(powers: Sequence[tuple[Any, int]], c: Curve[T]) -> Any:
     """``Π f · F′/F`` of ``F = w⁶ · Π fᵉ``, which is homogeneous of degree 0 on rational curves."""
     powers = powers if c.polynomial else [*powers, (c.w, 6)]
     over_u = not c.polynomial and isinstance(c.w, Term)

@@ -115,7 +115,7 @@ class PairProgram:
         loads = len(self.patches.loads)
         self._patch = compiled(self.patches.instructions.listed, outputs, loads, self.groups, [])
 
-    def on(self, given: GivenPair) -> Any:
+    def on(self, given: GivenPair) -> object:
         """The value from the splines of a pair."""
         highest = max(term.degree.s for term in self.terms)
         stride = given.stride if highest < given.stride else stride_for(highest)

@@ -14,7 +14,7 @@ from exactspline.language.vector import Vector
 T = TypeVar("T", bound=Operand)
 
 
-def terms_of(value: Any, kind: type[T]) -> list[T]:
+def terms_of(value: object, kind: type[T]) -> list[T]:
     """The terms that a value consists of.
 
     Raises `FormulaError` for what formulas of programs do not return.
@@ -32,14 +32,18 @@ def terms_of(value: Any, kind: type[T]) -> list[T]:
     )
 
 
-def rebuilt(value: Any, splines: Iterator[Any]) -> Any:
+def rebuilt(value: object, splines: Iterator[Operand]) -> object:
     """The value with splines in the place of its terms."""
+    return _rebuilt(value, splines)
+
+
+def _rebuilt(value: object, splines: Iterator[Any]) -> Any:
     if isinstance(value, RuledSurface):
-        directrix = rebuilt(value.directrix, splines)
-        return RuledSurface(directrix, rebuilt(value.generator, splines))
+        directrix = _rebuilt(value.directrix, splines)
+        return RuledSurface(directrix, _rebuilt(value.generator, splines))
     if isinstance(value, Rational):
-        numerator = rebuilt(value.numerator, splines)
+        numerator = _rebuilt(value.numerator, splines)
         return Rational(numerator, next(splines))
     if isinstance(value, Vector):
-        return Vector(*[rebuilt(part, splines) for part in value])
+        return Vector(*[_rebuilt(part, splines) for part in value])
     return next(splines)

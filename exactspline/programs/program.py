@@ -193,7 +193,8 @@ class Program:
 
     def on(self, given: Given) -> SplineValue:
         """The value from the splines of an argument."""
-        value: SplineValue = rebuilt(self.value, iter(self.splines(given)))
+        made: Any = rebuilt(self.value, iter(self.splines(given)))
+        value: SplineValue = made
         return value
 
     def splines(self, given: Given) -> list[BSpline]:
@@ -267,7 +268,8 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
         return _program(formula, given.signature).on(given)
     pair = operands_of_pair(formula.kind, argument)
     if pair is not None and (program := program_of_pair(formula, pair.signature)) is not None:
-        value = program.on(pair)
+        made: Any = program.on(pair)
+        value = made
     else:
         value = formula(argument)
     return value

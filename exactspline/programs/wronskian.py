@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from functools import cache
 from math import factorial, prod
-from typing import Any
+from typing import Any, overload
 
 from exactspline.language.formula import Formula
 from exactspline.language.vector import Vector, det
 from exactspline.programs.denominators import Denominator
 from exactspline.programs.term import Term
 from exactspline.splines import wronskian
+from exactspline.splines.bspline import BSpline
 
 
 def lowest_wronskian(vector: Vector[Term]) -> Term:
@@ -29,13 +30,18 @@ def lowest_wronskian(vector: Vector[Term]) -> Term:
         return vector[0].constant(0)
     columns = [term.partials(n, r) for term in vector]
     value: Term = det(*[Vector(*[column[i] for column in columns]) for i in range(r + 1)])
-    constant = prod(factorial(n - i) // factorial(n - r) for i in range(r + 1))
+    constant = prod(factorial(n - i) // factorial(n - r) for i in range(r))
     return value.per_width(r * (r + 1) // 2, r).over(Denominator(constant))
 
 
-def lowest(vector: Vector[Any]) -> Any:
+@overload
+def lowest(vector: Vector[Term]) -> Term: ...
+@overload
+def lowest(vector: Vector[BSpline]) -> BSpline: ...
+def lowest(vector: Vector[Term] | Vector[BSpline]) -> Term | BSpline:
     """The lowest Wronskian of terms of a program or of splines."""
-    return lowest_wronskian(vector) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(vector)
+    terms: Any = vector
+    return lowest_wronskian(terms) if isinstance(vector[0], Term) else wronskian.lowest_wronskian(terms)
 
 
 @cache

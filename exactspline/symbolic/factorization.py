@@ -29,7 +29,7 @@ from exactspline.papers import Paper, default_papers, find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
-from exactspline.readings.printing.printer import POWER
+from exactspline.readings.printing.printer import POWER, SUM
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
@@ -300,7 +300,9 @@ class _Names:
             return None
         if kind.counted == BOTH and _degree_in_surface(formula, n, self._polynomial) > NAMED_DEGREE:
             return None
-        return symbol_text(formula.symbol) or print_text.at(trace(formula, n), POWER), formula(self._argument)
+        value = formula(self._argument)
+        least = SUM if isinstance(value, Vector) else POWER  # scalars are factors of products
+        return symbol_text(formula.symbol) or print_text.at(trace(formula, n), least), value
 
 
 @cache

@@ -73,7 +73,9 @@ def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
     if asked is HODOGRAPH:
         return with_hodograph(curve), ", as u, v and h of a hodograph"
     if not isinstance(asked, CurveKind):
-        raise InapplicableError(f"one curve is no {kind}", remedy="such claims are decided for all curves")
+        raise InapplicableError(
+            f"one curve is not an example of {str(kind)!r}", remedy="such claims are decided for all curves"
+        )
     handed: Curve[BSpline] = curve
     beside = ""
     if asked.with_point:

@@ -15,6 +15,7 @@ from exactspline.language.vector import Vector
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
         return plot_function(thing.spline, ax, roots=thing, **options)
     if isinstance(thing, RuledSurface):
         return plot_ruled_surface(thing, ax=ax, **options)
+    if isinstance(thing, NurbsSurface):
+        return plot_surface(thing.S, ax, **options)
     parts = thing.numerator if isinstance(thing, Rational) else thing
     if isinstance(parts, Vector):
         draw: Callable[..., Axes] = (

@@ -16,7 +16,10 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
 if TYPE_CHECKING:
+    import numpy
     from numpy.typing import NDArray
+
+    Floats = NDArray[numpy.float64]
 
 #: Distance between lines and length of a step, as fractions of the size of the surface; the most steps of a line.
 APART, STEP, MOST = 1 / 26, 1 / 400, 1200
@@ -33,14 +36,14 @@ class Samples:
     """
 
     surface: NurbsSurface
-    us: list[Any]
-    vs: list[Any]
-    points: dict[Patch, Any]
-    signs: dict[Patch, Any]
+    us: list[Floats]
+    vs: list[Floats]
+    points: dict[Patch, Floats]
+    signs: dict[Patch, Floats]
     #: The rectangle's grid lines, points on it, and the two principal directions as doubled angles.
-    grid: tuple[Any, Any]
-    whole: Any
-    directions: tuple[Any, Any]
+    grid: tuple[Floats, Floats]
+    whole: Floats
+    directions: tuple[Floats, Floats]
 
     @classmethod
     def of(cls, surface: NurbsSurface, grid: int, least: int) -> Samples:
@@ -74,10 +77,10 @@ class Samples:
         us, vs = (np.concatenate([*[t[:-1] for t in own[:-1]], own[-1]]) for own in ts)
         return cls(surface, ts[0], ts[1], points, signs, (us, vs), whole[0, 0], _principal(np, whole))
 
-    def lifted(self, line: Iterable[tuple[float, float]]) -> NDArray[Any]:
+    def lifted(self, line: Iterable[tuple[float, float]]) -> Floats:
         """Points on the surface for points of the rectangle."""
         np: Any = library("numpy")
-        points: NDArray[Any] = np.array([_between(self.whole, *self._cell(u, v)) for u, v in line])
+        points: Floats = np.array([_between(self.whole, *self._cell(u, v)) for u, v in line])
         return points
 
     def _cell(self, u: float, v: float) -> tuple[int, int, float, float]:
@@ -168,12 +171,12 @@ def _between(values: Any, i: int, j: int, x: float, y: float) -> Any:
     return low * (1 - y) + (values[i, j + 1] * (1 - x) + values[i + 1, j + 1] * x) * y
 
 
-def lines_of_curvature(samples: Samples) -> tuple[list[Any], list[Any]]:
+def lines_of_curvature(samples: Samples) -> tuple[list[Floats], list[Floats]]:
     """The lines of both families as points of the rectangle."""
     return _family(samples, 0), _family(samples, 1)
 
 
-def _family(samples: Samples, family: int) -> list[Any]:
+def _family(samples: Samples, family: int) -> list[Floats]:
     """Lines of one family, about equally far apart on the surface."""
     np: Any = library("numpy")
     flat = samples.whole.reshape(-1, 3)

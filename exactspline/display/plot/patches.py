@@ -104,8 +104,8 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
         for run in seen.runs([[float(x) for x in surface(*p)] for p in curve]):
             ax.plot(*run.T, color=BLACK, linewidth=1.6, zorder=3)
     for places, color, marker in ((_umbilics(found), VERMILLION, "o"), (_singular(found), GREEN, "s")):
-        points = [surface(*p) for p in places]
-        dots = [p for p in points if seen.of([[float(x) for x in p]])[0]]
+        spots = [surface(*p) for p in places]
+        dots = [p for p in spots if seen.of([[float(x) for x in p]])[0]]
         _dots(ax, dots, color, marker)
     lows, highs = (pick([p for face in faces for p in face], axis=0) for pick in (np.min, np.max))
     extent = np.maximum(highs - lows, (highs - lows).max() / 1000)

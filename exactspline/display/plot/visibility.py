@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from math import cos, radians, sin
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import library
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
+    Floats = NDArray[numpy.float64]
 
 #: Cells of the buffer along the larger side, the most points that each face gives in each direction, and how far behind
 #: the nearest point something may be (a part of the size).
@@ -20,11 +26,11 @@ class Visibility:
     >>> import numpy
     >>> wall = numpy.array([[[0.0, y, z] for z in numpy.linspace(0, 1, 30)] for y in numpy.linspace(0, 1, 30)])
     >>> seen = Visibility([wall], elevation=0, azimuth=0)  # from the side of positive x
-    >>> [bool(x) for x in seen.of([(0.5, 0.5, 0.5), (-0.5, 0.5, 0.5)])]
+    >>> seen.of([(0.5, 0.5, 0.5), (-0.5, 0.5, 0.5)])
     [True, False]
     """
 
-    def __init__(self, patches: Iterable[Any], elevation: float, azimuth: float) -> None:
+    def __init__(self, patches: Iterable[Floats], elevation: float, azimuth: float) -> None:
         self.np: Any = library("numpy")
         e, a = radians(elevation), radians(azimuth)
         view = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
@@ -48,20 +54,21 @@ class Visibility:
         cells = ((points[:, :2] - self.low[:2]) / self.size * CELLS).astype(int)
         return cells.clip(0, CELLS)
 
-    def of(self, points: Any) -> Any:
+    def of(self, points: Floats | Sequence[Sequence[float]]) -> list[bool]:
         """Which of the points are seen."""
         own = self.np.asarray(points, dtype=float) @ self.frame
         cells = self._cells(own)
-        return own[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size
+        seen: list[bool] = (own[:, 2] >= self.depth[cells[:, 0], cells[:, 1]] - TOLERANCE * self.size).tolist()
+        return seen
 
-    def runs(self, points: Any) -> Iterator[Any]:
+    def runs(self, points: Floats | Sequence[Sequence[float]]) -> Iterator[Floats]:
         """The parts of a line that are seen."""
-        points = self.np.asarray(points, dtype=float)
+        own: Floats = self.np.asarray(points, dtype=float)
         start = 0
-        for seen, run in groupby(self.of(points)):
+        for seen, run in groupby(self.of(own)):
             count = len(list(run))
             if seen and count > 1:
-                yield points[start : start + count]
+                yield own[start : start + count]
             start += count
 
 

@@ -88,7 +88,8 @@ class SurfaceForms:
     @cached_property
     def lines(self) -> tuple[TensorSpline, TensorSpline, TensorSpline]:
         """The coefficients of the lines of curvature ``A du² + B du dv + C dv² = 0``, up to one positive factor."""
-        return tuple(self.scalar(f"line_coefficient_{which}_lifted") for which in ("uu", "uv", "vv"))  # type: ignore[return-value]
+        uu, uv, vv = (self.scalar(f"line_coefficient_{which}_lifted") for which in ("uu", "uv", "vv"))
+        return uu, uv, vv
 
     @cached_property
     def lengths(self) -> tuple[TensorSpline, TensorSpline]:
@@ -113,9 +114,9 @@ class SurfaceForms:
 
 
 def lowest(f: TensorSpline) -> TensorSpline:
-    """The same function at the lowest degrees that it has."""
+    """The same function at the lowest degrees that it has, over the same patches; zero as it is."""
     degree, true = f.degree, f.true_degree
-    return f.reduce_degree(degree.s - max(true.s, 0), degree.t - max(true.t, 0)) if degree != true else f
+    return f.reduce_degree(degree.s - true.s, degree.t - true.t) if degree != true and min(true) >= 0 else f
 
 
 def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:

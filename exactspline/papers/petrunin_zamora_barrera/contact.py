@@ -1,4 +1,6 @@
-"""What is laid along a curve: lines, planes, circles and spheres, told of the point at s̄ for the one at s."""
+"""Objects attached to a curve at the parameter s: lines, planes, circles and spheres, as equations for the point at
+s̄.
+"""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, norm2

@@ -1,7 +1,7 @@
 """Curves on a surface: γ(t) = S(u(t), v(t)), derivatives by the chain rule.
 
-What the fundamental forms say of a direction is said here of every curve that has it, so that they can be held against
-the curvature of curves in space.
+Statements of the fundamental forms about a direction are made here for every curve with that direction, so that they
+can be compared with the curvature of curves in space.
 """
 
 from exactspline.language.formula import formula

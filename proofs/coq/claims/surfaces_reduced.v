@@ -234,3 +234,60 @@ Proof.
   { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
+
+(** S12, ours. *)
+Theorem S12_D_uu_S_uu : every_surface (fun K c =>
+  D_uu c = vmul (w c ^ 3) (S_uu c)).
+Proof.
+  apply surface_by_position; intros K x_ y_ z_ w_ C Hw.
+  pose (l := partials 2 x_ ++ partials 2 y_ ++ partials 2 z_ ++ partials 2 w_).
+  pose (r := of_parameters (grid 1 2 0 ++ grid 7 2 0 ++ grid 13 2 0 ++ grid 19 2 0) (grid 1 2 1 ++ grid 7 2 1 ++ grid 13 2 1 ++ grid 19 2 1)).
+  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
+  pose (c := Patch (homogeneous s [var 1; var 7; var 13] (var 19) [])).
+  pose (atoms := []%formula : list expr).
+  pose (known := [] : list (list nat * list nat)).
+  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
+  assert (E : map (value K l) (D_uu c : list expr)%formula = map (value K l) (vmul (w c ^ 3) (S_uu c) : list expr)%formula).
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
+  vm_cast_no_check E.
+Qed.
+
+(** S12, ours. *)
+Theorem S12_D_uv_S_uv : every_surface (fun K c =>
+  D_uv c = vmul (w c ^ 3) (S_uv c)).
+Proof.
+  apply surface_by_position; intros K x_ y_ z_ w_ C Hw.
+  pose (l := partials 2 x_ ++ partials 2 y_ ++ partials 2 z_ ++ partials 2 w_).
+  pose (r := of_parameters (grid 1 2 0 ++ grid 7 2 0 ++ grid 13 2 0 ++ grid 19 2 0) (grid 1 2 1 ++ grid 7 2 1 ++ grid 13 2 1 ++ grid 19 2 1)).
+  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
+  pose (c := Patch (homogeneous s [var 1; var 7; var 13] (var 19) [])).
+  pose (atoms := []%formula : list expr).
+  pose (known := [] : list (list nat * list nat)).
+  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
+  assert (E : map (value K l) (D_uv c : list expr)%formula = map (value K l) (vmul (w c ^ 3) (S_uv c) : list expr)%formula).
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
+  vm_cast_no_check E.
+Qed.
+
+(** S12, ours. *)
+Theorem S12_D_vv_S_vv : every_surface (fun K c =>
+  D_vv c = vmul (w c ^ 3) (S_vv c)).
+Proof.
+  apply surface_by_position; intros K x_ y_ z_ w_ C Hw.
+  pose (l := partials 2 x_ ++ partials 2 y_ ++ partials 2 z_ ++ partials 2 w_).
+  pose (r := of_parameters (grid 1 2 0 ++ grid 7 2 0 ++ grid 13 2 0 ++ grid 19 2 0) (grid 1 2 1 ++ grid 7 2 1 ++ grid 13 2 1 ++ grid 19 2 1)).
+  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
+  pose (c := Patch (homogeneous s [var 1; var 7; var 13] (var 19) [])).
+  pose (atoms := []%formula : list expr).
+  pose (known := [] : list (list nat * list nat)).
+  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
+  assert (E : map (value K l) (D_vv c : list expr)%formula = map (value K l) (vmul (w c ^ 3) (S_vv c) : list expr)%formula).
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
+  vm_cast_no_check E.
+Qed.
