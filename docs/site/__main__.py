@@ -60,6 +60,7 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     """All pages and their contents list."""
     for file in (HERE / "conf.py", HERE / "icon.svg", *DOCS.glob("*.md")):
         shutil.copy(file, source)
+    shutil.copytree(DOCS / "pictures", source / "pictures")
     shutil.copytree(PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"))
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
