@@ -199,7 +199,7 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     assert (tmp_path / "all" / "Base.v").is_file()
     refused = run("inspect", "cubic_s", "circle", "--emit-coq", file)
     assert refused.returncode == 2
-    assert "one file a curve" in refused.stderr
+    assert "one file per curve" in refused.stderr
 
 
 def run(*arguments: object) -> subprocess.CompletedProcess[str]:
