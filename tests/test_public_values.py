@@ -97,6 +97,7 @@ RETURNED = {
     "paper": lambda: xs.paper("lifted"),
     "parse_degree": lambda: xs.parse_degree("max(9d - 6, 12d)"),
     "product_tables": lambda: xs.product_tables(T, T),
+    "patch_table": lambda: [row() for row in xs.patch_table([xs.paper("surfaces").find("parabolic")], (2, 2))],
     "prove": lambda: xs.prove("f1", "f2", "w"),
     "proved": lambda: xs.proved(xs.select_claims(["C4.1a"])[0]),
     "read": lambda: xs.read(POINTS),
@@ -113,6 +114,7 @@ RETURNED = {
     "trace": lambda: xs.trace(xs.find("f2")),
     "trimmed_bisector": lambda: xs.trimmed_bisector(LINE, (0, 2)),
     "verify": lambda: xs.verify("f1", "f2", SPLINE, "w"),
+    "variants_table": lambda: xs.variants_table(xs.paper("lifted")),
     # values of a formula in each reading
     "in jets": lambda: own_formula(xs.JetReading(2).argument(PLANE, 2)),
     "in fractions": lambda: own_formula(xs.jets_for((own_formula,), 2)),
@@ -128,7 +130,14 @@ COVERED = {
     *("example", "example_names", "example_surface", "example_surface_names", "load", "load_surface", "save"),
     *("save_surface", "surface_from_text", "write", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),
     *("load_paper", "select_claims", "measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),
-    *("symbolic_table", "verdicts", "new_figure", "jacobian_sign", *(f"figure_{i}" for i in range(1, 7))),
+    *(
+        "symbolic_table",
+        "verdicts",
+        "new_figure",
+        "jacobian_sign",
+        "surface_figure",
+        *(f"figure_{i}" for i in range(1, 7)),
+    ),
 }
 
 
