@@ -42,7 +42,6 @@ DOCUMENTS = {
     "inspect surface": ["inspect", "monkey_saddle", "folded_map", "--json"],
     "bisector": ["bisector", "ellipse", "--point=-1,1/3", "--json"],
     "conditioning": ["conditioning", "ellipse_skew", "--json"],
-    "inspect surface": ["inspect", "torus", "--json"],
     "curves": ["curves", "--json"],
     "surfaces": ["curves", "--surfaces", "--json"],
     "glossary": ["glossary", "--json"],

@@ -13,7 +13,6 @@ import sys
 from collections.abc import Iterable, Sequence
 from ctypes.util import find_library
 from functools import cache
-from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
@@ -147,7 +146,9 @@ def _pyvista() -> Any:
     # off screen no X server is needed, and no warning about a missing one
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-    return import_module("pyvista")
+    import pyvista
+
+    return pyvista
 
 
 class _Seen:
