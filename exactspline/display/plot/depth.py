@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import sys
+import warnings
 from collections.abc import Iterable, Sequence
 from ctypes.util import find_library
 from functools import cache
@@ -146,7 +147,10 @@ def _pyvista() -> Any:
     # off screen no X server is needed, and no warning about a missing one
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-    import pyvista
+    with warnings.catch_warnings():
+        # in a notebook without widgets it warns of progress bars, which are not shown
+        warnings.simplefilter("ignore")
+        import pyvista
 
     return pyvista
 
