@@ -19,9 +19,15 @@ from exactspline.roots.root import Root
 from tests.bisector_oracle import FAMILIES, bezier, spans
 from tests.test_bisector_pairs import random_pair
 
-mpmath.mp.dps = 60
-NEAR = mpmath.mpf(10) ** -25
-SMALL = mpmath.mpf(10) ** -45
+with mpmath.workdps(60):
+    NEAR = mpmath.mpf(10) ** -25
+    SMALL = mpmath.mpf(10) ** -45
+
+
+@pytest.fixture(autouse=True)
+def sixty_digits():
+    with mpmath.workdps(60):
+        yield
 
 
 # ---- the oracle
