@@ -262,6 +262,17 @@ def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
     return True
 
 
+def nodes(tree: Node) -> Iterator[Node]:
+    """All nodes of a tree, each once."""
+    seen, todo = set[int](), [tree]
+    while todo:
+        node = todo.pop()
+        if id(node) not in seen:
+            seen.add(id(node))
+            todo += node.args
+            yield node
+
+
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
     """The tree of a formula.
 

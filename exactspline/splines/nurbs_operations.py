@@ -1,19 +1,22 @@
 """Operations that change all splines of a curve in the same way, and its images under linear, affine and projective
-maps. Functions behind the methods of `Nurbs`.
+maps. Functions behind the methods of `Nurbs`; the maps serve surfaces too.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq
+from exactspline.language.operand import Operand
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_row
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
+
+T = TypeVar("T", bound=Operand)
 
 
 def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
@@ -24,8 +27,17 @@ def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
 
 def transformed(curve: Nurbs, matrix: Sequence[Sequence[Number]]) -> Nurbs:
     """The image under the map with this matrix (see `Nurbs.transform`)."""
+    image, w = mapped(list(curve.p), curve.w, matrix, polynomial=curve.polynomial)
+    return type(curve).from_splines(image, w, name=curve.name)
+
+
+def mapped(p: Sequence[T], w: T, matrix: Sequence[Sequence[Number]], *, polynomial: bool) -> tuple[list[T], T | None]:
+    """Numerator and denominator (None for 1) of the image of p/w under a linear, an affine or a projective map.
+
+    Raises `ShapeError` for a matrix of another shape.
+    """
     rows = [exact_row(row, f"matrix[{i}]") for i, row in enumerate(matrix)]
-    n = curve.dimension
+    n = len(p)
     shapes = {(len(rows), len(row)) for row in rows}
     projective, affine = shapes == {(n + 1, n + 1)}, shapes == {(n, n + 1)}
     linear = len(shapes) == 1 and len(rows) >= 2 and len(rows[0]) == n
@@ -35,13 +47,13 @@ def transformed(curve: Nurbs, matrix: Sequence[Sequence[Number]]) -> Nurbs:
             where="matrix",
             remedy=f"in R{n}: n columns (linear), {n} × {n + 1} (affine) or {n + 1} × {n + 1} (projective)",
         )
-    coordinates: list[BSpline] = [*curve.p, *([] if linear else [curve.w])]
+    coordinates = [*p, *([] if linear else [w])]
     image = [_combination(row, coordinates) for row in rows]
-    w = image.pop() if projective else None if curve.polynomial else curve.w
-    return type(curve).from_splines(image, w, name=curve.name)
+    denominator = image.pop() if projective else None if polynomial else w
+    return image, denominator
 
 
-def _combination(factors: Sequence[mpq], splines: Sequence[BSpline]) -> BSpline:
+def _combination(factors: Sequence[mpq], splines: Sequence[T]) -> T:
     first, *rest = [f.scaled(factor) for factor, f in zip(factors, splines, strict=True)]
     for f in rest:
         first = first + f

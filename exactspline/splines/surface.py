@@ -15,9 +15,10 @@ from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
-from exactspline.splines.control_points import Point, exact_points, exact_row, exact_weights, lifted, projected
+from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.nurbs_operations import mapped
 from exactspline.splines.surface_weight import check_weight
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
@@ -283,33 +284,13 @@ class NurbsSurface(Immutable, Surface[TensorSpline]):
 
         Raises `ShapeError` for a matrix of another shape, and `WeightError` where the image passes through infinity.
         """
-        rows = [exact_row(row, f"matrix[{i}]") for i, row in enumerate(matrix)]
-        n = self.dimension
-        shapes = {(len(rows), len(row)) for row in rows}
-        projective, affine = shapes == {(n + 1, n + 1)}, shapes == {(n, n + 1)}
-        linear = len(shapes) == 1 and len(rows) >= 2 and len(rows[0]) == n
-        if not (projective or affine or linear):
-            raise ShapeError(
-                f"a matrix of rows of {sorted({len(row) for row in rows})} entries, {len(rows)} of them",
-                where="matrix",
-                remedy=f"in R{n}: n columns (linear), {n} × {n + 1} (affine) or {n + 1} × {n + 1} (projective)",
-            )
-        coordinates = [*self.p, *([] if linear else [self.w])]
-        image = [_combination(row, coordinates) for row in rows]
-        w = image.pop() if projective else None if self.polynomial else self.w
+        image, w = mapped(list(self.p), self.w, matrix, polynomial=self.polynomial)
         return NurbsSurface.from_splines(image, w, name=self.name)
 
     def _changed(self, change: Callable[[TensorSpline], TensorSpline]) -> NurbsSurface:
         """The surface of the changed splines; the change keeps constants."""
         w = None if self.polynomial else change(self.w)
         return NurbsSurface.from_splines(map(change, self.p), w, name=self.name)
-
-
-def _combination(factors: Sequence[mpq], splines: Sequence[TensorSpline]) -> TensorSpline:
-    first, *rest = [f.scaled(factor) for factor, f in zip(factors, splines, strict=True)]
-    for f in rest:
-        first = first + f
-    return first
 
 
 def _checked_net(given: object, rows: int, columns: int) -> Net:

@@ -16,7 +16,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, Operation, trace
+from exactspline.readings.tree import Node, Operation, nodes, trace
 from exactspline.symbolic.assumptions import Assumption, assumption
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim
@@ -61,14 +61,9 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
 
 
 def _divided_by(tree: Node) -> Iterator[Node]:
-    seen, todo = set[int](), [tree]
-    while todo:
-        node = todo.pop()
-        if id(node) not in seen:
-            seen.add(id(node))
-            todo += node.args
-            if node.op is Operation.OVER and node.args[1].op is not Operation.NUMBER:
-                yield node.args[1]
+    for node in nodes(tree):
+        if node.op is Operation.OVER and node.args[1].op is not Operation.NUMBER:
+            yield node.args[1]
 
 
 def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly]:

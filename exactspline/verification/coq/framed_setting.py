@@ -20,11 +20,11 @@ from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
 from exactspline.language.surface_kind import FormsKind, SurfaceKind
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, Operation
+from exactspline.readings.tree import Node, Operation, nodes
 from exactspline.verification.coq.ruled_settings import HodographSetting, ImplicitSetting
 from exactspline.verification.coq.settings import Setting
 from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceSetting
-from exactspline.verification.coq.terms import leaves, nodes
+from exactspline.verification.coq.terms import leaves
 
 #: The roots of a frame, the innermost last.
 ROOTS = ("sigma", "rho")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from importlib import resources
 
@@ -11,7 +11,7 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.formula import Formula
 from exactspline.language.operand import Constant
-from exactspline.readings.tree import Node, Operation
+from exactspline.readings.tree import Node, Operation, nodes
 
 #: How tightly an operation binds.
 SUM, PRODUCT, UNARY, POWER, APPLICATION, ATOM = range(6)
@@ -195,17 +195,6 @@ def number(value: Constant) -> tuple[str, int]:
 def integer(value: int) -> str:
     """An integer, in parentheses where it is negative."""
     return f"({value})" if value < 0 else str(value)
-
-
-def nodes(tree: Node) -> Iterator[Node]:
-    """All nodes of a tree, each once."""
-    seen, todo = set[int](), [tree]
-    while todo:
-        node = todo.pop()
-        if id(node) not in seen:
-            seen.add(id(node))
-            todo += node.args
-            yield node
 
 
 def leaves(tree: Node) -> set[str]:
