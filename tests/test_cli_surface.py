@@ -1,12 +1,16 @@
 """``inspect`` of surfaces, and the list of them, as a user sees them."""
 
 import json
+import os
+import re
+import subprocess
+import sys
 
 import jsonschema
 import pytest
 from typer.testing import CliRunner
 
-from exactspline import example_surface, save_surface
+from exactspline import example_surface, inspect_surface, save_surface
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.cli.schema import schema_of
@@ -92,3 +96,27 @@ def test_what_is_not_drawn(tmp_path):
 def test_the_help_speaks_of_surfaces():
     assert "surface" in run("inspect", "--help").output
     assert "surface" in run("curves", "--help").output
+
+
+def test_a_page_that_turns_has_the_regions_the_parabolic_curve_and_the_umbilics(tmp_path):
+    pytest.importorskip("matplotlib")
+    path = tmp_path / "bicubic.html"
+    assert run("inspect", "bicubic", "--plot", path).exit_code == 0
+    [data] = json.loads(re.search(r"^turning\(document.*?, (\[.*\])\);$", path.read_text(), re.MULTILINE)[1])
+    assert [one["label"] for one in data["surfaces"]] == ["K > 0", "K < 0"]
+    found = inspect_surface(example_surface("bicubic"))
+    [umbilics] = [one for one in data["dots"] if one["label"] == "umbilics"]
+    assert len(umbilics["places"]) == len(found.umbilics) == 4
+    [curve] = [one for one in data["lines"] if one["label"] == "parabolic curve"]
+    # every point of the curve lies between the two colours: on faces of both there are points near it
+    cloud = {one["label"]: one["points"] for one in data["surfaces"]}
+    for place in [run[0] for run in curve["runs"]]:
+        for points in cloud.values():
+            assert min(sum((a - b) ** 2 for a, b in zip(place, p, strict=True)) for p in points) < 0.1
+
+
+def test_answers_do_not_depend_on_hashes():
+    command = [sys.executable, "-m", "exactspline", "inspect", "bicubic", "--json"]
+    seeds = [os.environ | {"PYTHONHASHSEED": seed} for seed in "123"]
+    told = {subprocess.run(command, capture_output=True, text=True, check=True, env=seed).stdout for seed in seeds}
+    assert len(told) == 1

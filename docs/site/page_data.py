@@ -13,6 +13,7 @@ from exactspline.display.figures import FIGURES
 from exactspline.display.plot.canvas import Run, sampled
 from exactspline.display.plot.html import Scene, scenes_data
 from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
+from exactspline.display.plot.turning_surface import inspected_scene
 from exactspline.papers import papers
 from exactspline.readings.degree import parse
 from exactspline.verification.claims import claims_in
@@ -21,6 +22,12 @@ from exactspline.verification.statement import statement
 
 CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
 DEGREES = range(2, 13)
+#: Inspected surfaces that turn, with their titles.
+TITLES = {
+    "torus": "Torus: its two parabolic circles",
+    "bicubic": "Bicubic patch: parabolic curves and umbilics",
+    "ellipsoid": "Ellipsoid: its four umbilics",
+}
 
 
 def write(folder: Path, ledger: list[dict[str, Any]]) -> None:
@@ -92,6 +99,10 @@ def surfaces() -> list[dict[str, Any]]:
     saddle = tensor_mesh(xs.find("bisector_symmetric")(xs.surface_pair(*lines)))
     caption = "All points as far from one line as from the other: a hyperbolic paraboloid."
     made.append(_turned("lines", "The bisector of two lines", caption, [Scene("", saddle, list(map(_runs, lines)))]))
+    for name, title in TITLES.items():
+        found = xs.inspect_surface(xs.example_surface(name))
+        caption = "Where the Gaussian curvature is positive, and where negative; lines of curvature, umbilics."
+        made.append({"name": name, "title": title, "caption": caption, "scenes": [inspected_scene(found)]})
     return made
 
 

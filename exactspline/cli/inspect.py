@@ -39,7 +39,8 @@ def inspect(
         typer.Option(
             "--plot",
             metavar="FILE",
-            help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file.",
+            help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a "
+            "surface also into an HTML page that turns.",
         ),
     ] = "",
     coordinates: Annotated[

@@ -13,6 +13,7 @@ from exactspline.errors import ExactSplineError
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
+    from exactspline.geometry.surface.inspection import SurfaceInspection
     from exactspline.splines.surface import NurbsSurface
 
 
@@ -75,8 +76,20 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str,
         return map_data(sign), map_sheet(sign)
     found = inspect_surface(surface)
     if plot:
-        from exactspline.display.plot.canvas import save
-        from exactspline.display.plot.patches import surface_figure
-
-        save(surface_figure(found), plot)
+        _drawn(found, plot)
     return surface_inspection_data(found, digits), surface_sheet(found, digits)
+
+
+def _drawn(found: SurfaceInspection, plot: str) -> None:
+    """A picture, or a page that turns."""
+    if plot.lower().endswith(".html"):
+        from exactspline.display.plot.html import page_of, save_page
+        from exactspline.display.plot.turning_surface import inspected_scene
+
+        scene = inspected_scene(found)
+        save_page(page_of([scene], scene["title"]), plot)
+        return
+    from exactspline.display.plot.canvas import save
+    from exactspline.display.plot.patches import surface_figure
+
+    save(surface_figure(found), plot)

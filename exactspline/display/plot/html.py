@@ -26,6 +26,8 @@ ISOLINES, DARK = (7, 24), "#24556F"
 ROOM = mpq(1, 20)
 #: Significant digits of the coordinates on a page.
 DIGITS = 5
+#: A point as it comes: exact, or from a grid of doubles.
+Place = Iterable[mpq | float]
 
 
 class SurfaceData(TypedDict):
@@ -91,21 +93,21 @@ class Scene:
         """
         points, faces = self.mesh.indexed
         net = self.mesh.net
-        lines = [_line("isolines", DARK, 0.7, self.mesh.isolines(*ISOLINES))]
-        lines += [_line("control net", GREEN, 1, net)] if net else []
+        lines = [line_of("isolines", DARK, 0.7, self.mesh.isolines(*ISOLINES))]
+        lines += [line_of("control net", GREEN, 1, net)] if net else []
         lines += [
-            _line(name.replace("_", " "), color, 3, runs)
+            line_of(name.replace("_", " "), color, 3, runs)
             for (name, runs), color in zip(self.curves, cycle((BLACK, VERMILLION)), strict=False)
         ]
-        dots = [_dots("control points", BLUE, 5, dict.fromkeys(p for run in net for p in run))] if net else []
-        dots += [_dots(name, GREY, 13, [p]) for name, p in self.points]
+        dots = [dots_of("control points", BLUE, 5, dict.fromkeys(p for run in net for p in run))] if net else []
+        dots += [dots_of(name, GREY, 13, [p]) for name, p in self.points]
         box = box or self.box
         return {
             "title": self.title,
-            "box": _places(box),
+            "box": places_of(box),
             "ticks": [[_rounded(x) for x in three_ticks(*ends)] for ends in zip(*box, strict=True)],
             "surfaces": [
-                {"label": "surface", "color": SKY, "points": _places(points), "faces": [list(face) for face in faces]}
+                {"label": "surface", "color": SKY, "points": places_of(points), "faces": [list(face) for face in faces]}
             ],
             "lines": lines,
             "dots": dots,
@@ -118,19 +120,22 @@ def scenes_data(scenes: Sequence[Scene]) -> list[SceneData]:
     return [scene.data(box) for scene in scenes]
 
 
-def _dots(label: str, color: str, size: float, places: Iterable[Point]) -> DotData:
-    return {"label": label, "color": color, "size": size, "places": _places(places)}
+def dots_of(label: str, color: str, size: float, places: Iterable[Place]) -> DotData:
+    """Dots of one kind, as data."""
+    return {"label": label, "color": color, "size": size, "places": places_of(places)}
 
 
-def _line(label: str, color: str, width: float, runs: Iterable[Run]) -> LineData:
-    return {"label": label, "color": color, "width": width, "runs": [_places(run) for run in runs]}
+def line_of(label: str, color: str, width: float, runs: Iterable[Iterable[Place]]) -> LineData:
+    """Lines of one kind, as data."""
+    return {"label": label, "color": color, "width": width, "runs": [places_of(run) for run in runs]}
 
 
-def _places(points: Iterable[Point]) -> list[list[float]]:
+def places_of(points: Iterable[Place]) -> list[list[float]]:
+    """Points in doubles of a few digits."""
     return [[_rounded(x) for x in point] for point in points]
 
 
-def _rounded(x: mpq) -> float:
+def _rounded(x: mpq | float) -> float:
     short = float(f"{float(x):.{DIGITS}g}")
     return int(short) if short == int(short) else short
 
@@ -146,9 +151,14 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
     >>> "<script src=" in page, "tangents" in page
     (False, True)
     """
+    return page_of(scenes_data(scenes), title)
+
+
+def page_of(scenes: Sequence[SceneData], title: str) -> str:
+    """The page of scenes that are data already."""
     here = files("exactspline.display.plot")
     script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
-    data = json.dumps(scenes_data(scenes), ensure_ascii=False).replace("<", "\\u003c")
+    data = json.dumps(scenes, ensure_ascii=False).replace("<", "\\u003c")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>

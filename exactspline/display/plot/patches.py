@@ -48,7 +48,7 @@ def surface_figure(found: SurfaceInspection) -> Figure:
     grid = figure.add_gridspec(1, 2, width_ratios=(1.35, 1))
     space, plane = figure.add_subplot(grid[0], projection="3d"), figure.add_subplot(grid[1])
     samples = Samples.of(found.surface, GRID, LEAST)
-    lines = lines_of_curvature(samples) if _has_lines(found) else ([], [])
+    lines = lines_of_curvature(samples) if has_lines(found) else ([], [])
     _in_space(space, found, samples, lines)
     _in_the_plane(plane, found, samples, lines)
     figure.suptitle(found.surface.name.replace("_", " ") or "surface")
@@ -56,7 +56,7 @@ def surface_figure(found: SurfaceInspection) -> Figure:
     return figure
 
 
-def _has_lines(found: SurfaceInspection) -> bool:
+def has_lines(found: SurfaceInspection) -> bool:
     """Whether lines of curvature are determined on some patch."""
     none = (PatchKind.PLANAR, PatchKind.CURVE, PatchKind.POINT)
     return any(not one.umbilics.everywhere and one.kind not in none for one in found.patches)
@@ -65,7 +65,7 @@ def _has_lines(found: SurfaceInspection) -> bool:
 # ---- colours
 
 
-def _colour(one: PatchInspection, sign: float) -> str:
+def colour_of(one: PatchInspection, sign: float) -> str:
     """The colour of a face: by what was proved of its patch; where K has both signs, by the sign at its middle."""
     if one.kind in (PatchKind.ELLIPTIC, PatchKind.ELLIPTIC_BUT, PatchKind.SPHERICAL):
         return ELLIPTIC
@@ -87,7 +87,7 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
                 corner = [tuple(points[k, h]) for k, h in ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j))]
                 faces.append(corner)
                 middle = signs[i : i + 2, j : j + 2].mean()
-                shades.append(shaded(corner, to_rgb(_colour(one, middle))))
+                shades.append(shaded(corner, to_rgb(colour_of(one, middle))))
     collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
     ax.add_collection3d(
         collection(faces, facecolors=shades, edgecolors=shades, linewidths=0.2, rasterized=True, zorder=1)
@@ -100,10 +100,10 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
             for run in seen.runs(samples.lifted(line)):
                 ax.plot(*run.T, color=color, linewidth=0.5, zorder=2)
     surface = found.surface
-    for curve in [*_curves(found), *_lines(found)]:
+    for curve in parabolic_runs(found):
         for run in seen.runs([[float(x) for x in surface(*p)] for p in curve]):
             ax.plot(*run.T, color=BLACK, linewidth=1.6, zorder=3)
-    for places, color, marker in ((_umbilics(found), VERMILLION, "o"), (_singular(found), GREEN, "s")):
+    for places, color, marker in ((umbilic_spots(found), VERMILLION, "o"), (singular_spots(found), GREEN, "s")):
         spots = [surface(*p) for p in places]
         dots = [p for p in spots if seen.of([[float(x) for x in p]])[0]]
         _dots(ax, dots, color, marker)
@@ -123,17 +123,17 @@ def _in_the_plane(ax: Axes, found: SurfaceInspection, samples: Samples, lines: A
             largest = abs(signs).max() or 1.0
             ax.contourf(us, vs, signs.T / largest, levels=[-2, 0, 2], colors=[HYPERBOLIC, ELLIPTIC], zorder=1)
         else:
-            ax.fill_between([us[0], us[-1]], vs[0], vs[-1], color=_colour(one, 1.0), linewidth=0, zorder=1)
+            ax.fill_between([us[0], us[-1]], vs[0], vs[-1], color=colour_of(one, 1.0), linewidth=0, zorder=1)
     for family, color in zip(lines, (GREY, "white"), strict=True):
         for line in family:
             ax.plot(line[:, 0], line[:, 1], color=color, linewidth=0.5, zorder=2)
     for k, mesh in enumerate(found.surface.meshes):
         for t in mesh.breaks[1:-1]:
             (ax.axvline if k == 0 else ax.axhline)(float(t), color="white", linewidth=0.8, linestyle=":", zorder=2.5)
-    for run in [*_curves(found), *_lines(found)]:
+    for run in parabolic_runs(found):
         draw(ax, run, color=BLACK, linewidth=1.6, zorder=3)
-    _dots(ax, list(_umbilics(found)), VERMILLION, "o")
-    _dots(ax, list(_singular(found)), GREEN, "s")
+    _dots(ax, list(umbilic_spots(found)), VERMILLION, "o")
+    _dots(ax, list(singular_spots(found)), GREEN, "s")
     (a, b), (c, d) = found.surface.domain
     ax.set_xlim(float(a), float(b))
     ax.set_ylim(float(c), float(d))
@@ -142,6 +142,12 @@ def _in_the_plane(ax: Axes, found: SurfaceInspection, samples: Samples, lines: A
 
 
 # ---- what was certified
+
+
+def parabolic_runs(found: SurfaceInspection) -> Iterator[list[Point]]:
+    """All parabolic curves, in the parameters of the surface."""
+    yield from _curves(found)
+    yield from _lines(found)
 
 
 def _curves(found: SurfaceInspection) -> Iterator[list[Point]]:
@@ -161,11 +167,13 @@ def _lines(found: SurfaceInspection) -> Iterator[list[Point]]:
         yield [(t, line.value) if line.along is Along.U else (line.value, t) for t in ts]
 
 
-def _umbilics(found: SurfaceInspection) -> Iterator[Point]:
+def umbilic_spots(found: SurfaceInspection) -> Iterator[Point]:
+    """The umbilics, in the parameters of the surface."""
     return (_middle(umbilic.place) for umbilic in found.umbilics)
 
 
-def _singular(found: SurfaceInspection) -> Iterator[Point]:
+def singular_spots(found: SurfaceInspection) -> Iterator[Point]:
+    """The singular points, in the parameters of the surface."""
     return map(_middle, found.singular_points)
 
 

@@ -9,7 +9,7 @@ box exists: there the critical point is certified, and shown to be of one of the
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -95,7 +95,8 @@ class ZeroCurve:
         #: Boxes in which the curve is not resolved.
         self.undecided: list[Box] = []
         self._lines: dict[tuple[int, mpq], list[Root]] = {}
-        self._vertices: set[Vertex] = set()
+        #: In the order in which they are found: answers do not depend on hashes.
+        self._vertices: dict[Vertex, None] = {}
         self._arcs: list[Arc] = []
         self._crossings: list[tuple[Cell, list[Vertex]]] = []
         self._points: list[Cell] = []
@@ -140,7 +141,7 @@ class ZeroCurve:
             events.update(self._zeros_on(direction, value, (c, d)))
         for value in (c, d):
             events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, (a, b))})
-        self._vertices.update(events)
+        self._vertices.update(dict.fromkeys(events))
         places = sorted(events.items(), key=lambda pair: _Key(pair[1]))
         for (first, low), (last, high) in pairwise(places):
             middle = between(low, high)
@@ -253,7 +254,7 @@ class _Key:
 class _Joined:
     """Which vertices belong together."""
 
-    vertices: set[Vertex]
+    vertices: Iterable[Vertex]
     parents: dict[Vertex, Vertex] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -1,0 +1,103 @@
+"""An inspected surface for pages that turn: coloured by the sign of its curvature, with parabolic curves, lines of
+curvature and umbilics.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from exactspline.display.plot.canvas import BLACK, GREEN, GREY, VERMILLION
+from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
+from exactspline.display.plot.frames import box_around, grown, three_ticks
+from exactspline.display.plot.html import ROOM, DotData, LineData, SceneData, SurfaceData, dots_of, line_of, places_of
+from exactspline.display.plot.patches import (
+    ELLIPTIC,
+    FLAT,
+    GRID,
+    HYPERBOLIC,
+    LEAST,
+    colour_of,
+    has_lines,
+    parabolic_runs,
+    singular_spots,
+    umbilic_spots,
+)
+from exactspline.exact import from_float
+from exactspline.geometry.surface.inspection import PatchInspection, SurfaceInspection
+from exactspline.geometry.surface.signs import Point
+
+#: What the colours of faces say.
+LABELS = {ELLIPTIC: "K > 0", HYPERBOLIC: "K < 0", FLAT: "K = 0"}
+
+
+def inspected_scene(found: SurfaceInspection) -> SceneData:
+    """A surface that was inspected, as the data of a scene that turns.
+
+    >>> from exactspline import example_surface, inspect_surface
+    >>> scene = inspected_scene(inspect_surface(example_surface("torus")))
+    >>> [one["label"] for one in scene["surfaces"]], [one["label"] for one in scene["lines"]]
+    (['K > 0', 'K < 0'], ['lines of curvature', 'lines of curvature', 'parabolic curve'])
+
+    Raises `PlotError` without matplotlib, whose arrays it samples with.
+    """
+    samples = Samples.of(found.surface, GRID, LEAST)
+    surfaces = list(_surfaces(found, samples))
+    box = grown(box_around([tuple(from_float(float(x)) for x in p) for one in surfaces for p in one["points"]]), ROOM)
+    return {
+        "title": found.surface.name.replace("_", " ") or "surface",
+        "box": places_of(box),
+        "ticks": places_of(three_ticks(*ends) for ends in zip(*box, strict=True)),
+        "surfaces": surfaces,
+        "lines": list(_lines(found, samples)),
+        "dots": list(_dots(found)),
+    }
+
+
+def _surfaces(found: SurfaceInspection, samples: Samples) -> Iterator[SurfaceData]:
+    """The faces of each colour, with the points that they need."""
+    for colour, label in LABELS.items():
+        points: list[list[float]] = []
+        known: dict[tuple[int, int, int], int] = {}
+        faces = []
+        for which, one in enumerate(found.patches):
+            own = samples.points[one.patch]
+            for i, j in _faces(one, samples, colour):
+                face = []
+                for k, h in ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)):
+                    if (which, k, h) not in known:
+                        known[which, k, h] = len(points)
+                        points += places_of([own[k, h]])
+                    face.append(known[which, k, h])
+                faces.append(face)
+        if faces:
+            yield {"label": label, "color": colour, "points": points, "faces": faces}
+
+
+def _faces(one: PatchInspection, samples: Samples, colour: str) -> Iterator[tuple[int, int]]:
+    """The faces of a patch that have a colour."""
+    signs = samples.signs[one.patch]
+    for i in range(signs.shape[0] - 1):
+        for j in range(signs.shape[1] - 1):
+            if colour_of(one, float(signs[i : i + 2, j : j + 2].mean())) == colour:
+                yield i, j
+
+
+def _lines(found: SurfaceInspection, samples: Samples) -> Iterator[LineData]:
+    families = lines_of_curvature(samples) if has_lines(found) else ([], [])
+    # a page shows the colour of the last of one label
+    for family, colour in zip(families[::-1], ("#ffffff", GREY), strict=True):
+        if family:
+            yield line_of("lines of curvature", colour, 1, [samples.lifted(line) for line in family])
+    if runs := list(parabolic_runs(found)):
+        yield line_of("parabolic curve", BLACK, 3, [_on(found, run) for run in runs])
+
+
+def _dots(found: SurfaceInspection) -> Iterator[DotData]:
+    marked = (("umbilics", VERMILLION, umbilic_spots), ("singular points", GREEN, singular_spots))
+    for label, colour, spots in marked:
+        if places := list(spots(found)):
+            yield dots_of(label, colour, 12, _on(found, places))
+
+
+def _on(found: SurfaceInspection, parameters: Iterable[Point]) -> Sequence[Sequence[float]]:
+    return [[float(x) for x in found.surface(u, v)] for u, v in parameters]
