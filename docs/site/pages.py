@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -35,7 +36,7 @@ def reference(folder: Path) -> list[str]:
     for number, (heading, names) in enumerate(topics().items(), 1):
         title = heading.capitalize()
         blocks = [f"# {title}", *(_documented(name) for name in names)]
-        page = f"reference/{number:02}-{heading.split()[0]}"
+        page = f"reference/{number:02}-{'-'.join(re.findall('[a-z]+', heading.lower()))}"
         (folder.parent / f"{page}.md").write_text("\n\n".join(blocks) + "\n", encoding="utf-8")
         pages.append(page)
     return pages
