@@ -156,11 +156,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         """Whether both are the same function on the same domain, whatever their knots, degrees and weights."""
         if not isinstance(other, Nurbs):
             return NotImplemented
-        if self is other:
-            return True
-        if self.dimension != other.dimension or self.domain != other.domain:
-            return False
-        return all((x * other.w - y * self.w).is_zero for x, y in zip(self.p, other.p, strict=True))
+        return self is other or operations.same_function(self, other)
 
     def __hash__(self) -> int:
         a, b = self.domain

@@ -15,6 +15,7 @@ from exactspline.splines.control_points import exact_row
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
+    from exactspline.splines.surface import NurbsSurface
 
 T = TypeVar("T", bound=Operand)
 
@@ -23,6 +24,14 @@ def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
     """The curve of the changed splines, with the name of the old one; the change keeps constants."""
     w = None if curve.polynomial else change(curve.w)
     return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
+
+
+def same_function(one: Nurbs | NurbsSurface, other: Nurbs | NurbsSurface) -> bool:
+    """Whether two curves, or two surfaces, are one function on one domain."""
+    if one.dimension != other.dimension or one.domain != other.domain:
+        return False
+    w, v = one.w, other.w
+    return all((x * v - y * w).is_zero for x, y in zip(one.p, other.p, strict=True))
 
 
 def transformed(curve: Nurbs, matrix: Sequence[Sequence[Number]]) -> Nurbs:

@@ -18,7 +18,7 @@ from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.nurbs_operations import mapped
+from exactspline.splines.nurbs_operations import mapped, same_function
 from exactspline.splines.surface_weight import check_weight
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
@@ -139,11 +139,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline]):
         """Whether both are the same function on the same rectangle, whatever their knots, degrees and weights."""
         if not isinstance(other, NurbsSurface):
             return NotImplemented
-        if self is other:
-            return True
-        if self.dimension != other.dimension or self.domain != other.domain:
-            return False
-        return all((x * other.w - y * self.w).is_zero for x, y in zip(self.p, other.p, strict=True))
+        return self is other or same_function(self, other)
 
     def __hash__(self) -> int:
         (a, b), (c, d) = self.domain
