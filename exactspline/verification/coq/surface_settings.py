@@ -126,9 +126,7 @@ class SurfaceCurveSetting(Setting):
     @property
     def rules(self) -> str:
         """What the derivatives of the jets are: by u, by v, and along the curve."""
-        by_u, by_v = (
-            [f"grid {self.position(name)} {self.order} {i}" for name in self._coordinates] for i in (0, 1)
-        )
+        by_u, by_v = ([f"grid {self.position(name)} {self.order} {i}" for name in self._coordinates] for i in (0, 1))
         along = [f"chain {self.position(name)} {self.order}" for name in self._route]
         paces = " ".join(str(self.position(name, 1)) for name in self._route)
         along += [f"chained {self.position(name)} {self.order} {paces}" for name in self._coordinates]
