@@ -161,11 +161,15 @@ class Part:
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
         if self.is_zero:
             return Degree.number(-1)
-        total = generic_degree([c for c in self.core if not c.is_zero], self.parameter)
+        total = self._of_core
         for jet, e in powers:
             for _ in range(e):
                 total = total * generic_degree([jet], self.parameter)
         return total
+
+    @cached_property
+    def _of_core(self) -> Degree:
+        return generic_degree([c for c in self.core if not c.is_zero], self.parameter)
 
     @cached_property
     def generic_lowest(self) -> Degree:
