@@ -407,4 +407,44 @@ Definition ridges_lifted (c : patch A) : A :=
 Definition area_of_lifted_forms (c : patch A) : A :=
   E_reduced c * G_reduced c - F_reduced c ^ 2.
 
+(** first fundamental form. `E u′² + 2F u′v′ + G v′²`. *)
+Definition first_form (c : path A) : A :=
+  E_ c * der (along c) (u_of c) ^ 2 + number 2 * F c * der (along c) (u_of c) * der (along c) (v_of c) + G c * der (along c) (v_of c) ^ 2.
+
+(** second fundamental form. `L u′² + 2M u′v′ + N v′²`. *)
+Definition second_form (c : path A) : A :=
+  L c * der (along c) (u_of c) ^ 2 + number 2 * M c * der (along c) (u_of c) * der (along c) (v_of c) + N_ c * der (along c) (v_of c) ^ 2.
+
+(** J. B. Meusnier 1776. `γ″ · n`. *)
+Definition acceleration_on_normal (c : path A) : A :=
+  dot (vders (along c) 2 (gamma c)) (normal c).
+
+(** normal curvature. `II²/(I² (EG − F²))`, the same for all curves of one direction. *)
+Definition normal_curvature_squared (c : path A) : A :=
+  second_form c ^ 2 / (first_form c ^ 2 * area_squared c).
+
+(** geodesic curvature. `[γ′ γ″ n]`: zero where the curve is straight on the surface. *)
+Definition geodesic_determinant (c : path A) : A :=
+  det [vder (along c) (gamma c); vders (along c) 2 (gamma c); normal c].
+
+(** geodesic curvature. `[γ′ γ″ n]²/(I³ (EG − F²))`. *)
+Definition geodesic_curvature_squared (c : path A) : A :=
+  geodesic_determinant c ^ 2 / (first_form c ^ 3 * area_squared c).
+
+(** curvature. `κ_n² + κ_g²`. *)
+Definition curvature_from_surface (c : path A) : A :=
+  normal_curvature_squared c + geodesic_curvature_squared c.
+
+(** lines of curvature. `A u′² + B u′v′ + C v′²`. *)
+Definition line_form (c : path A) : A :=
+  line_coefficient_uu c * der (along c) (u_of c) ^ 2 + line_coefficient_uv c * der (along c) (u_of c) * der (along c) (v_of c) + line_coefficient_vv c * der (along c) (v_of c) ^ 2.
+
+(** O. Rodrigues 1816. `[n n′ γ′]`: zero where the normals along the curve form a developable surface. *)
+Definition turning_of_normal (c : path A) : A :=
+  det [normal c; vder (along c) (normal c); vder (along c) (gamma c)].
+
+(** lifted. The osculating plane of the curve against the tangent plane of the surface. *)
+Definition second_form_lifted (c : path A) : A :=
+  det [projective_lift_of_surface c; vder s (projective_lift_of_surface c); vder s_bar (projective_lift_of_surface c); vders (along c) 2 (projective_lift_of_surface c)].
+
 End Formulas.
