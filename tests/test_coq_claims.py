@@ -1,4 +1,4 @@
-"""Which claims have which theorems: every equality that holds one that says so, every one that fails one that denies it,
+"""Which claims have which theorems: every equality that holds one that says so, every one that fails one to deny it,
 and, where the ledger says what holds instead, that too.
 """
 

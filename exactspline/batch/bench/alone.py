@@ -78,9 +78,9 @@ def _sweep(count: int) -> Callable[[], object]:
     family, jobs = Family.parsed(f"degree=3 count={count}"), int(sys.argv[4])
     where = Where("processes" if jobs > 1 else "serial", jobs)
 
-    def call() -> object:
+    def call() -> None:
         with TemporaryDirectory() as folder:
-            return recorded([family], Work.of(), where, f"{folder}/lines.jsonl", Summary())
+            recorded([family], Work.of(), where, f"{folder}/lines.jsonl", Summary())
 
     return call
 
