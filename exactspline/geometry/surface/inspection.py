@@ -9,8 +9,9 @@ from enum import StrEnum
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
+from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, in_parameters, on_patch, sides_of
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.signs import Point, Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
@@ -73,6 +74,8 @@ class PatchInspection:
     signs: Signs | None
     singular: SingularPoints
     umbilics: UmbilicsOfPatch
+    #: The Gaussian curvature where it is constant.
+    curvature: mpq | None = None
     #: Edges along which K vanishes, and the parts of its other zeros.
     parabolic_edges: tuple[Edge, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
@@ -133,6 +136,12 @@ class SurfaceInspection:
         return all(one.umbilics.everywhere for one in self.patches)
 
     @property
+    def curvature(self) -> mpq | None:
+        """The Gaussian curvature where it is the same at all points of the surface."""
+        found = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
+        return found.pop() if len(found) == 1 else None
+
+    @property
     def minimal(self) -> bool:
         """Whether the mean curvature vanishes everywhere."""
         return all(one.minimal for one in self.patches)
@@ -189,19 +198,26 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         return PatchInspection(patch, sides, kind, False, None, None, singular, UmbilicsOfPatch())
     umbilics = umbilics_of_patch(forms, patch, singular)
     minimal = on_patch(forms.minimality, patch) is None
-    own = on_patch(forms.parabolic, patch)
+    own, curvature = on_patch(forms.parabolic, patch), constant_curvature(forms, patch)
     if own is None:
         flat = all(on_patch(f, patch) is None for f in forms.second)
         kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
-        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics)
+        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
+    if umbilics.everywhere:
+        assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
+        kind = PatchKind.SPHERICAL
+        return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(
         Edge(k, end)
         for (k, end), times in zip(((0, 0), (0, 1), (1, 0), (1, 1)), own.borders, strict=True)
         if times and Edge(k, end) not in singular.edges
     )
-    if umbilics.everywhere:
-        radius = 1 / _curvature_inside(forms, sides)
-        return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
+    kind, signs, curve = _sign_of(own, singular)
+    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
+
+
+def _sign_of(own: Reduced, singular: SingularPoints) -> tuple[PatchKind, Signs, ZeroCurve | None]:
+    """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
     signs = sign_on_patch(form)
     curve = None
@@ -214,19 +230,12 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     kind = _BY_SIGN[signs.sign]
     if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(form)):
         kind = PatchKind.ELLIPTIC_BUT if signs.positive else PatchKind.HYPERBOLIC_BUT
-    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, edges, curve)
+    return kind, signs, curve
 
 
 def _keeps_sign(form: PatchForm) -> bool:
     """Whether a form has one sign on a patch where it is not zero: its factors of odd power have."""
     return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
-
-
-def _curvature_inside(forms: SurfaceForms, sides: Box) -> mpq:
-    """K at a point inside a patch."""
-    (a, b), (c, d) = sides
-    value: mpq = formula("gaussian_curvature_lifted")(forms.surface)((a + b) / 2, (c + d) / 2)
-    return value
 
 
 # ---- the surface as a whole

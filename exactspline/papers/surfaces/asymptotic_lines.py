@@ -45,16 +45,16 @@ def asymptotic_discriminant(c):
 @formula("asymptotic lines", on="forms")
 def second_form_of_asymptotic(c):
     """``II(t, t)`` for the direction ``t = (√δ − M, L)``: its two parts, without √δ and with it."""
-    root, L, M, N = with_root(c)
-    value = along(L, M, N, root - M, L)
+    root, second, mixed, last = with_root(c)
+    value = along(second, mixed, last, root - mixed, second)
     return join(value.plain, value.rooted)
 
 
 @formula("asymptotic lines", on="forms")
 def second_form_of_other_asymptotic(c):
     """``II(t, t)`` for ``t = (N, −M − √δ)``, in the same way."""
-    root, L, M, N = with_root(c)
-    value = along(L, M, N, N, -M - root)
+    root, second, mixed, last = with_root(c)
+    value = along(second, mixed, last, last, -mixed - root)
     return join(value.plain, value.rooted)
 
 
