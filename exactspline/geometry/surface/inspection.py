@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from itertools import product
 
 from exactspline.exact import mpq
-from exactspline.geometry.surface.borders import Edge
+from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
@@ -91,9 +92,8 @@ class PatchInspection:
     def parabolic_points(self) -> tuple[Point, ...]:
         """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
-        singular = {place.exact for place in self.singular.places}
         points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
-        return tuple((u, v) for (u, _), (v, _) in points if (u, v) not in singular)
+        return tuple((u, v) for (u, _), (v, _) in points)
 
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
@@ -202,6 +202,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     if own is None:
         flat = all(on_patch(f, patch) is None for f in forms.second)
         kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
+<<<<<<< HEAD
         return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
     if umbilics.everywhere:
         assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
@@ -218,8 +219,15 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
 
 def _sign_of(own: Reduced, singular: SingularPoints) -> tuple[PatchKind, Signs, ZeroCurve | None]:
     """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
+=======
+        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics)
+    edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
+    if umbilics.everywhere:
+        radius = 1 / _curvature_inside(forms, sides)
+        return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
+>>>>>>> w-review
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
-    signs = sign_on_patch(form)
+    signs = _of_surface(sign_on_patch(form), forms, patch)
     curve = None
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         bare = form if singular.factor is None else without_powers(form, singular.factor)
@@ -238,6 +246,37 @@ def _keeps_sign(form: PatchForm) -> bool:
     return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
 
 
+<<<<<<< HEAD
+=======
+def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
+    """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
+    area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
+    assert area is not None
+    assert own is not None
+    lines = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
+    return replace(
+        signs,
+        zeros=tuple(
+            spot
+            for spot in signs.zeros
+            if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
+        ),
+    )
+
+
+def _curvature_inside(forms: SurfaceForms, sides: Box) -> mpq:
+    """K at a point inside a patch, one with a tangent plane: ``EG − F²`` cannot vanish on a grid finer than its
+    degree.
+    """
+    value, area = formula("gaussian_curvature_lifted")(forms.surface), forms.area
+    points = product(
+        *[[a + (b - a) * mpq(k, n + 2) for k in range(1, n + 2)] for (a, b), n in zip(sides, area.degree, strict=True)]
+    )
+    found: mpq = next(value(u, v) for u, v in points if area(u, v))
+    return found
+
+
+>>>>>>> w-review
 # ---- the surface as a whole
 
 
