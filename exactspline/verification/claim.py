@@ -325,10 +325,10 @@ class Claim(Displayed):
         """The finding on one curve (or on the `Evaluation` of one)."""
         own = evaluation(curve)
         argument = own.handed(self.curve)
-        if gone := self.missing(argument):
-            return vacuous(self.claims, gone)
-        finding = self.examine(argument, own)
-        if finding.verdict == REFUTED and (failing := own.failing(self.curve, self.assumes)):
+        gone = self.missing(argument)
+        finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)
+        silent = finding.verdict == REFUTED or finding.is_vacuous
+        if silent and (failing := own.failing(self.curve, self.assumes)):
             return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
         return finding
 
