@@ -128,7 +128,12 @@ class SurfaceForms:
 
 
 def lowest(f: TensorSpline) -> TensorSpline:
-    """The same function at the lowest degrees that it has, over the same patches; zero as it is."""
+    """The same function at the lowest degrees that it has, over the same patches; zero as it is.
+
+    >>> s = TensorSpline((2, 0), [0, 0, 0, 1, 2, 2, 2], [0, 1], [[0], ["1/2"], ["3/2"], [2]])
+    >>> lowest(s).degree, len(lowest(s).meshes[0])
+    (Degrees(s=1, t=0), 2)
+    """
     degree, true = f.degree, f.true_degree
     if degree == true or min(true) < 0:
         return f
