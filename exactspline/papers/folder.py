@@ -21,7 +21,7 @@ from exactspline.papers.loading import Importable, checked_formulas, trusted_for
 try:  # compiled, and with bounds on the depth of what strangers write
     import tomli as toml
 except ModuleNotFoundError:  # in a browser
-    import tomllib as toml  # type: ignore[no-redef]
+    import tomllib as toml  # type: ignore[no-redef]  # the same functions under another name
 
 
 class Told(TypedDict):
