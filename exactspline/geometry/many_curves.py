@@ -20,7 +20,7 @@ from exactspline.exact import Rounding, double, from_floats, is_float, mpq, rati
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.filtered import AT_ONCE, filtered
 from exactspline.geometry.kinds import FeatureKind
-from exactspline.programs.doubles import UNDERFLOW, Floats
+from exactspline.programs.doubles import Floats
 from exactspline.roots.doubles import Flags, Integers
 from exactspline.splines.nurbs import Nurbs
 
@@ -28,6 +28,9 @@ from exactspline.splines.nurbs import Nurbs
 KINDS = (FeatureKind.INFLECTION, FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
 #: Whole numbers up to here are doubles.
 WHOLE = 2**53
+#: The bits of a double without its sign, and those of the least that is not subnormal, read as a whole number.
+SIZE, LEAST = 2**63 - 1, 2**52
+TINY = mpq(1, 2**1022)
 #: The rows of one curve or of many: the number of the curve, kinds, both bounds, and which form vanishes.
 Found = tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]
 
@@ -58,8 +61,8 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
     >>> found = features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)]] * 2)
     >>> found.curve.tolist(), found.kind.tolist(), found.exact.tolist()
     ([0, 0, 0, 1, 1, 1], ['inflection', 'minimum', 'maximum', 'inflection', 'minimum', 'maximum'], [])
-    >>> features_of_many([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused
-    mappingproxy({0: NumberError('points[0]: is not a finite number (write finite numbers)')})
+    >>> list(features_of_many([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused.values())
+    [NumberError('points[0]: is not a finite number; write finite numbers')]
 
     Raises `ShapeError` for arrays of another shape, `NumberError` for arrays of what are no numbers.
     """
@@ -69,8 +72,10 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
 def joined(parts: list[ManyFeatures]) -> ManyFeatures:
     """Several parts, at least one, as one."""
     refused = {i: error for part in parts for i, error in part.refused.items()}
-    columns = (np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True))
-    return ManyFeatures(*columns, MappingProxyType(refused))
+    curve, kind, low, high, exact = (
+        np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)
+    )
+    return ManyFeatures(curve, kind, low, high, exact, MappingProxyType(refused))
 
 
 def features_in_parts(
@@ -136,7 +141,7 @@ def _double(number: object, name: str) -> tuple[float, bool]:
     try:
         near = float(value)
     except OverflowError:
-        return 0.0, False
+        return 0, False
     return near, mpq(near) == value
 
 
@@ -154,7 +159,7 @@ def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
 
 def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -> ManyFeatures:
     """The features of the curves of one part."""
-    left = _subnormal(p).any(axis=(1, 2))
+    left = np.array(_subnormal(p).any(axis=(1, 2)), dtype=bool)
     if w is not None:
         left |= _subnormal(w).any(axis=1)
     found: list[Found] = []
@@ -194,8 +199,8 @@ def _subnormal(a: Floats) -> Flags:
     """Which numbers are not zero and so small that a processor may read them as zero; told by their bits, since a
     comparison reads them so, too.
     """
-    bits = np.ascontiguousarray(a).view(np.int64) & ((1 << 63) - 1)
-    found: Flags = (bits > 0) & (bits < np.float64(UNDERFLOW).view(np.int64))
+    bits = np.ascontiguousarray(a).view(np.int64) & SIZE
+    found: Flags = (bits > 0) & (bits < LEAST)
     return found
 
 
@@ -218,8 +223,18 @@ def _small(a: Floats, axis: tuple[int, ...]) -> Floats:
 
 def _curve(p: Floats, w: Floats | None) -> Nurbs:
     degree = len(p) - 1
-    weights = None if w is None else from_floats(w.tolist())
-    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), from_floats(p.tolist()), weights)
+    knots = [0] * (degree + 1) + [1] * (degree + 1)
+    return Nurbs(degree, knots, [_exact(row) for row in p], None if w is None else _exact(w))
+
+
+def _exact(row: Floats) -> list[mpq]:
+    """The values of doubles, subnormal ones read by their bits."""
+    values = from_floats(row.tolist())
+    for k in np.flatnonzero(_subnormal(row)).tolist():
+        bits = int(row[k : k + 1].view(np.int64)[0])
+        size = mpq(bits & SIZE, 2**1074)
+        values[k] = -size if bits < 0 else size
+    return values
 
 
 def exactly(i: int, curve: Nurbs) -> Found:
@@ -238,10 +253,15 @@ def exactly(i: int, curve: Nurbs) -> Found:
 
 
 def outside(low: mpq, high: mpq) -> tuple[float, float]:
-    """The nearest doubles that are not inside an interval, whatever the direction of rounding of the processor.
+    """The nearest doubles that are not inside an interval and not subnormal, whatever the rounding of the processor.
+
+    >>> outside(mpq(1, 3), mpq(1, 3)) == (1 / 3, 1 / 3 + 2.0**-54), outside(mpq(0), mpq(1, 10**400)) == (0, 2.0**-1022)
+    (True, True)
 
     Raises `NumberError` beyond the largest double.
     """
+    low, high = (mpq(0) if 0 < low < TINY else low), (mpq(0) if -TINY < high < 0 else high)
+    low, high = (-TINY if -TINY < low < 0 else low), (TINY if 0 < high < TINY else high)
     try:
         return double(low, Rounding.DOWN), double(high, Rounding.UP)
     except OverflowError:

@@ -26,7 +26,7 @@ from exactspline.splines.nurbs import Nurbs
 #: The share of the ends of a segment that a parameter inside can be off by.
 WIDER = 16 * ROUNDING
 #: Widths of segments that are known less well than this say nothing.
-LITTLE = 2.0**-10
+LITTLE = 1 / 1024
 #: Continuity at the seam of a closed curve: that of its points.
 SEAM = 0
 
@@ -110,8 +110,8 @@ def decided(curves: Sequence[Nurbs]) -> tuple[list[Found], Flags]:
 
 
 def _where(found: Found, holds: Flags) -> Found:
-    curve, kind, low, high, which = (column[holds] for column in found)
-    return curve, kind, low, high, which
+    curve, kind, low, high, which = found
+    return curve[holds], kind[holds], low[holds], high[holds], which[holds]
 
 
 class _Segments:
@@ -128,11 +128,11 @@ class _Segments:
             first, count = len(owner), curve.segments
             places = _places(curve.breakpoints)
             self.unfit[i] = places is None
-            places = places or [(0.0, 0.0)] * (count + 1)
+            places = places or [(0, 0)] * (count + 1)
             for k, own in enumerate(_numbers(curve)):
                 rows[k] += own
             owner += [i] * count
-            ends += [(a, b) for (a, _), (b, _) in pairwise(places)]
+            ends += [(a, b) for (a, _), (_, b) in pairwise(places)]
             smooth = curve.p[0].continuity
             knots += [(first + k - 1, first + k, smooth[k - 1], *places[k]) for k in range(1, count)]
             if curve.closed:
@@ -226,4 +226,4 @@ def _row(c: fmpz_poly, m: int, size: int, degree: int) -> list[float]:
     """The coefficients of a form over ``2^size · m`` as doubles."""
     below, above = m << max(size, 0), max(-size, 0)
     row = [(int(x) << above) / below for x in c.coeffs()]
-    return row + [0.0] * (degree + 1 - len(row))
+    return row + [0] * (degree + 1 - len(row))

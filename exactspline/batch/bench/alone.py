@@ -76,11 +76,12 @@ def _sweep(count: int) -> Callable[[], object]:
     from exactspline.batch.work import Work
 
     family, jobs = Family.parsed(f"degree=3 count={count}"), int(sys.argv[4])
-    where = Where("processes" if jobs > 1 else "serial", jobs)
+    where, summary = Where("processes" if jobs > 1 else "serial", jobs), Summary()
 
     def call() -> object:
         with TemporaryDirectory() as folder:
-            return recorded([family], Work.of(), where, f"{folder}/lines.jsonl", Summary())
+            recorded([family], Work.of(), where, f"{folder}/lines.jsonl", summary)
+        return summary.lines
 
     return call
 
