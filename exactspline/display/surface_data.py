@@ -62,6 +62,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
         "closed": [along.value for along in found.closed],
         "complete": found.complete,
         "minimal": found.minimal,
+        "curvature": None if found.curvature is None else text(found.curvature),
         "umbilic_everywhere": found.umbilic_everywhere,
         "patches": [_patch_data(one) for one in found.patches],
         "umbilics": [_umbilic_data(umbilic, digits) for umbilic in found.umbilics],
@@ -105,9 +106,10 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
         **_hull_data(one.sides),
         "kind": one.kind.value,
         "minimal": one.minimal,
+        "curvature": None if one.curvature is None else text(one.curvature),
         "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
         "umbilic_everywhere": one.umbilics.everywhere,
-        "singular_curve": one.singular.factor is not None,
+        "singular_curve": one.singular.along_curve,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
         "undecided": [_hull_data(box) for box in boxes],
     }
@@ -246,13 +248,15 @@ def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
 def _of_patch(one: PatchInspection) -> str:
     """The description of a patch."""
     told = [CURVATURE.get(one.kind, "")]
-    if one.radius_squared is not None:
-        told = [f"K = {text(1 / one.radius_squared)}", "every point is an umbilic"]
+    if one.curvature:
+        told = [f"K = {text(one.curvature)}" + ("" if one.radius_squared else " everywhere")]
+    if one.radius_squared:
+        told.append("every point is an umbilic")
     if one.minimal and one.kind is not PatchKind.PLANAR:
         told.append("H = 0")
     if one.umbilics.curve is not None or one.umbilics.edges:
         told.append("umbilics along a curve")
-    if one.singular.factor is not None:
+    if one.singular.along_curve:
         told.append("no tangent planes along a curve")
     return ", ".join(filter(None, told))
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from itertools import product
 
 from exactspline.exact import mpq
-from exactspline.geometry.surface.borders import Edge
+from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
+from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, in_parameters, on_patch, sides_of
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.signs import Point, Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
@@ -73,6 +75,8 @@ class PatchInspection:
     signs: Signs | None
     singular: SingularPoints
     umbilics: UmbilicsOfPatch
+    #: The Gaussian curvature where it is constant.
+    curvature: mpq | None = None
     #: Edges along which K vanishes, and the parts of its other zeros.
     parabolic_edges: tuple[Edge, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
@@ -88,9 +92,8 @@ class PatchInspection:
     def parabolic_points(self) -> tuple[Point, ...]:
         """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
-        singular = {place.exact for place in self.singular.places}
         points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
-        return tuple((u, v) for (u, _), (v, _) in points if (u, v) not in singular)
+        return tuple((u, v) for (u, _), (v, _) in points)
 
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
@@ -131,6 +134,12 @@ class SurfaceInspection:
     def umbilic_everywhere(self) -> bool:
         """Whether every point is an umbilic."""
         return all(one.umbilics.everywhere for one in self.patches)
+
+    @property
+    def curvature(self) -> mpq | None:
+        """The Gaussian curvature where it is the same at all points of the surface."""
+        found = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
+        return found.pop() if len(found) == 1 else None
 
     @property
     def minimal(self) -> bool:
@@ -189,21 +198,36 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         return PatchInspection(patch, sides, kind, False, None, None, singular, UmbilicsOfPatch())
     umbilics = umbilics_of_patch(forms, patch, singular)
     minimal = on_patch(forms.minimality, patch) is None
-    own = on_patch(forms.parabolic, patch)
+    own, curvature = on_patch(forms.parabolic, patch), constant_curvature(forms, patch)
     if own is None:
         flat = all(on_patch(f, patch) is None for f in forms.second)
         kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
-        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics)
+<<<<<<< HEAD
+        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
+    if umbilics.everywhere:
+        assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
+        kind = PatchKind.SPHERICAL
+        return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(
         Edge(k, end)
         for (k, end), times in zip(((0, 0), (0, 1), (1, 0), (1, 1)), own.borders, strict=True)
         if times and Edge(k, end) not in singular.edges
     )
+    kind, signs, curve = _sign_of(own, singular)
+    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
+
+
+def _sign_of(own: Reduced, singular: SingularPoints) -> tuple[PatchKind, Signs, ZeroCurve | None]:
+    """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
+=======
+        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics)
+    edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
     if umbilics.everywhere:
         radius = 1 / _curvature_inside(forms, sides)
         return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
+>>>>>>> w-review
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
-    signs = sign_on_patch(form)
+    signs = _of_surface(sign_on_patch(form), forms, patch)
     curve = None
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         bare = form if singular.factor is None else without_powers(form, singular.factor)
@@ -214,7 +238,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     kind = _BY_SIGN[signs.sign]
     if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(form)):
         kind = PatchKind.ELLIPTIC_BUT if signs.positive else PatchKind.HYPERBOLIC_BUT
-    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, edges, curve)
+    return kind, signs, curve
 
 
 def _keeps_sign(form: PatchForm) -> bool:
@@ -222,13 +246,37 @@ def _keeps_sign(form: PatchForm) -> bool:
     return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
 
 
+<<<<<<< HEAD
+=======
+def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
+    """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
+    area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
+    assert area is not None
+    assert own is not None
+    lines = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
+    return replace(
+        signs,
+        zeros=tuple(
+            spot
+            for spot in signs.zeros
+            if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
+        ),
+    )
+
+
 def _curvature_inside(forms: SurfaceForms, sides: Box) -> mpq:
-    """K at a point inside a patch."""
-    (a, b), (c, d) = sides
-    value: mpq = formula("gaussian_curvature_lifted")(forms.surface)((a + b) / 2, (c + d) / 2)
-    return value
+    """K at a point inside a patch, one with a tangent plane: ``EG − F²`` cannot vanish on a grid finer than its
+    degree.
+    """
+    value, area = formula("gaussian_curvature_lifted")(forms.surface), forms.area
+    points = product(
+        *[[a + (b - a) * mpq(k, n + 2) for k in range(1, n + 2)] for (a, b), n in zip(sides, area.degree, strict=True)]
+    )
+    found: mpq = next(value(u, v) for u, v in points if area(u, v))
+    return found
 
 
+>>>>>>> w-review
 # ---- the surface as a whole
 
 
