@@ -114,7 +114,7 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
         "curvature": None if one.curvature is None else text(one.curvature),
         "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
         "umbilic_everywhere": one.umbilics.everywhere,
-        "singular_curve": one.singular.factor is not None,
+        "singular_curve": one.singular.along_curve,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
         "undecided": [_hull_data(box) for box in boxes],
     }
@@ -267,7 +267,7 @@ def _of_patch(one: PatchInspection) -> str:
         told.append("H = 0")
     if one.umbilics.curve is not None or one.umbilics.edges:
         told.append("umbilics along a curve")
-    if one.singular.factor is not None:
+    if one.singular.along_curve:
         told.append("no tangent planes along a curve")
     return ", ".join(filter(None, told))
 

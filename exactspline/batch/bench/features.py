@@ -152,18 +152,3 @@ def linear_rows(options: Options) -> Iterator[Row]:
     ):
         took = alone.run(name, 0, options.limit)
         yield bounded(LINEAR, told, took.seconds, "s", most, took.note)
-
-
-def memory_rows(options: Options) -> Iterator[Row]:
-    """The largest resident size of a sweep must not grow with its corpus."""
-    few, many = (alone.run("sweep", count, options.limit) for count in (500, 5_000))
-    if few.megabytes is None or many.megabytes is None:
-        yield Row("memory", "a sweep", OURS, None, "MB", note=few.note or many.note)
-        return
-    yield Row("memory", "largest size of a sweep of 500 cubics", OURS, few.megabytes, "MB")
-    grown = many.megabytes - few.megabytes
-    yield bounded("memory", "growth from 500 cubics to 5,000", grown, "MB", 5)
-    for degree in (3, 6):
-        took = alone.run("bisector", degree, options.limit)
-        told = f"bisector surface of two rational curves of degree {degree}, 4 × 4 segments"
-        yield Row("memory", told, OURS, took.megabytes, "MB", note=took.note)

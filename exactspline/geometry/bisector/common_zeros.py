@@ -165,14 +165,13 @@ def _is_zero(
     """Whether f and g vanish at a pair and none of the others is certainly not zero there; None when undecided."""
     if any(certainly_not_zero(p, *place) for p in (f, g, *also)):
         return False
-    verdict = vanish_together((f, g, *also), exactly(place[0]), exactly(place[1]))
-    if verdict is not None:
-        return verdict
-    for bits in RADII:
-        box = [own.around(x, bits) for x, own in zip(place, known, strict=True)]
-        if all(side is not None for side in box) and _holds_a_zero(f, g, box, bits):
-            return True
-    return None
+    s, t = exactly(place[0]), exactly(place[1])
+    if isinstance(s, Root) and isinstance(t, Root):
+        for bits in RADII:
+            box = [own.around(x, bits) for x, own in zip(place, known, strict=True)]
+            if all(side is not None for side in box) and _holds_a_zero(f, g, box, bits):
+                return True
+    return vanish_together((f, g, *also), s, t)
 
 
 def _holds_a_zero(f: fmpz_mpoly, g: fmpz_mpoly, box: Sequence[Interval | None], bits: int) -> bool:
@@ -197,23 +196,4 @@ def _holds_a_zero(f: fmpz_mpoly, g: fmpz_mpoly, box: Sequence[Interval | None], 
     return True
 
 
-def vanishes_at(h: fmpz_mpoly, f: fmpz_mpoly, place: Place, sides: Sides) -> bool | None:
-    """Whether h vanishes at a certified zero of f; None when undecided."""
-    if not h:
-        return True
-    if certainly_not_zero(h, *place):
-        return False
-    s, t = place
-    if (verdict := vanish_together([h], s, t)) is not None:
-        return verdict
-    # one of the factors that balls do not exclude vanishes, and which one is not known
-    possible = [factor for factor, _ in f.factor()[1] if not certainly_not_zero(factor, *place)]
-    if all(not divmod(h, factor)[1] for factor in possible):
-        return True
-    for factor in possible:
-        if divmod(h, factor)[1] and any(x == s and y == t for x, y in common_zeros(factor, h, sides).places):
-            return True
-    return None
-
-
-__all__ = ["CommonZeros", "Place", "common_zeros", "vanishes_at"]
+__all__ = ["CommonZeros", "Place", "common_zeros"]

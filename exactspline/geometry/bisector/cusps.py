@@ -9,7 +9,7 @@ from itertools import product
 
 from flint import fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisector.common_zeros import Place, vanishes_at
+from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,
     Correspondence,
@@ -23,7 +23,16 @@ from exactspline.geometry.bisector.components import (
 )
 from exactspline.geometry.bisector.flats import Conditions
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
-from exactspline.geometry.bisector.polynomials import Parameter, at, common_divisor, exactly, in_one, lifted, roots_in
+from exactspline.geometry.bisector.polynomials import (
+    Parameter,
+    at,
+    common_divisor,
+    exactly,
+    in_one,
+    lifted,
+    roots_in,
+    vanish_together,
+)
 from exactspline.geometry.bisector.single_pairs import divisor, shown, zeros_of_vector
 from exactspline.geometry.bisector.system import Piece, System
 from exactspline.roots.root import Root
@@ -109,15 +118,10 @@ def over_both_cusps(system: System) -> SpecialPairs:
     pairs: list[SinglePair] = []
     left_out: list[str] = []
     for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
-        verdicts = [_vanishes(f, system, (s, t)) for f in system.chord]
-        if False not in verdicts and None in verdicts:
+        meet = vanish_together(list(system.chord), s, t)
+        if meet is None:
             left_out.append(f"whether the cusps at {shown((s, t))} are one point")
             continue
-        solutions = Solutions.PLANE if False in verdicts else Solutions.SPACE
+        solutions = Solutions.SPACE if meet else Solutions.PLANE
         pairs.append(SinglePair(s, t, solutions, Cause.BOTH_CUSPS, system))
     return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
-
-
-def _vanishes(f: fmpz_mpoly, system: System, place: Place) -> bool | None:
-    cusp = next(q for q in system.first.cusps if any(place[0] == x for x in roots_in(q, *system.first.interval)))
-    return vanishes_at(f, lifted(cusp, 0), place, system.sides)

@@ -128,11 +128,16 @@ class SurfaceForms:
 
 
 def lowest(f: TensorSpline) -> TensorSpline:
-    """The same function at the lowest degrees that it has, over the same patches; zero as it is."""
+    """The same function at the lowest degrees that it has, over the same patches; zero as it is.
+
+    >>> s = TensorSpline((2, 0), [0, 0, 0, 1, 2, 2, 2], [0, 1], [[0], ["1/2"], ["3/2"], [2]])
+    >>> lowest(s).degree, len(lowest(s).meshes[0])
+    (Degrees(s=1, t=0), 2)
+    """
     degree, true = f.degree, f.true_degree
     if degree == true or min(true) < 0:
         return f
-    # a lower degree may need fewer knots: the patches are those of the surface all the same
+    # a knot at which the lower degree leaves nothing to break is gone then: patches are counted by those of f
     return aligned(f.reduce_degree(degree.s - true.s, degree.t - true.t), f)[0]
 
 

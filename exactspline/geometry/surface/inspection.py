@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.exact import mpq
-from exactspline.geometry.surface.borders import Edge
+from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
@@ -97,9 +97,8 @@ class PatchInspection:
     def parabolic_points(self) -> tuple[Point, ...]:
         """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
-        singular = {place.exact for place in self.singular.places}
         points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
-        return tuple((u, v) for (u, _), (v, _) in points if (u, v) not in singular)
+        return tuple((u, v) for (u, _), (v, _) in points)
 
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
@@ -216,19 +215,17 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
-    edges = tuple(
-        Edge(k, end)
-        for (k, end), times in zip(((0, 0), (0, 1), (1, 0), (1, 1)), own.borders, strict=True)
-        if times and Edge(k, end) not in singular.edges
-    )
-    kind, signs, curve = _sign_of(own, singular)
+    edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
+    kind, signs, curve = _sign_of(forms, patch, own, singular)
     return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
 
 
-def _sign_of(own: Reduced, singular: SingularPoints) -> tuple[PatchKind, Signs, ZeroCurve | None]:
+def _sign_of(
+    forms: SurfaceForms, patch: Patch, own: Reduced, singular: SingularPoints
+) -> tuple[PatchKind, Signs, ZeroCurve | None]:
     """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
-    signs = sign_on_patch(form)
+    signs = _of_surface(sign_on_patch(form), forms, patch)
     curve = None
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         bare = form if singular.factor is None else without_powers(form, singular.factor)
@@ -245,6 +242,22 @@ def _sign_of(own: Reduced, singular: SingularPoints) -> tuple[PatchKind, Signs, 
 def _keeps_sign(form: PatchForm) -> bool:
     """Whether a form has one sign on a patch where it is not zero: its factors of odd power have."""
     return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
+
+
+def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
+    """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
+    area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
+    assert area is not None
+    assert own is not None
+    lines = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
+    return replace(
+        signs,
+        zeros=tuple(
+            spot
+            for spot in signs.zeros
+            if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
+        ),
+    )
 
 
 # ---- the surface as a whole
