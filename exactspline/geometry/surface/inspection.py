@@ -216,12 +216,12 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
-    kind, signs, curve = _sign_of(forms, patch, own, singular)
+    kind, signs, curve = _sign_of(own, singular, forms, patch)
     return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
 
 
 def _sign_of(
-    forms: SurfaceForms, patch: Patch, own: Reduced, singular: SingularPoints
+    own: Reduced, singular: SingularPoints, forms: SurfaceForms, patch: Patch
 ) -> tuple[PatchKind, Signs, ZeroCurve | None]:
     """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
