@@ -8,6 +8,7 @@ from enum import StrEnum
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge
+from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
@@ -88,6 +89,11 @@ class PatchInspection:
         return tuple(part for part in self.curve.parts if not self._is_singular(part))
 
     @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The same, each with the patch it is on."""
+        return tuple(Piece(self.patch, self.sides, self.curve, part) for part in self.parabolic if self.curve)
+
+    @property
     def parabolic_points(self) -> tuple[Point, ...]:
         """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
@@ -119,6 +125,8 @@ class SurfaceInspection:
     #: Each once, also where patches or the two ends of a closed surface meet.
     umbilics: tuple[Umbilic, ...]
     parabolic_lines: tuple[ParabolicLine, ...]
+    #: Whole, across borders of patches where these are zeros of K on both sides.
+    parabolic_curves: tuple[ParabolicCurve, ...]
     poles: tuple[Pole, ...]
     jumps: tuple[Jump, ...]
     #: The parameters in which it is closed.
@@ -182,6 +190,7 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
         patches,
         _merged(forms, patches, closed),
         _parabolic_lines(surface, patches, closed),
+        chained([piece for one in patches for piece in one.pieces], surface.domain, closed),
         tuple(poles),
         tuple(jumps(surface)),
         closed,
