@@ -9,6 +9,7 @@ import jsonschema
 import pytest
 from typer.testing import CliRunner
 
+from docs.site import benchmarks
 from exactspline.batch.bench import (
     alone,
     features,
@@ -194,3 +195,15 @@ def test_sections_are_known_by_name():
 def test_versions_are_those_of_the_packages():
     assert row.version_of("python-flint") == row.version_of("python-flint inline") != ""
     assert row.version_of("Fraction") == ""
+
+
+def test_every_section_is_on_record_and_on_the_page(tmp_path):
+    assert [each["section"] for each in benchmarks.recorded()] == list(table.SECTIONS)
+    benchmarks.write_page(tmp_path / "page.md")
+    page = (tmp_path / "page.md").read_text(encoding="utf-8")
+    for record in benchmarks.recorded():
+        assert f"## {record['section'].capitalize()}\n" in page
+        assert record["rows"]
+        for each in record["rows"]:
+            assert each["case"].replace("|", "\\|") in page
+            assert each["version"] in page
