@@ -76,7 +76,7 @@ def N_lifted(c):
 @formula("lifted", on="surface")
 def parabolic_lifted(c):
     """``w⁸ (LN − M²)``, with the determinants of P."""
-    return parabolic_of_forms(lifted_forms(c))
+    return parabolic_of_forms(Operands(L=L_lifted(c), M=M_lifted(c), N=N_lifted(c)))
 
 
 @formula("lifted", on="surface")
