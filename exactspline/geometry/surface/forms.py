@@ -137,11 +137,7 @@ def lowest(f: TensorSpline) -> TensorSpline:
     degree, true = f.degree, f.true_degree
     if degree == true or min(true) < 0:
         return f
-<<<<<<< HEAD
     # a lower degree may need fewer knots: the patches are those of the surface all the same
-=======
-    # a knot at which the lower degree leaves nothing to break is gone then: patches are counted by those of f
->>>>>>> w-review
     return aligned(f.reduce_degree(degree.s - true.s, degree.t - true.t), f)[0]
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from itertools import product
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge
+from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
@@ -89,6 +89,11 @@ class PatchInspection:
         return tuple(part for part in self.curve.parts if not self._is_singular(part))
 
     @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The same, each with the patch it is on."""
+        return tuple(Piece(self.patch, self.sides, self.curve, part) for part in self.parabolic if self.curve)
+
+    @property
     def parabolic_points(self) -> tuple[Point, ...]:
         """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
@@ -120,6 +125,8 @@ class SurfaceInspection:
     #: Each once, also where patches or the two ends of a closed surface meet.
     umbilics: tuple[Umbilic, ...]
     parabolic_lines: tuple[ParabolicLine, ...]
+    #: Whole, across borders of patches where these are zeros of K on both sides.
+    parabolic_curves: tuple[ParabolicCurve, ...]
     poles: tuple[Pole, ...]
     jumps: tuple[Jump, ...]
     #: The parameters in which it is closed.
@@ -183,6 +190,7 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
         patches,
         _merged(forms, patches, closed),
         _parabolic_lines(surface, patches, closed),
+        chained([piece for one in patches for piece in one.pieces], surface.domain, closed),
         tuple(poles),
         tuple(jumps(surface)),
         closed,
@@ -202,30 +210,20 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     if own is None:
         flat = all(on_patch(f, patch) is None for f in forms.second)
         kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
-<<<<<<< HEAD
         return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
     if umbilics.everywhere:
         assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
-    edges = tuple(
-        Edge(k, end)
-        for (k, end), times in zip(((0, 0), (0, 1), (1, 0), (1, 1)), own.borders, strict=True)
-        if times and Edge(k, end) not in singular.edges
-    )
-    kind, signs, curve = _sign_of(own, singular)
+    edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
+    kind, signs, curve = _sign_of(own, singular, forms, patch)
     return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
 
 
-def _sign_of(own: Reduced, singular: SingularPoints) -> tuple[PatchKind, Signs, ZeroCurve | None]:
+def _sign_of(
+    own: Reduced, singular: SingularPoints, forms: SurfaceForms, patch: Patch
+) -> tuple[PatchKind, Signs, ZeroCurve | None]:
     """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
-=======
-        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics)
-    edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
-    if umbilics.everywhere:
-        radius = 1 / _curvature_inside(forms, sides)
-        return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
->>>>>>> w-review
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
     signs = _of_surface(sign_on_patch(form), forms, patch)
     curve = None
@@ -246,8 +244,6 @@ def _keeps_sign(form: PatchForm) -> bool:
     return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
 
 
-<<<<<<< HEAD
-=======
 def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
     """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
     area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
@@ -264,19 +260,6 @@ def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
     )
 
 
-def _curvature_inside(forms: SurfaceForms, sides: Box) -> mpq:
-    """K at a point inside a patch, one with a tangent plane: ``EG − F²`` cannot vanish on a grid finer than its
-    degree.
-    """
-    value, area = formula("gaussian_curvature_lifted")(forms.surface), forms.area
-    points = product(
-        *[[a + (b - a) * mpq(k, n + 2) for k in range(1, n + 2)] for (a, b), n in zip(sides, area.degree, strict=True)]
-    )
-    found: mpq = next(value(u, v) for u, v in points if area(u, v))
-    return found
-
-
->>>>>>> w-review
 # ---- the surface as a whole
 
 

@@ -8,6 +8,7 @@ from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, 
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.isolation import Zero, are_one, isolate, same
+from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
@@ -68,6 +69,7 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
             curve = ZeroCurve(square_free(factor))
             along_curve = curve.has_branches or sign is Sign.BOTH
     zeros, undecided = _inner(forms, patch, normal, sides)
+    multiples, undecided = _multiples([f for f in normal if f is not None], undecided)
     if curve is not None:
         if along_curve:
             places = [place for place in places if not _is_on(curve.form, place, sides)]
@@ -79,6 +81,7 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
                 zeros.append(zero)
         undecided += curve.undecided
     inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
+    inner += [Place((patch,), None, *(a for a, _ in in_parameters(spot, sides))) for spot in multiples]
     boxes = tuple(in_parameters(box, sides) for box in undecided)
     return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor, along_curve)
 
@@ -129,6 +132,19 @@ def _inner(
         if not left:
             return certain, []
     return certain, min(rest, key=len, default=[])
+
+
+def _multiples(normal: list[PatchForm], boxes: list[Box]) -> tuple[list[Box], list[Box]]:
+    """Rational points inside at which all coordinates of the normal vanish, more than simply, and that explain
+    undecided boxes; and the boxes that are left.
+    """
+    found, left = list[Box](), list(boxes)
+    while left and (multiple := multiple_zero(normal, left)) is not None:
+        left = [box for box in left if not multiple.explains(box)]
+        x, y = multiple.place
+        if 0 < x < 1 and 0 < y < 1:
+            found.append(((x, x), (y, y)))
+    return found, left
 
 
 def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | None) -> bool | None:
