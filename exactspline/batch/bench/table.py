@@ -39,7 +39,7 @@ def chosen_sections(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def rows(sections: Iterable[str], options: Options) -> Iterator[Row]:
-    """The rows of these sections, one by one as they are measured; where a section breaks off, a row with the reason."""
+    """The rows of these sections, one by one as they are measured; a section that breaks off ends with the reason."""
     for name in sections:
         try:
             yield from SECTIONS[name](options)
