@@ -208,7 +208,7 @@ def test_a_font_is_read_glyph_by_glyph_as_it_is_read_at_once(tmp_path):
     font.write_bytes(truetype())
     whole, pieces = read(str(font)), list(read_in_pieces(str(font)))
     assert len(pieces) > 1
-    assert [piece.done for piece in pieces] == list(range(1, pieces[-1].count + 1))
+    assert [piece.done for piece in pieces] == list(range(1, pieces[-1].total + 1))
     named = [each for piece in pieces for each in piece.reading.curves]
     assert [(each.name, each.curve, each.notes) for each in named] == [
         (each.name, each.curve, each.notes) for each in whole.curves

@@ -11,6 +11,7 @@ from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.records import Skipped
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.verdict import ContradictionError
@@ -127,7 +128,7 @@ def _of_file(place: str) -> Iterator[Part]:
     """The curves of a file followed by what was skipped in it, or the problem of the whole file. No curve is kept here
     when it has been handed out: a curve remembers what was computed of it.
     """
-    found, skipped = 0, []
+    found, skipped = 0, list[Skipped]()
     try:
         if place in example_names() and not os.path.exists(place):
             yield place, place, example(place), (1, 1)

@@ -52,7 +52,7 @@ def read_in_pieces(place: str) -> Iterator[Piece]:
     """The curves of a file as `read` returns them, piece by piece where the format has pieces, so that a large font is
     never held as a whole.
 
-    >>> [(len(piece.reading.curves), piece.done, piece.count) for piece in read_in_pieces("curve.xyz")]
+    >>> [(len(piece.reading.curves), piece.done, piece.total) for piece in read_in_pieces("curve.xyz")]
     Traceback (most recent call last):
     ...
     exactspline.errors.CurveFileError: curve.xyz: cannot be read (No such file or directory); name a curve file

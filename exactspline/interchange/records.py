@@ -48,7 +48,7 @@ class Piece(NamedTuple):
 
     reading: Reading
     done: int
-    count: int
+    total: int
 
 
 @dataclass(frozen=True)
