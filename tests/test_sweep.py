@@ -145,9 +145,9 @@ def test_serial_lines_are_in_order_and_a_bad_curve_is_one_of_them(serial):
     assert [line.index for line in serial if line.error] == [41]
 
 
-@pytest.mark.parametrize("backend", ["processes", "dask"])
+@pytest.mark.parametrize("backend", ["processes", "dask", "ray"])
 def test_all_backends_say_the_same(serial, backend):
-    pytest.importorskip({"processes": "joblib", "dask": "distributed"}[backend])
+    pytest.importorskip({"processes": "joblib", "dask": "distributed", "ray": "ray"}[backend])
     assert list(xs.sweep(SOURCES, backend=backend, jobs=2)) == serial
 
 
