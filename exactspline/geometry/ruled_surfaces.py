@@ -18,8 +18,8 @@ from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
 from exactspline.language.parts import numerator, split
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface, development
-from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.language.ruled import RuledSurface, development, differences
+from exactspline.language.vector import Vector, dot, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.knots import Mesh
@@ -135,18 +135,6 @@ def _check_generator(surface: SplineSurface) -> None:
                 f"the generator vanishes on all of [{text(a)}, {text(b)}]: there is no ruled surface",
                 remedy="leave this segment out",
             )
-
-
-def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
-    """Vectors that vanish exactly where two ruled surfaces (in any reading) coincide: ``G × Ḡ`` and ``(δ̄ − δ) ×
-    G``.
-    """
-    between: Any = b.directrix
-    first: Any = a.generator
-    second: Any = b.generator
-    across: Any = cross(first, second)
-    aside: Any = cross(between - a.directrix, first)
-    return across, aside
 
 
 def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from exactspline.batch.bench.features import feature_rows, linear_rows, memory_rows
+from exactspline.batch.bench.features import feature_rows, linear_rows
 from exactspline.batch.bench.forms import form_rows, growth_rows
+from exactspline.batch.bench.memory import memory_rows
 from exactspline.batch.bench.roots import root_rows
 from exactspline.batch.bench.row import Options, Row, Section
 from exactspline.batch.bench.splines import spline_rows
