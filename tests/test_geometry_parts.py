@@ -13,7 +13,6 @@ from mpmath.libmp import to_rational
 
 from exactspline import BSpline, Nurbs, NurbsSurface, example_surface, zeros
 from exactspline.errors import FormulaError
-from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import angle_between
 from exactspline.geometry.balls import OpenError, _compared
 from exactspline.geometry.bisector import cusps
@@ -24,7 +23,9 @@ from exactspline.geometry.bisector.discriminants import discriminant
 from exactspline.geometry.bisector.lines import Path, along
 from exactspline.geometry.bisector.polynomials import S, T, _keeps_sign
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
+from exactspline.geometry.bisector.special_pairs import _runs_on
 from exactspline.geometry.bisector.system import System, piece
+from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.geometry.constructions import Variant, all_constructions
 from exactspline.geometry.curvature import curvature
 from exactspline.geometry.derived import derive
@@ -39,6 +40,7 @@ from exactspline.geometry.surface.degenerate import jumps
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.inspection import _sided
 from exactspline.geometry.surface.isolation import isolate
+from exactspline.geometry.surface.multiple import _hull_of_neighbours
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.roots.enclosure import Enclosure
@@ -139,22 +141,6 @@ def test_the_minimal_form_has_the_sign_of_the_first_whatever_that_of_w(name):
             assert bool(minimal(t)) or not form(t)
 
 
-def test_the_features_of_one_curve_of_many_are_its_own():
-    np = pytest.importorskip("numpy")
-    from exactspline.geometry.many_curves import _exactly
-
-    curve = example("cubic_s")
-    points = np.array([[float(x) for x in point] for point in curve.control_points])
-    weights = np.array([1.0, 2.0, 1.0, 1.0])
-    for own in (None, weights):
-        rational = Nurbs(3, [0] * 4 + [1] * 4, curve.control_points, None if own is None else [1, 2, 1, 1])
-        analysis = analyse(rational)
-        rows, kinds, *_ = _exactly(5, points, own)
-        assert kinds.tolist() == [str(f.kind) for f in (*analysis.inflections, *analysis.curvature_extrema)]
-        assert len(kinds) > 1
-        assert rows.tolist() == [5] * len(kinds)
-
-
 @pytest.mark.parametrize("name", [c.name for c in all_constructions().values() if c.zero_set])
 def test_the_sign_of_a_form_is_that_of_an_odd_power_of_w(name):
     """Also where w > 0 has a negative weight in the middle."""
@@ -230,18 +216,9 @@ def test_values_of_polynomials_are_those_of_their_terms():
     assert _value(fmpz_poly([1, 2, 0, 4]), x) == 1 + 2 * x + 4 * x**3
 
 
-@pytest.mark.parametrize(
-    ("verdicts", "expected"),
-    [
-        ((True, True, True), Solutions.SPACE),
-        ((True, None, False), Solutions.PLANE),
-        ((False, None, None), Solutions.PLANE),
-        ((True, None, True), None),
-    ],
-)
-def test_cusps_have_all_of_space_only_where_they_certainly_meet(monkeypatch, verdicts, expected):
-    told = iter(verdicts)
-    monkeypatch.setattr(cusps, "_vanishes", lambda f, system, place: next(told))
+@pytest.mark.parametrize(("meet", "expected"), [(True, Solutions.SPACE), (False, Solutions.PLANE), (None, None)])
+def test_cusps_have_all_of_space_only_where_they_certainly_meet(monkeypatch, meet, expected):
+    monkeypatch.setattr(cusps, "vanish_together", lambda polynomials, s, t: meet)
     first, second = FAMILIES["two cusps in one point"]
     found = cusps.over_both_cusps(System(piece(first, 0), piece(second, 0)))
     assert [pair.solutions for pair in found.pairs] == ([] if expected is None else [expected])
@@ -301,6 +278,31 @@ def test_coefficients_of_one_sign_show_the_sign(sign):
     assert not _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign])], 1)
     assert not _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign, -sign])], 1)
     assert not _keeps_sign([fmpz_poly([0, 2 * sign])], 1)
+
+
+def test_the_line_of_a_corner_runs_from_its_middle_to_both_sides_alike():
+    """At −u and u as far from the middle of the point and the corner, and everywhere as far from both."""
+    polygon = Nurbs(1, [0, 0, 1, 2, 2], [(1, 0), (3, 1), (1, 2)])
+    found = [one for one in trimmed_bisector(polygon, (6, 1)).pieces if one.kind is PieceKind.CORNER]
+    assert found
+    corner, q = (mpq(3), mpq(1)), (mpq(6), mpq(1))
+    for one in found:
+        for k in range(8):
+            ends = [[f(u) / one.value.denominator(u) for f in one.value.vector] for u in (mpq(k, 8), mpq(-k, 8))]
+            assert [a + b for a, b in zip(*ends, strict=True)] == [a + b for a, b in zip(corner, q, strict=True)]
+            for end in ends:
+                to_corner, to_q = (sum((x - y) ** 2 for x, y in zip(end, each, strict=True)) for each in (corner, q))
+                assert to_corner == to_q
+
+
+@pytest.mark.parametrize("direction", [(1, 2, 3), (2, 4, 7), (-1, -2, -3), (0, 0, 1), (1, 2, 0)])
+@pytest.mark.parametrize("speed", [1, 5])
+def test_a_polygon_runs_on_where_its_sides_have_one_direction(direction, speed):
+    """Whatever their lengths; of (−1, −2, −3) the other way it turns back on the same line."""
+    first = (1, 2, 3)
+    points = [(0, 0, 0), first, tuple(a + speed * b for a, b in zip(first, direction, strict=True))]
+    polygon = Nurbs(1, [0, 0, 1, 2, 2], points)
+    assert _runs_on(polygon, mpq(1)) is (direction in (first, (-1, -2, -3)))
 
 
 # ---- surfaces
@@ -403,3 +405,15 @@ def test_a_zero_of_two_components_alone_is_no_singular_point(monkeypatch):
         monkeypatch.setattr(singular, "_is_singular", lambda zero, components, third, told=verdict: told)
         found, undecided = singular._inner(SurfaceForms(surface), (0, 0), normal, UNIT)
         assert (len(found), len(undecided)) == (count, left)
+
+
+def test_the_hull_of_neighbours_is_that_of_the_first_box():
+    """Of boxes in two groups, each of which touches in a chain."""
+
+    def box(a, b):
+        return (mpq(a), mpq(a + 1)), (mpq(b), mpq(b + 1))
+
+    near, far = [box(0, 0), box(2, 1), box(1, 0)], [box(7, 7), box(8, 8)]
+    assert _hull_of_neighbours([near[0], far[0], *near[1:], far[1]]) == ((0, 3), (0, 2))
+    assert _hull_of_neighbours([far[1], *near, far[0]]) == ((7, 9), (7, 9))
+    assert _hull_of_neighbours([near[0], *far]) == near[0]
