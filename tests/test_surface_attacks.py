@@ -5,6 +5,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign
 from exactspline.display.surface_data import surface_inspection_data
+from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
 
@@ -96,3 +97,13 @@ def test_a_circle_of_umbilics_that_leaves_the_patch_has_no_single_ones():
     found = inspect_surface(bowl(lambda square: square * square, (mpq(1, 3), mpq(1, 5))))
     assert [one.place.exact for one in found.umbilics] == [(mpq(1, 3), mpq(1, 5))]
     assert found.patches[0].umbilics.curve is not None
+
+
+def test_the_ends_of_an_edge_of_umbilics_are_no_single_ones():
+    """z = (1 − v)³: a cylinder, both of whose curvatures vanish along v = 1."""
+    u, v = parameters(0)
+    edge = NurbsSurface.from_splines([u, v, (1 - v) * (1 - v) * (1 - v)])
+    for surface in (edge, edge.insert_knot("u", "3/7")):
+        found = inspect_surface(surface)
+        assert found.umbilics == ()
+        assert all(one.umbilics.edges == (Edge(1, 1),) for one in found.patches)
