@@ -97,12 +97,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
         "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
         "sweep curves/ --claim C4.1 -o verdicts.parquet",
     ),
-    "bench": (
-        "Times, compared with other libraries.",
-        "bench",
-        "bench forms roots --plot bench.svg",
-        "bench --json",
-    ),
+    "bench": ("Times, compared with other libraries.", "bench", "bench forms roots --plot bench.svg", "bench --json"),
     "convert": (
         "Convert files of curves.",
         "convert drawing.dxf curves.json",
