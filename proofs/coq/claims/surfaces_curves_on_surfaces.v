@@ -125,3 +125,26 @@ Proof.
   vm_cast_no_check (curvature_by_the_normal K (x a 0) (x a 1) (x a 2) (x b 0) (x b 1) (x b 2)
     (x (normal c) 0) (x (normal c) 1) (x (normal c) 2) _ _ _ O F S A D2).
 Qed.
+
+(** S8, ours. *)
+Theorem S8_geodesic_determinant_geodesic_determinant_of_first_form : every_curve_on_a_surface (fun K c =>
+  number 2 <> zero K ->
+  geodesic_determinant c = geodesic_determinant_of_first_form c).
+Proof.
+  apply curve_on_a_surface_by_position; intros K u_ v_ x_ y_ z_ w_ C Fx Fy Fz Fw Hw P2.
+  pose (l := jets time 2 u_ ++ jets time 2 v_ ++ partials 2 x_ ++ partials 2 y_ ++ partials 2 z_ ++ partials 2 w_).
+  pose (r := of_three_parameters (grid 7 2 0 ++ grid 13 2 0 ++ grid 19 2 0 ++ grid 25 2 0) (grid 7 2 1 ++ grid 13 2 1 ++ grid 19 2 1 ++ grid 25 2 1) (chain 1 2 ++ chain 4 2 ++ chained 7 2 2 5 ++ chained 13 2 2 5 ++ chained 19 2 2 5 ++ chained 25 2 2 5)).
+  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
+  pose (c := Path (Patch (homogeneous time [var 7; var 13; var 19] (var 25) [])) [var 1; var 4]).
+  pose (atoms := [num 2]%formula : list expr).
+  pose (known := [([1], [0])] : list (list nat * list nat)).
+  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
+  assert (N1 : all_nonzero K l (firstn 1 atoms)).
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
+  clear N. rename N1 into N.
+  assert (E : value K l (geodesic_determinant c : expr)%formula = value K l (geodesic_determinant_of_first_form c : expr)%formula).
+  { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
+  vm_cast_no_check E.
+Qed.
