@@ -9,8 +9,23 @@ import jsonschema
 import pytest
 from typer.testing import CliRunner
 
-from exactspline.batch.bench import alone, features, forms, inline, inputs, peers, picture, row, splines, sweeps, table
+from docs.site import benchmarks
+from exactspline.batch.bench import (
+    alone,
+    features,
+    forms,
+    inline,
+    inputs,
+    memory,
+    peers,
+    picture,
+    row,
+    splines,
+    sweeps,
+    table,
+)
 from exactspline.batch.bench.row import OURS, Options, Row, bounded, compared
+from exactspline.batch.recorded import Where
 from exactspline.cli import app
 from exactspline.cli.schema import schema_of
 from exactspline.display.plot.canvas import PlotError
@@ -120,10 +135,31 @@ def test_open_cascade_gets_the_curve_that_we_have():
             assert (point.X(), point.Y()) == pytest.approx(tuple(map(float, c(t))), rel=1e-9)
 
 
-def test_a_kill_is_measured_on_a_corpus_of_its_own():
-    (row_,) = sweeps._killed(["six_segment_cubic", "cusp", *["circle"] * 40])
-    assert row_.value == 0
-    assert row_.met is True
+def test_a_kill_is_measured_on_a_corpus_of_its_own(tmp_path):
+    corpus = ["six_segment_cubic", "cusp", *["circle"] * 60]
+    one = sweeps.swept(corpus, Where("serial"), tmp_path / "serial.jsonl")
+    rate, lost = sweeps._killed(corpus, "curves", one, tmp_path)
+    assert (lost.value, lost.met) == (0, True)
+    assert rate.value > 0
+    assert "changed" not in lost.note
+
+
+def test_files_are_compared_byte_for_byte_without_their_times(tmp_path):
+    one, other = tmp_path / "one", tmp_path / "other"
+    one.write_bytes(b'{"index":0,"seconds":1}\n{"index":1,"seconds":2}\n')
+    other.write_bytes(b'{"index":0,"seconds":3}\n{"index":1,"seconds":2}\n')
+    assert sweeps.differing(one, other) == 0
+    other.write_bytes(b'{"index":0,"seconds":1}\n{"index":2,"seconds":2}\n')
+    assert sweeps.differing(one, other) == 1
+    other.write_bytes(b'{"index":0,"seconds":1}\n')
+    assert sweeps.differing(one, other) == sweeps.differing(other, one) == 1
+
+
+def test_memory_is_told_when_a_sweep_comes_to_no_end(monkeypatch):
+    sizes = iter([5.0, 9.0, 3.0, None, 80.0, 90.0])
+    monkeypatch.setattr(alone, "run", lambda *_: alone.Took(1.0, next(sizes)))
+    grown = [each for each in memory.memory_rows(Options()) if each.target]
+    assert [(each.value, each.met) for each in grown] == [(4.0, True), (None, False)]
 
 
 def test_the_command_prints_table_json_and_picture(tmp_path, monkeypatch):
@@ -147,6 +183,20 @@ def test_the_command_prints_table_json_and_picture(tmp_path, monkeypatch):
     assert CliRunner().invoke(app, ["bench"]).exit_code == 1
     with pytest.raises(PlotError):
         picture.draw(made, str(tmp_path / "bench.gif"))
+    with pytest.raises(PlotError, match="no ratio"):
+        picture.draw(made[:1], str(tmp_path / "bench.svg"))
+
+
+def test_a_section_that_breaks_off_does_not_lose_the_others(monkeypatch):
+    def failing(options):
+        yield Row("roots", "a case", OURS, 1, "ms")
+        raise RuntimeError("a peer has failed")
+
+    monkeypatch.setitem(table.SECTIONS, "roots", failing)
+    monkeypatch.setitem(table.SECTIONS, "splines", lambda options: iter([Row("splines", "a case", OURS, 2, "ms")]))
+    first, broken, last = table.rows(["roots", "splines"], Options())
+    assert (first.value, last.value) == (1, 2)
+    assert (broken.value, broken.met, broken.note) == (None, False, "RuntimeError: a peer has failed")
 
 
 def test_sections_are_known_by_name():
@@ -159,3 +209,15 @@ def test_sections_are_known_by_name():
 def test_versions_are_those_of_the_packages():
     assert row.version_of("python-flint") == row.version_of("python-flint inline") != ""
     assert row.version_of("Fraction") == ""
+
+
+def test_every_section_is_on_record_and_on_the_page(tmp_path):
+    assert [each["section"] for each in benchmarks.recorded()] == list(table.SECTIONS)
+    benchmarks.write_page(tmp_path / "page.md")
+    page = (tmp_path / "page.md").read_text(encoding="utf-8")
+    for record in benchmarks.recorded():
+        assert f"## {record['section'].capitalize()}\n" in page
+        assert record["rows"]
+        for each in record["rows"]:
+            assert each["case"].replace("|", "\\|") in page
+            assert each["version"] in page

@@ -15,10 +15,17 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.jet import JetReading
 from exactspline.splines.examples import example
-from exactspline.symbolic import covariants
+from exactspline.symbolic import covariants, factorization
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.covariants import TrueDegree, product_of, true_degree
-from exactspline.symbolic.factorization import Factor, find_factor, jets_for, name_of_vector
+from exactspline.symbolic.factorization import (
+    Factor,
+    factors_of,
+    find_factor,
+    irreducible_on_a_line,
+    jets_for,
+    name_of_vector,
+)
 from exactspline.symbolic.motions import MAPS
 from exactspline.symbolic.motions import _rotation as rotation
 from exactspline.symbolic.reduction import reduce, reduction
@@ -350,3 +357,22 @@ def test_points_are_moved_by_their_coordinates():
     top, below = MAPS["projective map"].image(p, mpq(1), matrix)
     assert image_of(p, MAPS["projective map"], matrix, mpq(1)) == [x / below for x in top]
     assert below not in (0, 1)
+
+
+def test_values_on_a_line_show_what_has_no_factors_and_never_what_has():
+    c = JetReading(2).argument(SPACE, 3)
+    form = norm2(c.p.d(1)) * c.w + det(c.p, c.p.d(1), c.p.d(2))
+    plain, product = form.polynomial, (form * c.w).polynomial
+    assert irreducible_on_a_line(plain)
+    assert not irreducible_on_a_line(product)
+    assert not irreducible_on_a_line((form * form).polynomial)
+
+
+def test_long_polynomials_are_factored_as_short_ones_are(monkeypatch):
+    c = JetReading(2).argument(SPACE, 3)
+    p = det(c.p, c.p.d(1), c.p.d(2)).polynomial
+    for q in (p * -3 / 7, p * c.w.polynomial * 2, p * p):
+        monkeypatch.setattr(factorization, "LONG", 10**9)
+        expected = factors_of(q)
+        monkeypatch.setattr(factorization, "LONG", 1)
+        assert factors_of(q) == expected

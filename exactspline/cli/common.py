@@ -34,6 +34,7 @@ __all__ = [
     "load_curve",
     "loaded",
     "quiet_fonts",
+    "standard_input",
     "tell_skipped",
     "tracked",
 ]
@@ -90,27 +91,29 @@ def load_curve(name: str) -> Nurbs:
     return found[0]
 
 
-def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
-    """The curves that can be read, and whether all could: a bad curve is reported, and the rest are read."""
+def loaded(names: Iterable[str], given: bytes | None = None) -> tuple[list[Nurbs], bool]:
+    """The curves that can be read, and whether all could: a bad curve is reported, and the rest are read. `given` is
+    standard input where it was read before.
+    """
     from exactspline.display.console import show_error
 
     curves, good = [], True
     for name in names:
         try:
-            curves += curves_in(name)
+            curves += curves_in(name, given)
         except ExactSplineError as error:
             show_error(error)
             good = False
     return curves, good
 
 
-def curves_in(name: str) -> list[Nurbs]:
+def curves_in(name: str, given: bytes | None = None) -> list[Nurbs]:
     """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
-    input); whatever is skipped is named on standard error.
+    input, `given` where it was read before); whatever is skipped is named on standard error.
     """
     from exactspline.splines.examples import curve_from_text, load
 
-    given = _standard_input() if name == "-" else None
+    given = (standard_input() if given is None else given) if name == "-" else None
     part = name.rpartition(":")[0]
     if given is None and not Path(name).exists() and not (part and Path(part).exists()):
         return [load(name)]
@@ -130,7 +133,8 @@ def curves_in(name: str) -> list[Nurbs]:
     return [named.curve for named in reading.curves]
 
 
-def _standard_input() -> bytes:
+def standard_input() -> bytes:
+    """All of standard input; `CurveFileError` where it is too large."""
     from exactspline.splines.curve_files import MAX_BYTES
 
     data = sys.stdin.buffer.read(8 * MAX_BYTES + 1)

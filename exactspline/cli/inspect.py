@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import CURVE_HELP, also_in_their_planes, described, loaded
+from exactspline.cli.common import CURVE_HELP, also_in_their_planes, described, loaded, standard_input
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.choices import choice
@@ -23,7 +23,8 @@ ALL = "all"
 def inspect(
     out: Output,
     curve: Annotated[
-        list[str], typer.Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON), or an example of one.")
+        list[str],
+        typer.Argument(metavar="CURVE", help=f"{CURVE_HELP} Or a surface (JSON, or -), or an example of one."),
     ],
     digits: Annotated[
         int, typer.Option("--digits", metavar="N", min=1, max=100_000, help="Digits of parameters and curvatures.")
@@ -73,19 +74,20 @@ def inspect(
     from exactspline.geometry.inspection import Approach
     from exactspline.splines.curve_files import write_json
 
-    if surfaces := [name for name in curve if is_surface(name)]:
+    standard = standard_input() if "-" in curve else None
+    if surfaces := [name for name in curve if is_surface(name, standard)]:
         if len(surfaces) < len(curve):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
         given_options = {"--coordinates": coordinates, "--certificate": certificate, "--emit-coq": emit_coq}
         if refused := next((option for option, value in given_options.items() if value), ""):
             raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
-        inspect_surfaces(out, surfaces, digits, plot)
+        inspect_surfaces(out, surfaces, digits, plot, standard)
         return
     if approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(curve) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
-    given, good = loaded(curve)
+    given, good = loaded(curve, standard)
     if emit_coq and given:
         _emit(given[0], emit_coq)
     inspected = [_inspected(c, approach, digits, coordinates) for c in also_in_their_planes(given)]

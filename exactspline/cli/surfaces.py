@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from exactspline.splines.surface import NurbsSurface
 
 
-def is_surface(name: str) -> bool:
-    """Whether a name or a file is meant as a surface.
+def is_surface(name: str, given: bytes | None = None) -> bool:
+    """Whether a name, a file or standard input (``-``, which was read before) is meant as a surface.
 
     >>> is_surface("torus"), is_surface("circle")
     (True, False)
@@ -27,6 +27,8 @@ def is_surface(name: str) -> bool:
     from exactspline.splines.json_files import MAX_BYTES
     from exactspline.splines.surface_files import looks_like_surface
 
+    if name == "-":
+        return given is not None and len(given) <= MAX_BYTES and looks_like_surface(given.decode(errors="replace"))
     place = Path(name)
     if not place.is_file():
         return name in example_surface_names() and name not in example_names()
@@ -38,10 +40,9 @@ def is_surface(name: str) -> bool:
         return False
 
 
-def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str) -> None:
-    """Print what surfaces have; a bad one is reported and the rest goes on."""
+def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str, given: bytes | None = None) -> None:
+    """Print what surfaces have; a bad one is reported and the rest goes on. `given` is what stands for ``-``."""
     from exactspline.display.console import show_error
-    from exactspline.splines.examples import load_surface
 
     if plot and len(names) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
@@ -49,7 +50,7 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str) 
     good = True
     for name in names:
         try:
-            told.append(_inspected(load_surface(name), digits, plot))
+            told.append(_inspected(_loaded(name, given), digits, plot))
         except ExactSplineError as error:
             show_error(error)
             good = False
@@ -61,6 +62,19 @@ def inspect_surfaces(out: Output, names: Sequence[str], digits: int, plot: str) 
     )
     if not good:
         raise typer.Exit(2)
+
+
+def _loaded(name: str, given: bytes | None) -> NurbsSurface:
+    """The surface that a name, a file or standard input means."""
+    from exactspline.splines.examples import load_surface
+    from exactspline.splines.surface_files import surface_from_text
+
+    if name != "-" or given is None:
+        return load_surface(name)
+    try:
+        return surface_from_text(given.decode(errors="replace"), "stdin")
+    except ExactSplineError as error:
+        raise error.at("standard input") from None
 
 
 def _inspected(surface: NurbsSurface, digits: int, plot: str) -> tuple[dict[str, object], Sheet]:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.sheet import Sheet
 from exactspline.exact import mpq, text
+from exactspline.geometry.surface.chains import Piece
 from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.forms import in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.surface.places import Place
+from exactspline.geometry.surface.places import Place, enclosing
 from exactspline.geometry.surface.planar_maps import MapInspection, MapKind
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
-from exactspline.geometry.surface.zero_curve import Part
 from exactspline.splines.patch_forms import Box, Interval, box_text
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -20,6 +20,8 @@ from exactspline.splines.surface import Along, NurbsSurface
 _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 #: The index of an umbilic by its kind.
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
+#: Digits of boxes around points on borders.
+DIGITS_OF_BOXES = 6
 #: The description of a patch of a kind.
 CURVATURE = {
     PatchKind.ELLIPTIC: "K > 0",
@@ -62,6 +64,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
         "closed": [along.value for along in found.closed],
         "complete": found.complete,
         "minimal": found.minimal,
+        "curvature": None if found.curvature is None else text(found.curvature),
         "umbilic_everywhere": found.umbilic_everywhere,
         "patches": [_patch_data(one) for one in found.patches],
         "umbilics": [_umbilic_data(umbilic, digits) for umbilic in found.umbilics],
@@ -71,13 +74,17 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
                 "value": text(line.value),
                 "interval": _ends(line.interval),
                 "closed": line.closed,
+                "one_sided": line.one_sided,
             }
             for line in found.parabolic_lines
         ],
         "parabolic_curves": [
-            {"patch": list(one.patch), "shape": part.shape.value, **_hull_data(_hull(one, part))}
-            for one in found.patches
-            for part in one.parabolic
+            {
+                "patches": [list(patch) for patch in curve.patches],
+                "shape": curve.shape.value,
+                **_hull_data(_around(_hull(piece) for piece in curve.pieces)),
+            }
+            for curve in found.parabolic_curves
         ],
         "parabolic_points": [
             {"u": text(u), "v": text(v)}
@@ -105,9 +112,10 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
         **_hull_data(one.sides),
         "kind": one.kind.value,
         "minimal": one.minimal,
+        "curvature": None if one.curvature is None else text(one.curvature),
         "radius_squared": None if one.radius_squared is None else text(one.radius_squared),
         "umbilic_everywhere": one.umbilics.everywhere,
-        "singular_curve": one.singular.factor is not None,
+        "singular_curve": one.singular.along_curve,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
         "undecided": [_hull_data(box) for box in boxes],
     }
@@ -163,24 +171,29 @@ def shown(low: mpq, high: mpq, digits: int) -> str:
     return ("-" if middle < 0 and whole else "") + str(before) + (f".{tail}" if tail else "")
 
 
-def _hull(one: PatchInspection, part: Part) -> Box:
-    """A box around a part of a curve, in the parameters of the surface."""
-    boxes = [*(arc.box for arc in part.arcs), *part.cells]
-    if not boxes:
-        return one.sides
+def _hull(piece: Piece) -> Box:
+    """A box around the part of a curve on one patch, in the parameters of the surface."""
+    boxes = [*(arc.box for arc in piece.part.arcs), *piece.part.cells]
+    if boxes:
+        return in_parameters(_around(boxes), piece.sides)
+    spots = [tuple(enclosing(t, DIGITS_OF_BOXES) for t in spot) for spot, _ in piece.spots()]
+    return _around([(u, v) for u, v in spots]) if spots else piece.sides
+
+
+def _extent(piece: Piece) -> Box:
+    """About how far it reaches: the hull of points on it."""
+    if not piece.part.arcs:
+        return _hull(piece)
+    points = [point for arc in piece.part.arcs for point in piece.curve.points(arc)]
+    return in_parameters(_around(((x, x), (y, y)) for x, y in points), piece.sides)
+
+
+def _around(boxes: Iterable[Box]) -> Box:
+    """The smallest box around others."""
     first, second = (
         (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(*boxes, strict=True)
     )
-    return in_parameters((first, second), one.sides)
-
-
-def _extent(one: PatchInspection, part: Part) -> Box:
-    """About how far a part of a curve reaches: the hull of points on it."""
-    curve = one.curve
-    if curve is None or not part.arcs:
-        return _hull(one, part)
-    columns = list(zip(*[point for arc in part.arcs for point in curve.points(arc)], strict=True))
-    return in_parameters(((min(columns[0]), max(columns[0])), (min(columns[1]), max(columns[1]))), one.sides)
+    return first, second
 
 
 # ---- a table
@@ -195,10 +208,12 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
     for kind, box, remark in _regions(found):
         made.add_row(kind, *(_side(side) for side in box), remark)
     for line in found.parabolic_lines:
-        made.add_row("parabolic line", *_line(line.along, line.value, line.interval), "closed" if line.closed else "")
-    for one in found.patches:
-        for part in one.parabolic:
-            made.add_row("parabolic curve", *(_near(side) for side in _extent(one, part)), part.shape.value)
+        told = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
+        made.add_row("parabolic line", *_line(line.along, line.value, line.interval), told)
+    for curve in found.parabolic_curves:
+        extent = _around(_extent(piece) for piece in curve.pieces)
+        across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""
+        made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
     for spot in dict.fromkeys(point for one in found.patches for point in one.parabolic_points):
         made.add_row("parabolic point", *(text(x) for x in spot), "K = 0 there alone")
     for umbilic in found.umbilics:
@@ -246,13 +261,15 @@ def _together(boxes: Sequence[Box], direction: int) -> list[Box]:
 def _of_patch(one: PatchInspection) -> str:
     """The description of a patch."""
     told = [CURVATURE.get(one.kind, "")]
-    if one.radius_squared is not None:
-        told = [f"K = {text(1 / one.radius_squared)}", "every point is an umbilic"]
+    if one.curvature:
+        told = [f"K = {text(one.curvature)}" + ("" if one.radius_squared else " everywhere")]
+    if one.radius_squared:
+        told.append("every point is an umbilic")
     if one.minimal and one.kind is not PatchKind.PLANAR:
         told.append("H = 0")
     if one.umbilics.curve is not None or one.umbilics.edges:
         told.append("umbilics along a curve")
-    if one.singular.factor is not None:
+    if one.singular.along_curve:
         told.append("no tangent planes along a curve")
     return ", ".join(filter(None, told))
 
@@ -293,9 +310,9 @@ def _side(side: Interval) -> str:
     return f"[{text(side[0])}, {text(side[1])}]"
 
 
-def _near(side: Interval) -> str:
+def _near(side: Interval, digits: int = 4) -> str:
     """An interval by decimals, rounded."""
-    a, b = (shown(x, x, 4) for x in side)
+    a, b = (shown(x, x, digits) for x in side)
     return f"≈ {a}" if a == b else f"≈ [{a}, {b}]"
 
 

@@ -7,6 +7,7 @@ what both sides share.
 from __future__ import annotations
 
 from flint import fmpq, fmpq_mpoly
+from flint.utils.flint_exceptions import DomainError
 
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
@@ -159,10 +160,11 @@ def divided_out(p: fmpq_mpoly, q: fmpq_mpoly) -> tuple[int, fmpq_mpoly]:
     """How often q divides p, and what is left."""
     times = 0
     while True:
-        quotient, rest = divmod(p, q)
-        if rest:
+        try:
+            p = p / q  # given up at the first remainder
+        except DomainError:
             return times, p
-        times, p = times + 1, quotient
+        times += 1
 
 
 def multiplied(ring: JetRing, powers: Powers) -> fmpq_mpoly:

@@ -283,14 +283,13 @@ class Jet(Operand):
 
 def polynomial_text(jet: Jet, limit: int = 12) -> str:
     """The polynomial as it is written, cut after `limit` terms."""
-    terms = list(jet.polynomial.terms())
-    if not terms:
+    p, count = jet.polynomial, len(jet.polynomial)
+    if not count:
         return "0"
-    parts = [_term_text(jet.ring, exponents, mpq(int(c.p), int(c.q))) for exponents, c in terms[:limit]]
+    terms = [(p.monomial(i), p.coefficient(i)) for i in range(min(limit, count))]
+    parts = [_term_text(jet.ring, exponents, mpq(int(c.p), int(c.q))) for exponents, c in terms]
     text = " ".join(parts).removeprefix("+ ")
-    return (text if not text.startswith("− ") else "−" + text[2:]) + (
-        f" + … ({len(terms)} terms)" if len(terms) > limit else ""
-    )
+    return (text if not text.startswith("− ") else "−" + text[2:]) + (f" + … ({count} terms)" if count > limit else "")
 
 
 def _term_text(ring: JetRing, exponents: Any, c: mpq) -> str:

@@ -161,6 +161,8 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
     """The integers d ≥ 1 at which a polynomial in d (its first variable) and other variables vanishes for all values of
     the others.
     """
+    if polynomial and polynomial.degrees()[0] == 0:
+        return ()
     common = fmpq_poly([])
     grouped: dict[tuple[int, ...], dict[int, Any]] = {}
     for exponents, c in polynomial.terms():

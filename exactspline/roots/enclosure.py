@@ -1,7 +1,7 @@
 """Values at roots: splines and quotients of splines enclosed to any number of digits, their signs exactly.
 
-The Bézier points of a spline over an interval bound its values there, in rational numbers: no rounding, and no
-precision to choose. A sign that the bounds leave open is decided by a common divisor.
+The interval of a root bounds the values there (`centred_form`), the narrower the nearer: the root is refined until the
+digits asked for are certain. A sign that the bounds leave open is decided by a common divisor.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ from flint import fmpz_poly
 from exactspline.exact import Number, double, isqrt, lcm, mpq, mpz, rational
 from exactspline.language.choices import Side
 from exactspline.language.immutable import Immutable, fill
+from exactspline.roots.centred_form import bounds_over
 from exactspline.roots.root import Root
-from exactspline.splines.bernstein import bezier, restrict, substituted
+from exactspline.splines.bernstein import substituted
 
 if TYPE_CHECKING:
     from exactspline.splines.bspline import BSpline
@@ -178,16 +179,16 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
     """Bounds of a spline on an interval inside one of its segments; None where a knot is inside.
 
     >>> from exactspline import BSpline
-    >>> values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(1))
-    Bounds(low=mpq(1,4), high=mpq(1,1))
+    >>> low, high = values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(5001, 10000))
+    >>> low <= mpq(1, 4), mpq(5001, 10000) ** 2 <= high, high - low < mpq(1, 5000)
+    (True, True, True)
     """
     i = f.mesh.locate(low)
     if high > f.mesh.breaks[i + 1]:
         return None
     if f.degree < 0:
         return Bounds(mpq(0), mpq(0))
-    points = bezier(restrict(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)), f.degree)
-    return Bounds(min(points), max(points))
+    return Bounds(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
 
 
 def sign_at(f: BSpline, t: mpq | Root, side: Side | str = Side.RIGHT) -> int:

@@ -149,7 +149,7 @@ class _Chart:
         was not certain.
         """
         g, slope = arb_poly(self.g), arb_poly(self.slope)
-        low, high = arb(low_end), arb(high_end)
+        (first, end), low, high = map(arb, self.ends), arb(low_end), arb(high_end)
         x = ((low + high) / 2).mid() if x is None else x
         last = high - low
         # near enough for the inclusion test to be worth a step of higher precision
@@ -167,14 +167,16 @@ class _Chart:
             change = at / slope(x)
             y = (x - change).mid()
             size = abs(change).upper() if change.is_finite() else last
-            if change.is_finite() and low < y and y < high and 2 * size < last:
-                ball = arb(y, size / 4)
-                if size < near and low < ball < high:
-                    newton = y - g(y) / slope(ball)
-                    if newton.is_finite() and ball.contains_interior(newton):
-                        # once more at the same precision
-                        y = newton.mid()
-                        return (y - g(y) / slope(newton)).intersection(newton), low_end, high_end, y
+            inside = bool(change.is_finite() and low < y and y < high)
+            ball = arb(y, size / 4)
+            # an end that has moved may be nearer to the zero than the precision can tell
+            if change.is_finite() and size < near and first < ball < end:
+                newton = y - g(y) / slope(ball)
+                if newton.is_finite() and ball.contains_interior(newton):
+                    # once more at the same precision
+                    y = newton.mid()
+                    return (y - g(y) / slope(newton)).intersection(newton), low_end, high_end, y
+            if inside and 2 * size < last:
                 last = size
             else:
                 y, last = ((low + high) / 2).mid(), high - low

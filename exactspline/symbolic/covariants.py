@@ -91,8 +91,12 @@ def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRS
             f"components with the gradings {sorted(gradings)}",
             remedy="degree and weight of a vector exist when all agree",
         )
-    ((k, m),) = gradings
-    ring = parts[0].ring
+    return _true_degree(parts, gradings.pop(), parameter)
+
+
+def _true_degree(parts: list[Jet], known: tuple[int, int], parameter: Parameter) -> TrueDegree:
+    """The same of polynomials of one known degree and weight."""
+    (k, m), ring = known, parts[0].ring
     lowest: list[fmpq_mpoly] = []
     j, images = -1, [_with_d(ring, jet.polynomial) for jet in parts]
     while images:
@@ -128,14 +132,19 @@ def graded(jet: Jet, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
     >>> graded(x * x + 3 * x.d() * x + x.d())
     [x′, x², 3·x·x′]
     """
-    if _homogeneous(jet, parameter):
-        return [jet]
+    return [part for _, part in _graded(jet, parameter)]
+
+
+def _graded(jet: Jet, parameter: Parameter) -> list[tuple[tuple[int, int], Jet]]:
+    """The homogeneous parts with their degrees and weights."""
+    if (known := _homogeneous(jet, parameter)) is not None:
+        return [(known, jet)]
     moving = _moving(jet.ring, parameter)
     parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
     for exponents, c in jet.polynomial.terms():
         e = tuple(map(int, exponents))
         parts.setdefault((sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)), {})[e] = c
-    return [Jet(jet.ring, jet.ring.context.from_dict(terms)) for _, terms in sorted(parts.items())]
+    return [(known, Jet(jet.ring, jet.ring.context.from_dict(terms))) for known, terms in sorted(parts.items())]
 
 
 def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]:
@@ -196,7 +205,9 @@ def generic_degree(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) 
     >>> generic_degree([c.p[0] * c.w.d(1) - c.p[0].d(1) * c.w, c.w])
     max(2d − 2, d)
     """
-    degrees = [true_degree(part, parameter).generic for jet in jets for part in graded(jet, parameter)]
+    degrees = [
+        _true_degree([part], known, parameter).generic for jet in jets for known, part in _graded(jet, parameter)
+    ]
     result = degrees[0]
     for degree in degrees[1:]:
         result = result.max(degree)
@@ -233,15 +244,14 @@ def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], param
     [0, 8]
     """
     return max(
-        (_at([part], *grading(part, parameter), degrees, parameter) for jet in jets for part in graded(jet, parameter)),
-        default=-1,
+        (_at([part], *known, degrees, parameter) for jet in jets for known, part in _graded(jet, parameter)), default=-1
     )
 
 
 def _with_d(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial in a ring that has d besides the jets."""
     context = fmpq_mpoly_ctx.get(["d", *ring.context.names()], Ordering.degrevlex)
-    made: fmpq_mpoly = polynomial.compose(*context.gens()[1:], ctx=context)
+    made: fmpq_mpoly = polynomial.project_to_context(context)
     return made
 
 

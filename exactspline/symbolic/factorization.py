@@ -12,7 +12,7 @@ from operator import attrgetter
 from threading import RLock
 from typing import Any, NamedTuple, cast
 
-from flint import fmpq_mpoly
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq
@@ -168,8 +168,8 @@ def find_factor(left: Value, right: Value) -> Factor | None:
 
 def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
     """A quotient of jet polynomials as a product of named irreducible ones."""
-    a, tops = top.factor()
-    b, bottoms = bottom.factor()
+    a, tops = factors_of(top)
+    b, bottoms = factors_of(bottom)
     constant = mpq(int(a.p), int(a.q)) / mpq(int(b.p), int(b.q))
     powers: list[tuple[Named, int]] = []
     for sign, factors in ((1, tops), (-1, bottoms)):
@@ -179,6 +179,43 @@ def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
             powers.append((Named(name, p / int(unit.numerator) * int(unit.denominator)), sign * int(e)))
     in_order = sorted(powers, key=lambda power: (power[0].name != "w", power[0].name))
     return Factor(constant, Factorization(in_order), ring)
+
+
+#: Terms from which on a polynomial is first restricted to a line.
+LONG = 2000
+
+
+def factors_of(p: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
+    """A constant, and irreducible factors with coprime integer coefficients, the first one positive, with exponents.
+
+    >>> from flint import Ordering, fmpq_mpoly_ctx
+    >>> x, y = fmpq_mpoly_ctx.get(["x", "y"], Ordering.degrevlex).gens()
+    >>> factors_of(-2 * x**2 + 2 * y**2)
+    (-2, [(x - y, 1), (x + y, 1)])
+    """
+    if len(p) >= LONG and irreducible_on_a_line(p):
+        coefficients = p.coeffs()
+        unit = fmpq(gcd(*[int(c.p) for c in coefficients]), lcm(*[int(c.q) for c in coefficients]))
+        unit = unit if p.leading_coefficient() > 0 else -unit
+        return unit, [(p / unit, 1)]
+    constant, found = p.factor()
+    return constant, [(q, int(e)) for q, e in found]
+
+
+def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
+    """Whether a polynomial is shown to be irreducible by its values on a line: there it keeps its total degree, and so
+    do its factors, so that it would be a product there, too.
+
+    By Hilbert's irreducibility theorem most lines show that of an irreducible polynomial; false says nothing.
+    """
+    line = fmpq_mpoly_ctx.get(["t"], Ordering.lex)
+    (t,) = line.gens()
+    values = [(7 * i * i + 3) % 19 - 9 + ((5 * i * i + i + 1) % 17 - 8) * t for i in range(p.context().nvars())]
+    restricted = p.compose(*values, ctx=line)
+    if restricted.total_degree() < p.total_degree():
+        return False
+    _, found = restricted.factor()
+    return sum(int(e) for _, e in found) == 1
 
 
 def name_of(jet: Jet) -> tuple[str, mpq]:

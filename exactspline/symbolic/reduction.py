@@ -161,11 +161,26 @@ class Part:
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
         if self.is_zero:
             return Degree.number(-1)
-        total = generic_degree([c for c in self.core if not c.is_zero], self.parameter)
+        return self._times(self._of_core, powers)
+
+    def _times(self, total: Degree, powers: Iterable[tuple[Jet, int]]) -> Degree:
+        """A degree times those of powers, each found once."""
         for jet, e in powers:
-            for _ in range(e):
-                total = total * generic_degree([jet], self.parameter)
+            if e > 0:
+                if id(jet) not in self._of_factors:
+                    self._of_factors[id(jet)] = generic_degree([jet], self.parameter)
+                for _ in range(e):
+                    total = total * self._of_factors[id(jet)]
         return total
+
+    @cached_property
+    def _of_factors(self) -> dict[int, Degree]:
+        """Degrees of factors that are known; the factors are those of the part and live as long."""
+        return {}
+
+    @cached_property
+    def _of_core(self) -> Degree:
+        return generic_degree([c for c in self.core if not c.is_zero], self.parameter)
 
     @cached_property
     def generic_lowest(self) -> Degree:
@@ -176,11 +191,7 @@ class Part:
         below = [(p.jet, p.below - p.above) for p in self.powers if p.below > p.above]
         if not below or self.is_zero:
             return numerator
-        denominator = Degree.number(0)
-        for jet, e in below:
-            for _ in range(e):
-                denominator = denominator * generic_degree([jet], self.parameter)
-        return numerator.max(denominator)
+        return numerator.max(self._times(Degree.number(0), below))
 
     @property
     def is_zero(self) -> bool:

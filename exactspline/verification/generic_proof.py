@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
+from exactspline.errors import FormulaError
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.factorization import Factorization
@@ -85,12 +86,19 @@ def transposed(formula: Formula) -> Formula:
 def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: Parameter | None = None) -> Reduction:
     """The reduction of a formula, made once; its degrees are counted in the first parameter or in the one named."""
     found = _reduction(formula, dimension, polynomial, naming())
+    if isinstance(found, FormulaError):
+        raise found
     return found if parameter is None else counted_in(found, formula, parameter)
 
 
 @cache
-def _reduction(formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Reduction:
-    return reduce(formula, dimension=dimension, polynomial=polynomial)
+def _reduction(
+    formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
+) -> Reduction | FormulaError:
+    try:
+        return reduce(formula, dimension=dimension, polynomial=polynomial)
+    except FormulaError as error:  # of a formula that is too long this is known after long work only
+        return error
 
 
 def degree_table() -> Operands:

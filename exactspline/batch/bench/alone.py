@@ -1,7 +1,7 @@
 """Heavy cases, each in a separate process, so that its memory can be measured and that it can be ended when it takes
 too long.
 
-``python -m exactspline.batch.bench.alone NAME COUNT`` prints what a case took.
+``python -m exactspline.batch.bench.alone NAME COUNT LIMIT JOBS`` prints what a case took.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from time import process_time
 
 #: Wall-clock seconds for each second of processor time, on a machine that is not idle.
@@ -28,9 +29,10 @@ class Took:
     note: str = ""
 
 
-def run(name: str, count: int, limit: int) -> Took:
+def run(name: str, count: int, limit: int, jobs: int = 1) -> Took:
     """One case, ended after so many seconds of processor time."""
-    command = [sys.executable, "-m", "exactspline.batch.bench.alone", name, str(count), str(limit)]
+    numbers = map(str, (count, limit, jobs))
+    command = [sys.executable, "-m", "exactspline.batch.bench.alone", name, *numbers]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE * limit)
     except subprocess.TimeoutExpired:
@@ -69,10 +71,16 @@ def _trim_rational(_: int) -> Callable[[], object]:
 
 def _sweep(count: int) -> Callable[[], object]:
     from exactspline.batch.families import Family
-    from exactspline.batch.sweep import sweep
+    from exactspline.batch.recorded import Where, recorded
+    from exactspline.batch.summary import Summary
+    from exactspline.batch.work import Work
 
-    def call() -> object:
-        return sum(1 for _ in sweep(Family.parsed(f"degree=3 count={count}")))
+    family, jobs = Family.parsed(f"degree=3 count={count}"), int(sys.argv[4])
+    where = Where("processes" if jobs > 1 else "serial", jobs)
+
+    def call() -> None:
+        with TemporaryDirectory() as folder:
+            recorded([family], Work.of(), where, f"{folder}/lines.jsonl", Summary())
 
     return call
 

@@ -1,5 +1,5 @@
-"""Sweeps over the fonts that matplotlib ships: contours per second, the same lines on every backend, and continuation
-after a kill.
+"""Sweeps over the fonts that matplotlib ships: contours per second in one process and in two, one of them killed and
+continued, and the same lines from every backend.
 """
 
 from __future__ import annotations
@@ -8,57 +8,52 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
-from itertools import islice
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import monotonic, sleep
+from time import monotonic, process_time, sleep
 
-from exactspline.batch.backends import CHUNK, mapped
+from exactspline.batch.backends import BackendError
 from exactspline.batch.bench.row import OURS, Options, Row, bounded, installed, missing
-from exactspline.batch.corpus import Source, items
 from exactspline.batch.lines import Line
 from exactspline.batch.recorded import Where, recorded
-from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary
 from exactspline.batch.work import Work
 
 SWEEP = "sweep"
-#: Contours of the sample in a short run, and of the sweep that is killed.
-SAMPLE, KILLED = 600, "cmss10.ttf"
-#: The complete results are cut after so many lines.
-EARLY = 20
+#: The fonts of a short run.
+SAMPLED = ("cmr10.ttf", "cmss10.ttf", "cmti10.ttf")
+#: Seconds between two looks at a file that grows.
+LOOK = 1 / 100
+
+
+@dataclass(frozen=True)
+class Swept:
+    """A sweep into a file: its lines, seconds by the clock since the first new one, and what the lines sum up to."""
+
+    new: int
+    seconds: float
+    summary: Summary
 
 
 def sweep_rows(options: Options) -> Iterator[Row]:
-    """Inflections, extrema and corners of glyph contours."""
+    """Inflections, extrema and corners of all contours of the glyphs."""
     if not installed("matplotlib"):
         yield missing(SWEEP, "contours of the fonts of matplotlib", "matplotlib")
         return
-    fonts = _fonts()
-    most = None if options.full else SAMPLE
-    what = f"contours of the {len(fonts)} fonts of matplotlib" if options.full else f"{SAMPLE} contours"
-    sources: list[Source] = [*map(str, fonts)] if options.full else [str(f) for f in fonts if f.name in SAMPLED]
-    kept: dict[str, list[Line]] = {}
-    for jobs in (1, 2):
-        took = _rate(sources, most, jobs, kept)
-        own = kept["processes" if jobs > 1 else "serial"]
-        note = f"{1000 * sum(line.seconds for line in own) / len(own):.2f} ms of processor time each"
-        yield Row(SWEEP, f"{what}, {jobs} process{'es' if jobs > 1 else ''}", OURS, took, "1/s", note=note)
-    for backend in ("processes", "dask"):
-        told = f"lines of {backend} that differ from serial ones"
-        if backend == "dask" and not installed("dask"):
-            yield missing(SWEEP, told, "dask")
-            continue
-        given = islice(items(sources), SAMPLE)
-        lines = list(mapped(Work.of().lines, given, backend, 2))
-        differing = sum(a != b for a, b in zip(lines, kept["serial"], strict=False))
-        yield bounded(SWEEP, told, differing, "lines", 0, f"of {len(lines)}", OURS)
-    yield from _killed([str(f) for f in fonts if f.name == KILLED])
-
-
-#: Fonts with curves of degree 2: two of text, one of mathematics.
-SAMPLED = ("cmr10.ttf", "DejaVuSans.ttf", "STIXGeneral.ttf")
+    fonts = [str(font) for font in _fonts() if options.full or font.name in SAMPLED]
+    with TemporaryDirectory() as folder:
+        serial = Path(folder) / "serial.jsonl"
+        start = process_time()
+        one = swept(fonts, Where("serial"), serial)
+        note = f"{1000 * (process_time() - start) / one.new:.2f} ms of processor time each; {_counted(one.summary)}"
+        what = f"contours of {len(fonts)} fonts of matplotlib"
+        yield Row(SWEEP, f"{what}, 1 process", OURS, one.new / one.seconds, "1/s", note=note)
+        yield from _killed(fonts, what, one, Path(folder))
+        for backend in ("dask", "ray"):
+            yield from _on(backend, fonts, serial)
 
 
 def _fonts() -> list[Path]:
@@ -67,39 +62,103 @@ def _fonts() -> list[Path]:
     return sorted((Path(mpl.get_data_path()) / "fonts" / "ttf").glob("*.ttf"))
 
 
-def _rate(sources: list[Source], most: int | None, jobs: int, kept: dict[str, list[Line]]) -> float:
-    """Contours per second, without the start of the processes; the first lines are kept."""
-    backend, work = "processes" if jobs > 1 else "serial", Work.of()
-    lines = mapped(work.lines, islice(items(sources), most), backend, jobs)
-    start, first, seen, own = monotonic(), 0, 0, kept.setdefault(backend, [])
-    for line in lines:
-        seen += 1
-        if seen == CHUNK:
-            start, first = monotonic(), seen
-        if len(own) < SAMPLE:
-            own.append(line)
-    return (seen - first) / (monotonic() - start)
+def swept(corpus: Sequence[str], where: Where, place: Path) -> Swept:
+    """A sweep into a file, or the rest of one."""
+    summary, new, start = Summary(), 0, monotonic()
+
+    def tick(share: float, line: Line, known: bool) -> None:
+        nonlocal new, start
+        if not known:
+            new += 1
+            if new == 1:
+                start = monotonic()
+
+    recorded(corpus, Work.of(), where, str(place), summary, tick)
+    return Swept(new, monotonic() - start, summary)
 
 
-def _killed(corpus: list[str]) -> Iterator[Row]:
-    """A sweep into a file, killed and continued: the lines that differ from an undisturbed sweep."""
-    with TemporaryDirectory() as folder:
-        place = Path(folder) / "lines.jsonl"
-        command = [sys.executable, "-m", "exactspline", "sweep", *corpus, "-o", str(place), "-q"]
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        while process.poll() is None and (not place.exists() or place.read_bytes().count(b"\n") < EARLY):
-            sleep(1 / 100)
-        os.kill(process.pid, signal.SIGKILL)
-        process.wait()
-        torn = place.read_bytes()
-        recorded(corpus, Work.of(), Where("serial"), str(place), Summary())
-        whole = place.read_bytes()
-        with JsonLines(place, {}) as results:
-            lines = list(results.existing())
-        undisturbed = list(mapped(Work.of().lines, items(corpus)))
-    differing = abs(len(lines) - len(undisturbed)) + sum(a != b for a, b in zip(lines, undisturbed, strict=False))
-    before = torn.rfind(b"\n") + 1
-    note = f"killed after {torn.count(bytes([10]))} of {len(lines)} lines"
-    if not whole.startswith(torn[:before]):
-        note += "; what was written was changed"
-    yield bounded(SWEEP, "lines lost, repeated or changed by a kill", differing, "lines", 0, note)
+def differing(one: Path, other: Path) -> int:
+    """How many lines of two files differ, byte for byte but for the processor time, which ends every line."""
+    with open(one, "rb") as first, open(other, "rb") as second:
+        return sum(_timeless(a) != _timeless(b) for a, b in zip_longest(first, second, fillvalue=b""))
+
+
+def _timeless(line: bytes) -> bytes:
+    return line.rpartition(b',"seconds":')[0]
+
+
+def _counted(summary: Summary) -> str:
+    found = {name: 0 for name, _ in summary.found}
+    for (name, _), count in summary.found.items():
+        found[name] += count
+    told = [f"{summary.segments} segments", *(f"{count} {name}" for name, count in found.items())]
+    return ", ".join([*told, f"{summary.errors.total()} errors"])
+
+
+def _killed(corpus: Sequence[str], what: str, one: Swept, folder: Path) -> Iterator[Row]:
+    """A sweep in two processes, killed after half of the lines and continued: its rate, and the lines that differ from
+    those of the undisturbed sweep.
+    """
+    place = folder / "killed.jsonl"
+    half, seconds = killed_at(corpus, place, one.new // 2)
+    before = place.read_bytes()
+    rest = swept(corpus, Where("processes", 2), place)
+    with open(place, "rb") as stream:
+        kept = stream.read(len(before)).startswith(before[: before.rfind(b"\n") + 1])
+    del before
+    rate, alone = (half + rest.new) / (seconds + rest.seconds), one.new / one.seconds
+    yield Row(SWEEP, f"{what}, 2 processes", OURS, rate, "1/s", note=f"{rate / alone:.2f} times one process")
+    note = f"killed after {half} of {rest.summary.lines} lines" + ("" if kept else "; what was written was changed")
+    lost = differing(folder / "serial.jsonl", place)
+    yield bounded(SWEEP, "lines lost, repeated or changed by a kill, 2 processes", lost, "lines", 0, note)
+
+
+def killed_at(corpus: Sequence[str], place: Path, lines: int) -> tuple[int, float]:
+    """Start the command that sweeps a corpus in two processes into a file, and kill it, with all its processes, when
+    there are so many lines: how many there were, and in how many seconds since the first.
+    """
+    command = [sys.executable, "-m", "exactspline", "sweep", *corpus, "-o", str(place), "--jobs", "2", "-q"]
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    found, start = 0, monotonic()
+    while process.poll() is None and not place.exists():
+        sleep(LOOK)
+    if process.poll() is not None and not place.exists():
+        raise BackendError(f"the sweep ended with status {process.returncode}", remedy="run it: " + " ".join(command))
+    with open(place, "rb") as stream:
+        while process.poll() is None and found < lines:
+            if new := stream.read().count(b"\n"):
+                start, found = monotonic() if not found else start, found + new
+            sleep(LOOK)
+        seconds = monotonic() - start
+        _kill(process)
+        found += stream.read().count(b"\n")
+    return found, seconds
+
+
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    """End a process, with those that it started where there are groups of processes."""
+    try:
+        if hasattr(os, "killpg"):
+            os.killpg(process.pid, signal.SIGKILL)
+        else:
+            process.kill()
+    except ProcessLookupError:
+        pass  # it came to its end before
+    process.wait()
+
+
+def _on(backend: str, corpus: Sequence[str], serial: Path) -> Iterator[Row]:
+    """A sweep on a cluster of two workers: its rate, and the lines that differ from those of one process."""
+    told = f"lines on {backend}, 2 workers, that differ from those of one process"
+    if not installed(backend):
+        yield missing(SWEEP, told, backend)
+        return
+    place = serial.with_name(f"{backend}.jsonl")
+    try:
+        own = swept(corpus, Where(backend, 2), place)
+    except BackendError as error:
+        yield Row(SWEEP, told, backend, None, "lines", note=str(error))
+        return
+    note = f"of {own.new}, {own.new / own.seconds:.0f} a second"
+    yield bounded(SWEEP, told, differing(serial, place), "lines", 0, note, backend)
+    place.unlink()

@@ -15,14 +15,16 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.exact import mpq, to_fmpq
+from exactspline.geometry.bisector.discriminants import resultant
 from exactspline.geometry.bisector.polynomials import (
     Interval,
     Parameter,
+    S,
     Sides,
+    T,
     certainly_not_zero,
     enclosed,
     exactly,
-    in_one,
     possible_boxes,
     roots_in,
     rows_of,
@@ -33,7 +35,7 @@ from exactspline.roots.root import Root
 #: A pair of parameters.
 Place = tuple[Parameter, Parameter]
 #: The largest number of common zeros, real and complex, for which an elimination is tried.
-REACH = 700
+REACH = 1000
 #: Primes modulo which a factor of a resultant is tried.
 PRIMES = ((1 << 61) - 1, (1 << 61) - 31, (1 << 62) - 57, (1 << 62) - 87)
 #: Parts of a side by which roots just outside it are known too, and the radii of boxes that are tried.
@@ -121,10 +123,10 @@ def _parameters(
     f: fmpz_mpoly, g: fmpz_mpoly, also: Sequence[fmpz_mpoly], variable: int, side: Interval
 ) -> tuple[list[Root], list[Root]]:
     """The real roots of the resultant on an interval: those at which all may vanish, and all."""
-    resultant = in_one(f.resultant(g, 1 - variable), variable)
+    rows = [rows_of(p if variable == 0 else p.compose(T, S)) for p in (f, g)]
     kept: list[Root] = []
     every: list[Root] = []
-    for factor in [p for p, _ in resultant.factor()[1] if p.degree() > 0]:
+    for factor in [p for p, _ in resultant(*rows).factor()[1] if p.degree() > 0]:
         roots = roots_in(factor, *side)
         every += roots
         if roots and not _certainly_apart([f, g, *also], factor, variable):
@@ -154,7 +156,7 @@ def _certainly_apart(polynomials: Sequence[fmpz_mpoly], factor: fmpz_poly, varia
 
 
 def _image(p: fmpz_mpoly, root: int, prime: int, variable: int) -> nmod_poly:
-    rows = rows_of(p) if variable == 0 else rows_of(p.compose(*reversed(p.context().gens())))
+    rows = rows_of(p) if variable == 0 else rows_of(p.compose(T, S))
     values = [int(nmod_poly([int(x) % prime for x in row.coeffs()], prime)(root)) for row in rows]
     return nmod_poly(values, prime)
 
@@ -165,14 +167,13 @@ def _is_zero(
     """Whether f and g vanish at a pair and none of the others is certainly not zero there; None when undecided."""
     if any(certainly_not_zero(p, *place) for p in (f, g, *also)):
         return False
-    verdict = vanish_together((f, g, *also), exactly(place[0]), exactly(place[1]))
-    if verdict is not None:
-        return verdict
-    for bits in RADII:
-        box = [own.around(x, bits) for x, own in zip(place, known, strict=True)]
-        if all(side is not None for side in box) and _holds_a_zero(f, g, box, bits):
-            return True
-    return None
+    s, t = exactly(place[0]), exactly(place[1])
+    if isinstance(s, Root) and isinstance(t, Root):
+        for bits in RADII:
+            box = [own.around(x, bits) for x, own in zip(place, known, strict=True)]
+            if all(side is not None for side in box) and _holds_a_zero(f, g, box, bits):
+                return True
+    return vanish_together((f, g, *also), s, t)
 
 
 def _holds_a_zero(f: fmpz_mpoly, g: fmpz_mpoly, box: Sequence[Interval | None], bits: int) -> bool:
@@ -197,23 +198,4 @@ def _holds_a_zero(f: fmpz_mpoly, g: fmpz_mpoly, box: Sequence[Interval | None], 
     return True
 
 
-def vanishes_at(h: fmpz_mpoly, f: fmpz_mpoly, place: Place, sides: Sides) -> bool | None:
-    """Whether h vanishes at a certified zero of f; None when undecided."""
-    if not h:
-        return True
-    if certainly_not_zero(h, *place):
-        return False
-    s, t = place
-    if (verdict := vanish_together([h], s, t)) is not None:
-        return verdict
-    # one of the factors that balls do not exclude vanishes, and which one is not known
-    possible = [factor for factor, _ in f.factor()[1] if not certainly_not_zero(factor, *place)]
-    if all(not divmod(h, factor)[1] for factor in possible):
-        return True
-    for factor in possible:
-        if divmod(h, factor)[1] and any(x == s and y == t for x, y in common_zeros(factor, h, sides).places):
-            return True
-    return None
-
-
-__all__ = ["CommonZeros", "Place", "common_zeros", "vanishes_at"]
+__all__ = ["CommonZeros", "Place", "common_zeros"]

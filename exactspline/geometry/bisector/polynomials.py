@@ -7,10 +7,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import reduce
 from math import lcm
+from typing import Protocol, Self, TypeVar
 
-from flint import Ordering, acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.language.operand import Scalar
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE, halves, substituted
@@ -32,8 +34,21 @@ Rows = list[fmpz_poly]
 
 #: Halvings before a box is assumed to hold a common zero, and boxes before the search stops.
 DEPTH, BOXES = 9, 3000
-#: The product of two degrees up to which it is decided exactly whether a polynomial vanishes at two irrational numbers.
-ALGEBRAIC = 64
+#: Bits of precision with which it is first asked whether a polynomial vanishes at two irrational numbers, and bits with
+#: which it is not asked any more.
+SHORTEST, LONGEST = 512, 1 << 22
+
+
+class Euclidean(Scalar, Protocol):
+    """A polynomial in one parameter over the whole numbers or a field."""
+
+    def __mul__(self, other: Self | int, /) -> Self: ...
+    def __floordiv__(self, other: Self, /) -> Self: ...
+    def gcd(self, other: Self, /) -> Self:
+        """The greatest common divisor."""
+
+
+E = TypeVar("E", bound=Euclidean)
 
 
 # ---- one parameter
@@ -81,7 +96,7 @@ def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
     return sorted(root for q in factors for root in zeros(as_splines([q], a, b)[0]))
 
 
-def common_divisor(polynomials: Iterable[fmpz_poly]) -> fmpz_poly:
+def common_divisor(polynomials: Iterable[E]) -> E:
     """The greatest common divisor."""
     return reduce(lambda p, q: p.gcd(q), polynomials)
 
@@ -163,8 +178,8 @@ def certainly_not_zero(p: fmpz_mpoly, s: Parameter, t: Parameter, most: int = 60
 
 
 def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> bool | None:
-    """Whether polynomials vanish at a pair, decided exactly where a parameter is rational or both are of low degree;
-    otherwise None, if balls do not show that one of them is not zero.
+    """Whether polynomials vanish at a pair, decided exactly; None where that would need more than the longest precision
+    of balls.
     """
     if isinstance(s, Root) and isinstance(t, Root):
         if any(certainly_not_zero(p, s, t) for p in polynomials):
@@ -183,28 +198,49 @@ def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Paramete
 
 
 def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
-    """Whether a polynomial vanishes at two irrational parameters of low degree.
+    """Whether a polynomial vanishes at two irrational parameters; None beyond the longest precision.
 
-    The product of its values at s and all conjugates of t vanishes exactly where the minimal polynomial of s divides
-    the resultant; balls exclude the others.
+    A value that is not zero is at least ``2^−bits`` by Liouville's inequality: balls of growing precision show either
+    that it is not zero, or that it is smaller than that.
     """
     first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())
     for variable, minimal in enumerate((first, second)):
         if p.degrees()[1 - variable] == 0:
             return not _primitive(in_one(p, variable)) % minimal
-    if first.degree() * second.degree() > ALGEBRAIC:
-        return None
-    norm = in_one(lifted(second, 1).resultant(p, 1), 0)
-    if norm and _primitive(norm) % first:
-        return False
-    with ctx.workprec(400):
-        at_s = arb_poly([arb_poly(row)(ball(s, 60)) for row in rows_of(p)])
-        own = ball(t, 60)
-        found: list[tuple[acb, int]] = second.complex_roots()  # type: ignore[assignment]  # the stubs omit the multiplicity
-        roots = [root for root, _ in found]
-        others = [root for root in roots if not (root.imag.contains(0) and root.real.overlaps(own))]
-        alone = len(others) == len(roots) - 1 and not any(acb_poly(at_s)(root).contains(0) for root in others)
-    return True if alone else None
+    bits, precision = least_value(p, first, second), SHORTEST
+    while precision < LONGEST:
+        with ctx.workprec(precision):
+            digits = precision * 30103 // 100000
+            value = abs(enclosed(p, ball(s, digits), ball(t, digits)))
+            if not value.contains(0):
+                return False
+            mantissa, exponent = value.upper().man_exp()
+            if mantissa == 0 or int(exponent) + int(mantissa).bit_length() < -bits:
+                return True
+        precision = max(2 * precision, min(bits + SHORTEST, 4 * precision))
+    return None
+
+
+def least_value(p: fmpz_mpoly, first: fmpz_poly, second: fmpz_poly) -> int:
+    """A number b such that p is 0 or of a size of at least ``2^−b`` at a root of one integer polynomial and a root of
+    another.
+
+    Liouville's inequality: the sizes of an algebraic number at all places of its field multiply to 1. At the others it
+    is at most the sum of the coefficients of p times powers of the Mahler measures, and these are at most Euclid's
+    norms of both polynomials (Waldschmidt, Diophantine Approximation on Linear Algebraic Groups, 2000, §3.5).
+
+    >>> least_value(S - T, fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 0, 1]))
+    16
+    """
+    m, n = (int(k) for k in p.degrees())
+    total = sum(abs(int(x)) for x in p.coeffs())
+    size = first.degree() * second.degree() * total.bit_length()
+    return size + m * second.degree() * _norm_bits(first) + n * first.degree() * _norm_bits(second)
+
+
+def _norm_bits(p: fmpz_poly) -> int:
+    """The logarithm to base 2 of Euclid's norm of the coefficients, rounded up."""
+    return (sum(int(x) ** 2 for x in p.coeffs()).bit_length() + 1) // 2
 
 
 def _primitive(p: fmpz_poly) -> fmpz_poly:

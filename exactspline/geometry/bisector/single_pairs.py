@@ -6,18 +6,16 @@ from collections.abc import Sequence
 
 from flint import fmpz_mpoly
 
-from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros, vanishes_at
+from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros
 from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs, interval_text
 from exactspline.geometry.bisector.correspondence import same_place
-from exactspline.geometry.bisector.polynomials import Sides, certainly_not_zero, possible_boxes, vanish_together
+from exactspline.geometry.bisector.polynomials import Sides, possible_boxes, vanish_together
 from exactspline.geometry.bisector.system import System
 from exactspline.language.vector import Vector
 from exactspline.roots.root import Root
 
 #: Combinations of the components of a vector, tried one after the other.
 COMBINATIONS = ((3, 5, -7), (11, -2, 1), (1, 13, 4), (-5, 1, 17))
-#: Digits up to which balls are refined to show that a value is not zero.
-PATIENCE = 240
 
 Found = tuple[list[Place], tuple[str, ...]]
 
@@ -41,10 +39,10 @@ def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: S
     found = common_zeros(*square, sides, polynomials)
     places, left_out = [], _undecided(found, sides)
     for place in found.places:
-        verdicts = [vanishes_at(p, square[0], place, sides) for p in polynomials]
-        if all(verdicts):
+        verdict = vanish_together(polynomials, *place)
+        if verdict:
             places.append(place)
-        elif False not in verdicts:
+        elif verdict is None:
             left_out.append(f"whether the curves meet at {shown(place)}")
     return places, tuple(left_out)
 
@@ -92,22 +90,12 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
     """The common points with a common tangent: their normal plane."""
     pairs, left_out = [], []
     for place in meetings:
-        touches = _tangent(system, place)
+        touches = vanish_together([f for f in system.crosses()[1] if f], *place)
         if touches:
             pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
         elif touches is None:
             left_out.append(f"whether the curves touch at {shown(place)}")
     return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
-
-
-def _tangent(system: System, place: Place) -> bool | None:
-    """Whether the tangents at a common point are parallel."""
-    conditions = [f for f in system.crosses()[1] if f]
-    if (verdict := vanish_together(conditions, *place)) is not None:
-        return verdict
-    chord = _coprime(None, list(system.chord))
-    verdicts = [vanishes_at(f, chord[0], place, system.sides) if chord else None for f in conditions]
-    return False if False in verdicts else None if None in verdicts else True
 
 
 def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
@@ -159,7 +147,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         for place in found.places:
             if _among(place, meetings) or any(_lies_on(g, place) for g in factors):
                 continue
-            rank = _has_rank_2(system, place, u)
+            rank = _has_rank_2(system, place)
             if rank:
                 places.append(place)
             elif rank is None:
@@ -168,13 +156,10 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
     return [], (f"single pairs on {_where(system.sides)}: no two coprime conditions",)
 
 
-def _has_rank_2(system: System, place: Place, u: tuple[int, ...]) -> bool | None:
+def _has_rank_2(system: System, place: Place) -> bool | None:
     """Whether the normals of the three planes are not all parallel; if they are, and the curves do not meet, the planes
     are three different ones.
     """
     everything = [f for v in system.crosses() for f in v if f]
-    if not all(isinstance(x, Root) for x in place):
-        return not vanish_together(everything, *place)
-    if any(certainly_not_zero(_combined(list(v), u), *place, most=PATIENCE) for v in system.crosses()):
-        return True
-    return None
+    parallel = vanish_together(everything, *place)
+    return None if parallel is None else not parallel

@@ -7,8 +7,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from exactspline.exact import mpq
-from exactspline.geometry.surface.isolation import Zero, isolate
-from exactspline.geometry.surface.singular import same
+from exactspline.geometry.surface.isolation import Zero, isolate, same
 from exactspline.splines.patch_forms import Box, Interval, PatchForm
 
 #: Bits to which a critical point is refined before it is given up to tell whether the form vanishes there.
@@ -31,6 +30,7 @@ class Cell(NamedTuple):
 
     box: Box
     crossing: Crossing
+    zero: Zero
 
 
 def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> tuple[list[Cell], list[Box]]:
@@ -100,7 +100,7 @@ def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> list[Cell] |
         crossing = _kind(form, box) if within and all(a > 0 and b < 1 for a, b in box) else None
         if crossing is None or box in found:
             return None
-        found[box] = Cell(box, crossing)
+        found[box] = Cell(box, crossing, zero)
     return list(found.values())
 
 

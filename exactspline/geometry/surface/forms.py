@@ -18,7 +18,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.splines.patch_forms import Borders, Box, PatchForm
 from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor import TensorSpline, aligned
 
 #: A patch: segment i of u and segment j of v.
 Patch = tuple[int, int]
@@ -114,6 +114,12 @@ class SurfaceForms:
         """``w² S_u`` and ``w² S_v``."""
         return self.vector("D_u"), self.vector("D_v")
 
+    @cached_property
+    def curvature(self) -> tuple[TensorSpline, TensorSpline]:
+        """Numerator and denominator of K: ``w⁴ · w⁸ (LN − M²)`` and ``‖Π_n‖⁴``."""
+        w = self.surface.w
+        return self.parabolic * w**4, self.area * self.area
+
     @property
     def patches(self) -> list[Patch]:
         """All patches, v running faster."""
@@ -122,9 +128,17 @@ class SurfaceForms:
 
 
 def lowest(f: TensorSpline) -> TensorSpline:
-    """The same function at the lowest degrees that it has, over the same patches; zero as it is."""
+    """The same function at the lowest degrees that it has, over the same patches; zero as it is.
+
+    >>> s = TensorSpline((2, 0), [0, 0, 0, 1, 2, 2, 2], [0, 1], [[0], ["1/2"], ["3/2"], [2]])
+    >>> lowest(s).degree, len(lowest(s).meshes[0])
+    (Degrees(s=1, t=0), 2)
+    """
     degree, true = f.degree, f.true_degree
-    return f.reduce_degree(degree.s - true.s, degree.t - true.t) if degree != true and min(true) >= 0 else f
+    if degree == true or min(true) < 0:
+        return f
+    # a lower degree may need fewer knots: the patches are those of the surface all the same
+    return aligned(f.reduce_degree(degree.s - true.s, degree.t - true.t), f)[0]
 
 
 def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:

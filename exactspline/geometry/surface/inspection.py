@@ -7,10 +7,12 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.exact import mpq
-from exactspline.geometry.surface.borders import Edge
+from exactspline.geometry.surface.borders import EDGES, Edge
+from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
+from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, formula, in_parameters, on_patch, sides_of
+from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.signs import Point, Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
@@ -50,13 +52,17 @@ _BY_SIGN = {
 
 @dataclass(frozen=True)
 class ParabolicLine:
-    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`."""
+    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`.
+
+    `one_sided` tells that it does only as seen from the patches on one side of the line.
+    """
 
     along: Along
     value: mpq
     interval: Interval
     #: Whether the line runs through a whole period of a closed surface.
     closed: bool = False
+    one_sided: bool = False
 
 
 @dataclass(frozen=True)
@@ -73,6 +79,8 @@ class PatchInspection:
     signs: Signs | None
     singular: SingularPoints
     umbilics: UmbilicsOfPatch
+    #: The Gaussian curvature where it is constant.
+    curvature: mpq | None = None
     #: Edges along which K vanishes, and the parts of its other zeros.
     parabolic_edges: tuple[Edge, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
@@ -85,12 +93,20 @@ class PatchInspection:
         return tuple(part for part in self.curve.parts if not self._is_singular(part))
 
     @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The same, each with the patch it is on."""
+        return tuple(Piece(self.patch, self.sides, self.curve, part) for part in self.parabolic if self.curve)
+
+    @property
     def parabolic_points(self) -> tuple[Point, ...]:
         """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
-        singular = {place.exact for place in self.singular.places}
         points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
-        return tuple((u, v) for (u, _), (v, _) in points if (u, v) not in singular)
+        return tuple((u, v) for (u, _), (v, _) in points)
+
+    def is_parabolic_along(self, edge: Edge) -> bool:
+        """Whether K vanishes along an edge, as seen from this patch."""
+        return edge in self.parabolic_edges or self.kind in (PatchKind.PLANAR, PatchKind.DEVELOPABLE)
 
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
@@ -117,6 +133,8 @@ class SurfaceInspection:
     #: Each once, also where patches or the two ends of a closed surface meet.
     umbilics: tuple[Umbilic, ...]
     parabolic_lines: tuple[ParabolicLine, ...]
+    #: Whole, across borders of patches where these are zeros of K on both sides.
+    parabolic_curves: tuple[ParabolicCurve, ...]
     poles: tuple[Pole, ...]
     jumps: tuple[Jump, ...]
     #: The parameters in which it is closed.
@@ -131,6 +149,12 @@ class SurfaceInspection:
     def umbilic_everywhere(self) -> bool:
         """Whether every point is an umbilic."""
         return all(one.umbilics.everywhere for one in self.patches)
+
+    @property
+    def curvature(self) -> mpq | None:
+        """The Gaussian curvature where it is the same at all points of the surface."""
+        found = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
+        return found.pop() if len(found) == 1 else None
 
     @property
     def minimal(self) -> bool:
@@ -174,6 +198,7 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
         patches,
         _merged(forms, patches, closed),
         _parabolic_lines(surface, patches, closed),
+        chained([piece for one in patches for piece in one.pieces], surface.domain, closed),
         tuple(poles),
         tuple(jumps(surface)),
         closed,
@@ -189,21 +214,26 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         return PatchInspection(patch, sides, kind, False, None, None, singular, UmbilicsOfPatch())
     umbilics = umbilics_of_patch(forms, patch, singular)
     minimal = on_patch(forms.minimality, patch) is None
-    own = on_patch(forms.parabolic, patch)
+    own, curvature = on_patch(forms.parabolic, patch), constant_curvature(forms, patch)
     if own is None:
         flat = all(on_patch(f, patch) is None for f in forms.second)
         kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
-        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics)
-    edges = tuple(
-        Edge(k, end)
-        for (k, end), times in zip(((0, 0), (0, 1), (1, 0), (1, 1)), own.borders, strict=True)
-        if times and Edge(k, end) not in singular.edges
-    )
+        return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
     if umbilics.everywhere:
-        radius = 1 / _curvature_inside(forms, sides)
-        return PatchInspection(patch, sides, PatchKind.SPHERICAL, minimal, radius, None, singular, umbilics)
+        assert curvature, "a surface all of whose points are umbilics, and no plane, is a sphere"
+        kind = PatchKind.SPHERICAL
+        return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
+    edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
+    kind, signs, curve = _sign_of(own, singular, forms, patch)
+    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
+
+
+def _sign_of(
+    own: Reduced, singular: SingularPoints, forms: SurfaceForms, patch: Patch
+) -> tuple[PatchKind, Signs, ZeroCurve | None]:
+    """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
-    signs = sign_on_patch(form)
+    signs = _of_surface(sign_on_patch(form), forms, patch)
     curve = None
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
         bare = form if singular.factor is None else without_powers(form, singular.factor)
@@ -214,7 +244,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     kind = _BY_SIGN[signs.sign]
     if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(form)):
         kind = PatchKind.ELLIPTIC_BUT if signs.positive else PatchKind.HYPERBOLIC_BUT
-    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, edges, curve)
+    return kind, signs, curve
 
 
 def _keeps_sign(form: PatchForm) -> bool:
@@ -222,11 +252,20 @@ def _keeps_sign(form: PatchForm) -> bool:
     return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
 
 
-def _curvature_inside(forms: SurfaceForms, sides: Box) -> mpq:
-    """K at a point inside a patch."""
-    (a, b), (c, d) = sides
-    value: mpq = formula("gaussian_curvature_lifted")(forms.surface)((a + b) / 2, (c + d) / 2)
-    return value
+def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
+    """The zeros at which there is a tangent plane, and which are not on an edge along which K vanishes anyway."""
+    area, own = on_patch(forms.area, patch), on_patch(forms.parabolic, patch)
+    assert area is not None
+    assert own is not None
+    lines = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
+    return replace(
+        signs,
+        zeros=tuple(
+            spot
+            for spot in signs.zeros
+            if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
+        ),
+    )
 
 
 # ---- the surface as a whole
@@ -281,13 +320,16 @@ def _parabolic_lines(
     surface: NurbsSurface, patches: Sequence[PatchInspection], closed: Sequence[Along]
 ) -> tuple[ParabolicLine, ...]:
     """Edges of patches on which K vanishes, neighbours as one line."""
-    sides: dict[tuple[Along, mpq], set[Interval]] = {}
+    sides: dict[tuple[Along, mpq, bool], set[Interval]] = {}
+    by_place = {one.patch: one for one in patches}
     for one in patches:
         for edge in one.parabolic_edges:
-            key = line_of(edge), edge.value(one.sides)
+            behind = by_place.get(_behind(one.patch, edge, surface.patches, closed))
+            one_sided = behind is not None and not behind.is_parabolic_along(Edge(edge.direction, 1 - edge.end))
+            key = line_of(edge), edge.value(one.sides), one_sided
             sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
     lines = []
-    for (along, value), intervals in sorted(sides.items()):
+    for (along, value, one_sided), intervals in sorted(sides.items()):
         joined: list[Interval] = []
         for a, b in sorted(intervals):
             if joined and joined[-1][1] == a:
@@ -295,8 +337,18 @@ def _parabolic_lines(
             else:
                 joined.append((a, b))
         domain = surface.domain[along.direction]
-        lines += [ParabolicLine(along, value, side, along in closed and side == domain) for side in joined]
+        lines += [ParabolicLine(along, value, side, along in closed and side == domain, one_sided) for side in joined]
     return _without_seam(lines, surface.domain, closed)
+
+
+def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
+    """The patch on the other side of an edge; one that does not exist at the end of a surface that is not closed."""
+    place = list(patch)
+    k = edge.direction
+    place[k] += 1 if edge.end else -1
+    if list(Along)[k] in closed:
+        place[k] %= counts[k]
+    return place[0], place[1]
 
 
 def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicLine, ...]:

@@ -26,6 +26,8 @@ MARGIN = mpq(1, 4)
 DEPTH, BOXES = 48, 20_000
 #: Bits of a box in which a simple rational zero is looked for, and the largest denominator that is tried.
 SIMPLE_BITS, SIMPLE = 60, 4096
+#: Bits to which two zeros are refined before it is given up to tell them apart.
+EQUAL_BITS = 200
 
 
 class Zero:
@@ -220,4 +222,29 @@ def simplest(low: mpq, high: mpq) -> mpq:
     return base + 1 / simplest(1 / (high - base), 1 / (low - base))
 
 
-__all__ = ["Zero", "Zeros", "isolate", "preconditioned", "simplest"]
+def same(one: Zero, other: Zero) -> bool:
+    """Whether two certified points are one: the second kind of zero counts, too, once its box is in the first's region.
+
+    Both must be zeros of the forms of `other`; false is a proof as well.
+    """
+    bits = 16
+    while True:
+        a, b = one.refine(bits), other.box
+        if all(high < low for (_, high), (low, _) in zip(a, b, strict=True)):
+            return False
+        if any(p[1] < q[0] or q[1] < p[0] for p, q in zip(a, b, strict=True)):
+            return False
+        if all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(a, other.region, strict=True)):
+            return True
+        other.refine(bits)
+        bits *= 2
+
+
+def are_one(one: Zero, other: Zero) -> bool | None:
+    """Whether two certified points, each a zero of forms of its own, are one; None where that is given up."""
+    if one.exact is not None and other.exact is not None:
+        return one.exact == other.exact
+    return False if _apart(one.refine(EQUAL_BITS), other.refine(EQUAL_BITS)) else None
+
+
+__all__ = ["Zero", "Zeros", "are_one", "isolate", "preconditioned", "same", "simplest"]

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import product
+from itertools import pairwise, product
 
 from exactspline.exact import mpq
-from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, halved
+from exactspline.geometry.surface.borders import Edge, along, roots_along
+from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 40
@@ -52,14 +54,34 @@ def sign_on_patch(form: PatchForm) -> Signs:
     """
     if form.is_zero:
         return Signs(Sign.ZERO)
+    told = _signs(form, [UNIT])
+    if told.sign is Sign.UNDECIDED and len(boxes := _cut(form)) > 1:
+        return _signs(form, boxes)
+    return told
+
+
+def _cut(form: PatchForm) -> list[Box]:
+    """The unit square cut where the form has rational zeros on its edges: they become corners of boxes."""
+    sides: list[list[Interval]] = []
+    for direction in (0, 1):
+        cuts = {mpq(0), mpq(1)}
+        for edge in (Edge(1 - direction, end) for end in (0, 1)):
+            if own := along(form, edge, UNIT):
+                cuts.update(root.exact for root in roots_along(own, edge, UNIT) if root.exact is not None)
+        sides.append(list(pairwise(sorted(cuts))))
+    return [(first, second) for first in sides[0] for second in sides[1]]
+
+
+def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
+    """The same, beginning with boxes that fill the square."""
     found: dict[int, Point] = {}
     zeros: list[Point] = []
     undecided: list[Box] = []
-    todo = deque([Sized(UNIT, [form], 0)])
-    boxes = 0
+    todo = deque(Sized(box, [form.part(box)], 0) for box in boxes)
+    seen = 0
     while todo:
         part = todo.popleft()
-        boxes += 1
+        seen += 1
         own = part.forms[0]
         for value, place in zip(own.corners, product(*part.box), strict=True):
             if value == 0 and place not in zeros:
@@ -70,7 +92,7 @@ def sign_on_patch(form: PatchForm) -> Signs:
             return Signs(Sign.BOTH, found[1], found[-1])
         if own.sign is not None or _only_at_corners(own):
             continue
-        if boxes > BOXES or part.depth >= DEPTH:
+        if seen > BOXES or part.depth >= DEPTH:
             undecided.append(part.box)
         else:
             todo.extend(halved(part))

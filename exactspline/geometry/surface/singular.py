@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along
-from exactspline.geometry.surface.common_factor import common_factor, divided
+from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, isolate
+from exactspline.geometry.surface.isolation import Zero, are_one, isolate, same
+from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.roots.root import Root
 from exactspline.splines.patch_forms import Box, PatchForm
 
@@ -19,8 +21,8 @@ BITS = 400
 
 @dataclass(frozen=True)
 class SingularPoints:
-    """Where the normal of a patch vanishes: `degenerate` all over it; along whole `edges`; along the zeros of a common
-    `factor` of its coordinates inside; at `places` inside and on the border; `undecided` are boxes of parameters.
+    """Where the normal of a patch vanishes: `degenerate` all over it; along whole `edges`; `along_curve` inside; at
+    `places` inside and on the border; `undecided` are boxes of parameters. A `factor` is common to its coordinates.
     """
 
     degenerate: bool = False
@@ -30,11 +32,13 @@ class SingularPoints:
     zeros: tuple[Zero, ...] = ()
     undecided: tuple[Box, ...] = ()
     factor: PatchForm | None = None
+    #: Whether the factor is zero on more than single points.
+    along_curve: bool = False
 
     @property
     def regular(self) -> bool:
         """Whether there are none but along edges."""
-        return not (self.degenerate or self.places or self.undecided or self.factor)
+        return not (self.degenerate or self.places or self.undecided or self.along_curve)
 
 
 def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
@@ -55,16 +59,31 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
         return SingularPoints(False, edges, tuple(places))
     normal = [None if own is None else own.form for own in (on_patch(f, patch) for f in forms.normal)]
     factor = common_factor([f for f in normal if f is not None])
+    curve, along_curve = None, False
     if factor is not None:
         normal = [None if f is None else divided(f, factor) for f in normal]
-        if sign_on_patch(factor).sign in (Sign.POSITIVE, Sign.NEGATIVE):
+        sign = sign_on_patch(factor).sign
+        if sign in (Sign.POSITIVE, Sign.NEGATIVE):
             factor = None
+        else:
+            curve = ZeroCurve(square_free(factor))
+            along_curve = curve.has_branches or sign is Sign.BOTH
     zeros, undecided = _inner(forms, patch, normal, sides)
-    if factor is not None:
-        places = [place for place in places if not _is_on(factor, place, sides)]
+    multiples, undecided = _multiples([f for f in normal if f is not None], undecided)
+    if curve is not None:
+        if along_curve:
+            places = [place for place in places if not _is_on(curve.form, place, sides)]
+        for zero in curve.single_points:
+            equal = [are_one(zero, known) for known in zeros]
+            if None in equal:
+                undecided.append(zero.box)
+            elif not any(equal):
+                zeros.append(zero)
+        undecided += curve.undecided
     inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
+    inner += [Place((patch,), None, *(a for a, _ in in_parameters(spot, sides))) for spot in multiples]
     boxes = tuple(in_parameters(box, sides) for box in undecided)
-    return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor)
+    return SingularPoints(False, edges, (*places, *inner), tuple(zeros), boxes, factor, along_curve)
 
 
 def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
@@ -115,6 +134,19 @@ def _inner(
     return certain, min(rest, key=len, default=[])
 
 
+def _multiples(normal: list[PatchForm], boxes: list[Box]) -> tuple[list[Box], list[Box]]:
+    """Rational points inside at which all coordinates of the normal vanish, more than simply, and that explain
+    undecided boxes; and the boxes that are left.
+    """
+    found, left = list[Box](), list(boxes)
+    while left and (multiple := multiple_zero(normal, left)) is not None:
+        left = [box for box in left if not multiple.explains(box)]
+        x, y = multiple.place
+        if 0 < x < 1 and 0 < y < 1:
+            found.append(((x, x), (y, y)))
+    return found, left
+
+
 def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | None) -> bool | None:
     """Whether a zero of two components of the normal is one of the third."""
     bits = 16
@@ -126,21 +158,3 @@ def _is_singular(zero: Zero, components: list[PatchForm], third: PatchForm | Non
             return True
         bits *= 2
     return None
-
-
-def same(one: Zero, other: Zero) -> bool:
-    """Whether two certified points are one: the second kind of zero counts, too, once its box is in the first's region.
-
-    Both must be zeros of the forms of `other`; false is a proof as well.
-    """
-    bits = 16
-    while True:
-        a, b = one.refine(bits), other.box
-        if all(high < low for (_, high), (low, _) in zip(a, b, strict=True)):
-            return False
-        if any(p[1] < q[0] or q[1] < p[0] for p, q in zip(a, b, strict=True)):
-            return False
-        if all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(a, other.region, strict=True)):
-            return True
-        other.refine(bits)
-        bits *= 2

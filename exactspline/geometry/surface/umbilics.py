@@ -14,11 +14,11 @@ from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, is_inside, roots_along
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, isolate
+from exactspline.geometry.surface.isolation import Zero, are_one, isolate, same
 from exactspline.geometry.surface.multiple import Multiple, multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
-from exactspline.geometry.surface.singular import SingularPoints, same, singular_points
+from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.splines.patch_forms import Box, PatchForm
 
@@ -54,8 +54,8 @@ class UmbilicsOfPatch:
     """The umbilics of one closed patch.
 
     `everywhere`: all points of the patch; `edges`: those along which all points are umbilics; `curve`: the zeros of a
-    common factor of the equations, where there are some or may be; `undecided`: boxes of parameters in which there may
-    be more.
+    common factor of the equations, where they are more than single points; `undecided`: boxes of parameters in which
+    there may be more.
     """
 
     umbilics: tuple[Umbilic, ...] = ()
@@ -83,6 +83,8 @@ def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoint
     search = _Search(forms, patch, own, singular)
     edges, on_edges = search.on_edges()
     inside, curve, undecided = search.inside()
+    if curve is not None:
+        on_edges = [one for one in on_edges if not search.crosses_border(curve, one.place)]
     return UmbilicsOfPatch((*on_edges, *inside), False, edges, curve, undecided)
 
 
@@ -120,7 +122,11 @@ class _Search:
                 place = Place((self.patch,), None, *edge.place(self.sides, root))
                 if not any(same_place(place, one.place) for one in found):
                     found.append(Umbilic(place, self._kind(place.box(30))))
-        return tuple(edges), found
+        return tuple(edges), [one for one in found if not any(self._is_on(edge, one.place) for edge in edges)]
+
+    def _is_on(self, edge: Edge, place: Place) -> bool:
+        """Whether a point is one of an edge."""
+        return bool((place.u, place.v)[edge.direction] == edge.value(self.sides))
 
     def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
         """The umbilics inside, a curve of them, and what could not be decided."""
@@ -128,17 +134,58 @@ class _Search:
         if self.singular.factor is not None:
             given = {k: without_powers(f, self.singular.factor) for k, f in given.items()}
         factor = common_factor(list(given.values()))
-        curve = None
         if factor is not None:
             given = {k: divided(f, factor) for k, f in given.items()}
-            if sign_on_patch(factor).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-                curve = ZeroCurve(square_free(factor))
-                curve = curve if curve.may_have_zeros else None
         for f in (self.singular.factor, factor):
             if f is not None:
                 self.known = [zero for zero in self.known if f.part(zero.refine(FAR)).sign in (1, -1)]
+        umbilics, undecided = self._without_factor(given)
+        sign = None if factor is None else sign_on_patch(factor).sign
+        curve = None
+        if factor is not None and sign not in (Sign.POSITIVE, Sign.NEGATIVE):
+            curve = ZeroCurve(square_free(factor))
+            lone, left = self._beside(curve.single_points, umbilics)
+            umbilics += lone
+            undecided += [*curve.undecided, *left]
+            curve = curve if curve.has_branches or sign is Sign.BOTH else None
+        return umbilics, curve, tuple(in_parameters(box, self.sides) for box in undecided)
+
+    def crosses_border(self, curve: ZeroCurve, place: Place) -> bool:
+        """Whether a curve of umbilics goes through a point of an edge, across it: that point is not a single one."""
+        for edge in EDGES:
+            own, other = (place.u, place.v)[edge.direction], (place.u, place.v)[1 - edge.direction]
+            if own == edge.value(self.sides):
+                p = along(curve.form, edge, self.sides)
+                if any(root == other and root.sign_change for root in roots_along(p, edge, self.sides)):
+                    return True
+        return False
+
+    def _beside(self, points: Sequence[Zero], umbilics: Sequence[Umbilic]) -> tuple[list[Umbilic], list[Box]]:
+        """Umbilics among the single zeros of a common factor that are not known, and boxes of undecided ones."""
+        found, left = list[Umbilic](), list[Box]()
+        for zero in points:
+            equal = [self._is_at(zero, one.place) for one in umbilics]
+            equal += [are_one(zero, point) for point in self.singular.zeros]
+            if any(equal):
+                continue
+            if None in equal or self.area.form.part(zero.refine(BITS)).sign != 1:
+                left.append(zero.box)
+            else:
+                found.append(Umbilic(Place((self.patch,), InnerZero(zero, self.sides)), UmbilicKind.MULTIPLE))
+        return found, left
+
+    def _is_at(self, zero: Zero, place: Place) -> bool | None:
+        """Whether a zero is at the place of an umbilic; None where that is given up."""
+        if place.inner is not None:
+            return are_one(zero, place.inner.zero)
+        if place.exact is None or zero.exact is None:
+            return None
+        return InnerZero(zero, self.sides).exact == place.exact
+
+    def _without_factor(self, given: dict[int, PatchForm]) -> tuple[list[Umbilic], list[Box]]:
+        """The umbilics inside and undecided boxes of the patch, from equations without a common factor."""
         if any(f.sign is not None for f in given.values()):
-            return [], curve, ()
+            return [], []
         best: tuple[list[Umbilic], tuple[Box, ...]] | None = None
         for pair in ((0, 1), (1, 2), (0, 2)):
             if not given.keys() >= set(pair) or (pair == (0, 2) and 1 in given):
@@ -150,7 +197,7 @@ class _Search:
                 break
         assert best is not None, "one form alone is its own common factor"
         umbilics, undecided = self._multiples(list(given.values()), best[1])
-        return [*best[0], *umbilics], curve, tuple(in_parameters(box, self.sides) for box in undecided)
+        return [*best[0], *umbilics], undecided
 
     def _with_pair(self, given: dict[int, PatchForm], pair: tuple[int, int]) -> tuple[list[Umbilic], tuple[Box, ...]]:
         """The umbilics inside by two equations, and boxes of the patch that are undecided."""
@@ -161,7 +208,7 @@ class _Search:
         umbilics, left = [], list(found.undecided)
         for zero in found.zeros:
             inside = is_inside(zero, self.sides)
-            verdict = self._is_umbilic(zero, pair) if inside else inside
+            verdict = self._is_umbilic(zero) if inside else inside
             if verdict is None:
                 left.append(zero.box)
             elif verdict:
@@ -169,17 +216,17 @@ class _Search:
                 umbilics.append(Umbilic(place, self._kind(in_parameters(zero.refine(40), self.sides))))
         return umbilics, tuple(left)
 
-    def _is_umbilic(self, zero: Zero, pair: tuple[int, int]) -> bool | None:
-        """Whether a zero of two of the equations inside is one of the third, and the surface has a tangent plane."""
+    def _is_umbilic(self, zero: Zero) -> bool | None:
+        """Whether the surface has a tangent plane at a zero of two of the equations inside.
+
+        Then E > 0 and G > 0, and the third equation follows by ``E C − F B + G A = 0``: A and C are a pair only if B is
+        zero.
+        """
         if any(same(point, zero) for point in self.known):
             return False
-        lengths = [PatchForm.of(f, *self.patch) for f in self.forms.lengths]
-        # the third equation follows where E > 0 (of A, B), G > 0 (of B, C); A and C are a pair only if B = 0
-        needed = {(0, 1): lengths[:1], (1, 2): lengths[1:], (0, 2): []}[pair]
         bits = 8
         while bits <= BITS:
-            box = zero.refine(bits)
-            if self.area.form.part(box).sign == 1 and all(f.part(box).sign == 1 for f in needed):
+            if self.area.form.part(zero.refine(bits)).sign == 1:
                 return True
             bits *= 2
         return None

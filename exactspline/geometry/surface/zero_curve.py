@@ -46,6 +46,8 @@ class Shape(StrEnum):
     ARC = "arc from border to border"
     CROSSED = "branches that cross"
     POINT = "single point"
+    #: Of several patches, where they meet without continuous curvature.
+    BROKEN = "arc that ends where patches meet"
 
 
 @dataclass(frozen=True)
@@ -80,6 +82,8 @@ class Part:
     arcs: tuple[Arc, ...] = ()
     #: The certified singular points on it, as boxes.
     cells: tuple[Box, ...] = ()
+    #: The points of it on lines of the subdivision, those on the border of the patch among them.
+    vertices: tuple[Vertex, ...] = field(default=(), repr=False)
 
 
 class ZeroCurve:
@@ -193,9 +197,19 @@ class ZeroCurve:
         return not self.complete or bool(self.parts)
 
     @property
+    def has_branches(self) -> bool:
+        """Whether pieces of curves are among the zeros that are resolved."""
+        return bool(self._arcs or self._crossings)
+
+    @property
+    def single_points(self) -> tuple[Zero, ...]:
+        """The certified zeros inside with no other zero around them."""
+        return tuple(cell.zero for cell in self._points)
+
+    @property
     def is_of_points(self) -> bool:
         """Whether all zeros are known and none of them is on a piece of a curve."""
-        return self.complete and not self._arcs and not self._crossings
+        return self.complete and not self.has_branches
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -209,15 +223,22 @@ class ZeroCurve:
             for vertex in ends[1:]:
                 joined.join(ends[0], vertex)
         groups: dict[Vertex, list[Arc]] = {}
+        members: dict[Vertex, list[Vertex]] = {}
         for vertex in joined.parents:
             groups.setdefault(joined.root(vertex), [])
+            members.setdefault(joined.root(vertex), []).append(vertex)
         for arc in self._arcs:
             groups[joined.root(arc.first)].append(arc)
         crossings: dict[Vertex, list[Box]] = {}
         for cell, ends in self._crossings:
             crossings.setdefault(joined.root(ends[0]), []).append(cell.box)
         found = [
-            Part(_shape(arcs, bool(crossings.get(group))), tuple(_in_order(arcs)), tuple(crossings.get(group, ())))
+            Part(
+                _shape(arcs, bool(crossings.get(group))),
+                tuple(_in_order(arcs)),
+                tuple(crossings.get(group, ())),
+                tuple(members[group]),
+            )
             for group, arcs in groups.items()
         ]
         return (*found, *(Part(Shape.POINT, (), (cell.box,)) for cell in self._points))

@@ -11,6 +11,7 @@ from exactspline.papers.surfaces.by_forms import (
     area_of_forms,
     minimality_of_forms,
     parabolic_of_forms,
+    ridge_cubic,
     ridges_of_forms,
     stationary_by_u,
     stationary_root_by_u,
@@ -134,6 +135,12 @@ def stationary_curvature(c):
 def stationary_mean_curvature(c):
     """``2a h_u − 3h a_u`` with ``h = EN − 2FM + GL``: zero where H_u is."""
     return stationary_root_by_u(forms(c))
+
+
+@formula("ridges", on="surface", symbol="T")
+def ridge_cubic_of_surface(c):
+    """The cubic form of the ridges, in the coefficients of both fundamental forms."""
+    return ridge_cubic(forms(c))
 
 
 @formula("ridges", on="surface")

@@ -42,6 +42,16 @@ def geodesic_determinant(c):
     return det(c.gamma.d(1), c.gamma.d(2), normal(c))
 
 
+@formula("geodesic curvature", on="curve on a surface")
+def geodesic_determinant_of_first_form(c):
+    """``(γ′·S_u)(γ″·S_v) − (γ′·S_v)(γ″·S_u)``, each product from E, F, G and their derivatives."""
+    u, v, e, f, g = c.u.d(1), c.v.d(1), E(c), F(c), G(c)
+    bent_u = e.d(1, by="u") / 2 * u**2 + e.d(1, by="v") * u * v + (f.d(1, by="v") - g.d(1, by="u") / 2) * v**2
+    bent_v = (f.d(1, by="u") - e.d(1, by="v") / 2) * u**2 + g.d(1, by="u") * u * v + g.d(1, by="v") / 2 * v**2
+    on_u, on_v = e * c.u.d(2) + f * c.v.d(2) + bent_u, f * c.u.d(2) + g * c.v.d(2) + bent_v
+    return (e * u + f * v) * on_v - (f * u + g * v) * on_u
+
+
 @formula("geodesic curvature", on="curve on a surface", symbol=r"\kappa_g^2")
 def geodesic_curvature_squared(c):
     """``[γ′ γ″ n]²/(I³ (EG − F²))``."""

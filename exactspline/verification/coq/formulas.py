@@ -9,7 +9,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, TableKind
-from exactspline.language.surface_kind import FormsKind, SurfaceKind
+from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.papers import Paper
 from exactspline.readings.tree import Node, Operation
 from exactspline.verification.coq.terms import Writer, identifier
@@ -30,6 +30,7 @@ _TYPES: dict[type[Kind], str] = {
     HodographKind: "accompanied",
     ImplicitKind: "implicit",
     SurfaceKind: "patch",
+    SurfaceCurveKind: "path",
     FormsKind: "accompanied",
 }
 

@@ -17,13 +17,13 @@ from exactspline.language.arguments import COORDINATES, Operands, T
 from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
-from exactspline.language.surface_kind import FormsKind, SurfaceKind
+from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, Operation, nodes
 from exactspline.verification.coq.ruled_settings import HodographSetting, ImplicitSetting
 from exactspline.verification.coq.settings import Setting
-from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceSetting
+from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceCurveSetting, SurfaceSetting
 from exactspline.verification.coq.terms import leaves
 
 #: The roots of a frame, the innermost last.
@@ -42,6 +42,8 @@ def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, tree
         return ImplicitSetting(kind, dimension, order)
     if isinstance(kind, SurfaceKind):
         return SurfaceSetting(kind, dimension, order)
+    if isinstance(kind, SurfaceCurveKind):
+        return SurfaceCurveSetting(kind, dimension, order)
     if isinstance(kind, FormsKind):
         return FormsSetting(kind, dimension, order)
     return Setting(kind, dimension, order, polynomial)

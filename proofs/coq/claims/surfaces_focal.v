@@ -102,3 +102,26 @@ Proof.
   { apply (one_value K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
   vm_cast_no_check E.
 Qed.
+
+(** S10, ours. *)
+Theorem S10_ridge_cubic_lifted_ridge_cubic_of_surface : every_surface (fun K c =>
+  number 2 <> zero K ->
+  ridge_cubic_lifted c = vmul (w c ^ 12) (ridge_cubic_of_surface c)).
+Proof.
+  apply surface_by_position; intros K x_ y_ z_ w_ C Hw P2.
+  pose (l := partials 3 x_ ++ partials 3 y_ ++ partials 3 z_ ++ partials 3 w_).
+  pose (r := of_parameters (grid 1 3 0 ++ grid 11 3 0 ++ grid 21 3 0 ++ grid 31 3 0) (grid 1 3 1 ++ grid 11 3 1 ++ grid 21 3 1 ++ grid 31 3 1)).
+  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
+  pose (c := Patch (homogeneous s [var 1; var 11; var 21] (var 31) [])).
+  pose (atoms := [num 2]%formula : list expr).
+  pose (known := [([1], [0])] : list (list nat * list nat)).
+  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
+  assert (N1 : all_nonzero K l (firstn 1 atoms)).
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). exact P2. }
+  clear N. rename N1 into N.
+  assert (E : map (value K l) (ridge_cubic_lifted c : list expr)%formula = map (value K l) (vmul (w c ^ 12) (ridge_cubic_of_surface c) : list expr)%formula).
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
+  vm_cast_no_check E.
+Qed.

@@ -263,6 +263,10 @@ Definition stationary_curvature (c : patch A) : A :=
 Definition stationary_mean_curvature (c : patch A) : A :=
   number 2 * (E_ c * G c - F c ^ 2) * der s (E_ c * N_ c - number 2 * F c * M c + G c * L c) - number 3 * (E_ c * N_ c - number 2 * F c * M c + G c * L c) * der s (E_ c * G c - F c ^ 2).
 
+(** ridges. The cubic form of the ridges, in the coefficients of both fundamental forms. *)
+Definition ridge_cubic_of_surface (c : patch A) : list A :=
+  ([(E_ c * G c - F c ^ 2) * der s (L c) - der s (E_ c * G c - F c ^ 2) * L c / number 2 - der s (E_ c) * (G c * L c - F c * M c) - der s (F c) * (E_ c * M c - F c * L c)] ++ [number 2 * (E_ c * G c - F c ^ 2) * der s (M c) - der s (E_ c * G c - F c ^ 2) * M c - der s (E_ c) * (G c * M c - F c * N_ c) - der s (F c) * (G c * L c - F c * M c + (E_ c * N_ c - F c * M c)) - der s (G c) * (E_ c * M c - F c * L c) + ((E_ c * G c - F c ^ 2) * der s_bar (L c) - der s_bar (E_ c * G c - F c ^ 2) * L c / number 2 - der s_bar (E_ c) * (G c * L c - F c * M c) - der s_bar (F c) * (E_ c * M c - F c * L c))] ++ [(E_ c * G c - F c ^ 2) * der s (N_ c) - der s (E_ c * G c - F c ^ 2) * N_ c / number 2 - der s (F c) * (G c * M c - F c * N_ c) - der s (G c) * (E_ c * N_ c - F c * M c) + (number 2 * (E_ c * G c - F c ^ 2) * der s_bar (M c) - der s_bar (E_ c * G c - F c ^ 2) * M c - der s_bar (E_ c) * (G c * M c - F c * N_ c) - der s_bar (F c) * (G c * L c - F c * M c + (E_ c * N_ c - F c * M c)) - der s_bar (G c) * (E_ c * M c - F c * L c))] ++ [(E_ c * G c - F c ^ 2) * der s_bar (N_ c) - der s_bar (E_ c * G c - F c ^ 2) * N_ c / number 2 - der s_bar (F c) * (G c * M c - F c * N_ c) - der s_bar (G c) * (E_ c * N_ c - F c * M c)]).
+
 (** ridges. Zero where a principal curvature is extremal along its own line of curvature. *)
 Definition ridges (c : patch A) : A :=
   det [([E_ c * M c - F c * L c] ++ [E_ c * N_ c - G c * L c] ++ [F c * N_ c - G c * M c] ++ [number 0] ++ [number 0]); ([number 0] ++ [E_ c * M c - F c * L c] ++ [E_ c * N_ c - G c * L c] ++ [F c * N_ c - G c * M c] ++ [number 0]); ([number 0] ++ [number 0] ++ [E_ c * M c - F c * L c] ++ [E_ c * N_ c - G c * L c] ++ [F c * N_ c - G c * M c]); (([(E_ c * G c - F c ^ 2) * der s (L c) - der s (E_ c * G c - F c ^ 2) * L c / number 2 - der s (E_ c) * (G c * L c - F c * M c) - der s (F c) * (E_ c * M c - F c * L c)] ++ [number 2 * (E_ c * G c - F c ^ 2) * der s (M c) - der s (E_ c * G c - F c ^ 2) * M c - der s (E_ c) * (G c * M c - F c * N_ c) - der s (F c) * (G c * L c - F c * M c + (E_ c * N_ c - F c * M c)) - der s (G c) * (E_ c * M c - F c * L c) + ((E_ c * G c - F c ^ 2) * der s_bar (L c) - der s_bar (E_ c * G c - F c ^ 2) * L c / number 2 - der s_bar (E_ c) * (G c * L c - F c * M c) - der s_bar (F c) * (E_ c * M c - F c * L c))] ++ [(E_ c * G c - F c ^ 2) * der s (N_ c) - der s (E_ c * G c - F c ^ 2) * N_ c / number 2 - der s (F c) * (G c * M c - F c * N_ c) - der s (G c) * (E_ c * N_ c - F c * M c) + (number 2 * (E_ c * G c - F c ^ 2) * der s_bar (M c) - der s_bar (E_ c * G c - F c ^ 2) * M c - der s_bar (E_ c) * (G c * M c - F c * N_ c) - der s_bar (F c) * (G c * L c - F c * M c + (E_ c * N_ c - F c * M c)) - der s_bar (G c) * (E_ c * M c - F c * L c))] ++ [(E_ c * G c - F c ^ 2) * der s_bar (N_ c) - der s_bar (E_ c * G c - F c ^ 2) * N_ c / number 2 - der s_bar (F c) * (G c * M c - F c * N_ c) - der s_bar (G c) * (E_ c * N_ c - F c * M c)]) ++ [number 0]); ([number 0] ++ ([(E_ c * G c - F c ^ 2) * der s (L c) - der s (E_ c * G c - F c ^ 2) * L c / number 2 - der s (E_ c) * (G c * L c - F c * M c) - der s (F c) * (E_ c * M c - F c * L c)] ++ [number 2 * (E_ c * G c - F c ^ 2) * der s (M c) - der s (E_ c * G c - F c ^ 2) * M c - der s (E_ c) * (G c * M c - F c * N_ c) - der s (F c) * (G c * L c - F c * M c + (E_ c * N_ c - F c * M c)) - der s (G c) * (E_ c * M c - F c * L c) + ((E_ c * G c - F c ^ 2) * der s_bar (L c) - der s_bar (E_ c * G c - F c ^ 2) * L c / number 2 - der s_bar (E_ c) * (G c * L c - F c * M c) - der s_bar (F c) * (E_ c * M c - F c * L c))] ++ [(E_ c * G c - F c ^ 2) * der s (N_ c) - der s (E_ c * G c - F c ^ 2) * N_ c / number 2 - der s (F c) * (G c * M c - F c * N_ c) - der s (G c) * (E_ c * N_ c - F c * M c) + (number 2 * (E_ c * G c - F c ^ 2) * der s_bar (M c) - der s_bar (E_ c * G c - F c ^ 2) * M c - der s_bar (E_ c) * (G c * M c - F c * N_ c) - der s_bar (F c) * (G c * L c - F c * M c + (E_ c * N_ c - F c * M c)) - der s_bar (G c) * (E_ c * M c - F c * L c))] ++ [(E_ c * G c - F c ^ 2) * der s_bar (N_ c) - der s_bar (E_ c * G c - F c ^ 2) * N_ c / number 2 - der s_bar (F c) * (G c * M c - F c * N_ c) - der s_bar (G c) * (E_ c * N_ c - F c * M c)]))].
@@ -323,7 +327,7 @@ Definition projective_lift_of_surface (c : patch A) : list A :=
 Definition conformal_lift_of_surface (c : patch A) : list A :=
   ([dot (p c) (p c)] ++ vmul (w c) (p c) ++ [w c ^ 2]).
 
-(** lifted. The plane through P, P_u, P_v: its first coordinate, then its normal, `−w³ n`. *)
+(** lifted. The plane through P, P_u, P_v: its first coordinate, then its normal, `w³ n`. *)
 Definition tangent_plane (c : patch A) : list A :=
   generalized_cross [projective_lift_of_surface c; vder s (projective_lift_of_surface c); vder s_bar (projective_lift_of_surface c)].
 
@@ -406,5 +410,153 @@ Definition ridges_lifted (c : patch A) : A :=
 (** lifted. `EG − F²` of `w⁴ I`. *)
 Definition area_of_lifted_forms (c : patch A) : A :=
   E_reduced c * G_reduced c - F_reduced c ^ 2.
+
+(** first fundamental form. `E u′² + 2F u′v′ + G v′²`. *)
+Definition first_form (c : path A) : A :=
+  E_ c * der (along c) (u_of c) ^ 2 + number 2 * F c * der (along c) (u_of c) * der (along c) (v_of c) + G c * der (along c) (v_of c) ^ 2.
+
+(** second fundamental form. `L u′² + 2M u′v′ + N v′²`. *)
+Definition second_form (c : path A) : A :=
+  L c * der (along c) (u_of c) ^ 2 + number 2 * M c * der (along c) (u_of c) * der (along c) (v_of c) + N_ c * der (along c) (v_of c) ^ 2.
+
+(** J. B. Meusnier 1776. `γ″ · n`. *)
+Definition acceleration_on_normal (c : path A) : A :=
+  dot (vders (along c) 2 (gamma c)) (normal c).
+
+(** normal curvature. `II²/(I² (EG − F²))`, the same for all curves of one direction. *)
+Definition normal_curvature_squared (c : path A) : A :=
+  second_form c ^ 2 / (first_form c ^ 2 * area_squared c).
+
+(** geodesic curvature. `[γ′ γ″ n]`: zero where the curve is straight on the surface. *)
+Definition geodesic_determinant (c : path A) : A :=
+  det [vder (along c) (gamma c); vders (along c) 2 (gamma c); normal c].
+
+(** geodesic curvature. `(γ′·S_u)(γ″·S_v) − (γ′·S_v)(γ″·S_u)`, each product from E, F, G and their derivatives. *)
+Definition geodesic_determinant_of_first_form (c : path A) : A :=
+  (E_ c * der (along c) (u_of c) + F c * der (along c) (v_of c)) * (F c * ders (along c) 2 (u_of c) + G c * ders (along c) 2 (v_of c) + ((der s (F c) - der s_bar (E_ c) / number 2) * der (along c) (u_of c) ^ 2 + der s (G c) * der (along c) (u_of c) * der (along c) (v_of c) + der s_bar (G c) / number 2 * der (along c) (v_of c) ^ 2)) - (F c * der (along c) (u_of c) + G c * der (along c) (v_of c)) * (E_ c * ders (along c) 2 (u_of c) + F c * ders (along c) 2 (v_of c) + (der s (E_ c) / number 2 * der (along c) (u_of c) ^ 2 + der s_bar (E_ c) * der (along c) (u_of c) * der (along c) (v_of c) + (der s_bar (F c) - der s (G c) / number 2) * der (along c) (v_of c) ^ 2)).
+
+(** geodesic curvature. `[γ′ γ″ n]²/(I³ (EG − F²))`. *)
+Definition geodesic_curvature_squared (c : path A) : A :=
+  geodesic_determinant c ^ 2 / (first_form c ^ 3 * area_squared c).
+
+(** curvature. `κ_n² + κ_g²`. *)
+Definition curvature_from_surface (c : path A) : A :=
+  normal_curvature_squared c + geodesic_curvature_squared c.
+
+(** lines of curvature. `A u′² + B u′v′ + C v′²`. *)
+Definition line_form (c : path A) : A :=
+  line_coefficient_uu c * der (along c) (u_of c) ^ 2 + line_coefficient_uv c * der (along c) (u_of c) * der (along c) (v_of c) + line_coefficient_vv c * der (along c) (v_of c) ^ 2.
+
+(** O. Rodrigues 1816. `[n n′ γ′]`: zero where the normals along the curve form a developable surface. *)
+Definition turning_of_normal (c : path A) : A :=
+  det [normal c; vder (along c) (normal c); vder (along c) (gamma c)].
+
+(** lifted. The osculating plane of the curve against the tangent plane of the surface. *)
+Definition second_form_lifted (c : path A) : A :=
+  det [projective_lift_of_surface c; vder s (projective_lift_of_surface c); vder s_bar (projective_lift_of_surface c); vders (along c) 2 (projective_lift_of_surface c)].
+
+(** asymptotic lines. `M² − LN`: two asymptotic directions where it is positive, one where it is zero, none where it is negative. *)
+Definition asymptotic_discriminant (c : accompanied A) : A :=
+  M_of c ^ 2 - L_of c * N_of c.
+
+(** asymptotic lines. `II(t, t)` for the direction `t = (√δ − M, L)`: its two parts, without √δ and with it. *)
+Definition second_form_of_asymptotic (c : accompanied A) : list A :=
+  ([(L_of c * (number 0 + M_of c * number (-1)) + number 0 * (number 1 + number 0 * number (-1)) * asymptotic_discriminant c) * (number 0 + M_of c * number (-1)) + (L_of c * (number 1 + number 0 * number (-1)) + number 0 * (number 0 + M_of c * number (-1))) * (number 1 + number 0 * number (-1)) * asymptotic_discriminant c + (((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * (number 0 + M_of c * number (-1)) + (M_of c * number 0 + number 0 * number 2) * (number 1 + number 0 * number (-1)) * asymptotic_discriminant c) * L_of c + ((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * (number 1 + number 0 * number (-1)) + (M_of c * number 0 + number 0 * number 2) * (number 0 + M_of c * number (-1))) * number 0 * asymptotic_discriminant c) + ((N_of c * L_of c + number 0 * number 0 * asymptotic_discriminant c) * L_of c + (N_of c * number 0 + number 0 * L_of c) * number 0 * asymptotic_discriminant c)] ++ [(L_of c * (number 0 + M_of c * number (-1)) + number 0 * (number 1 + number 0 * number (-1)) * asymptotic_discriminant c) * (number 1 + number 0 * number (-1)) + (L_of c * (number 1 + number 0 * number (-1)) + number 0 * (number 0 + M_of c * number (-1))) * (number 0 + M_of c * number (-1)) + (((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * (number 0 + M_of c * number (-1)) + (M_of c * number 0 + number 0 * number 2) * (number 1 + number 0 * number (-1)) * asymptotic_discriminant c) * number 0 + ((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * (number 1 + number 0 * number (-1)) + (M_of c * number 0 + number 0 * number 2) * (number 0 + M_of c * number (-1))) * L_of c) + ((N_of c * L_of c + number 0 * number 0 * asymptotic_discriminant c) * number 0 + (N_of c * number 0 + number 0 * L_of c) * L_of c)]).
+
+(** asymptotic lines. `II(t, t)` for `t = (N, −M − √δ)`, in the same way. *)
+Definition second_form_of_other_asymptotic (c : accompanied A) : list A :=
+  ([(L_of c * N_of c + number 0 * number 0 * asymptotic_discriminant c) * N_of c + (L_of c * number 0 + number 0 * N_of c) * number 0 * asymptotic_discriminant c + (((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * N_of c + (M_of c * number 0 + number 0 * number 2) * number 0 * asymptotic_discriminant c) * (M_of c * number (-1) + number 0 * number (-1)) + ((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * number 0 + (M_of c * number 0 + number 0 * number 2) * N_of c) * (number 0 * number (-1) + number 1 * number (-1)) * asymptotic_discriminant c) + ((N_of c * (M_of c * number (-1) + number 0 * number (-1)) + number 0 * (number 0 * number (-1) + number 1 * number (-1)) * asymptotic_discriminant c) * (M_of c * number (-1) + number 0 * number (-1)) + (N_of c * (number 0 * number (-1) + number 1 * number (-1)) + number 0 * (M_of c * number (-1) + number 0 * number (-1))) * (number 0 * number (-1) + number 1 * number (-1)) * asymptotic_discriminant c)] ++ [(L_of c * N_of c + number 0 * number 0 * asymptotic_discriminant c) * number 0 + (L_of c * number 0 + number 0 * N_of c) * N_of c + (((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * N_of c + (M_of c * number 0 + number 0 * number 2) * number 0 * asymptotic_discriminant c) * (number 0 * number (-1) + number 1 * number (-1)) + ((M_of c * number 2 + number 0 * number 0 * asymptotic_discriminant c) * number 0 + (M_of c * number 0 + number 0 * number 2) * N_of c) * (M_of c * number (-1) + number 0 * number (-1))) + ((N_of c * (M_of c * number (-1) + number 0 * number (-1)) + number 0 * (number 0 * number (-1) + number 1 * number (-1)) * asymptotic_discriminant c) * (number 0 * number (-1) + number 1 * number (-1)) + (N_of c * (number 0 * number (-1) + number 1 * number (-1)) + number 0 * (M_of c * number (-1) + number 0 * number (-1))) * (M_of c * number (-1) + number 0 * number (-1)))]).
+
+(** asymptotic lines. The determinant of `(√δ − M, L)` and `(N, −M − √δ)`: both are one direction where it vanishes. *)
+Definition asymptotic_charts (c : accompanied A) : list A :=
+  ([(number 0 + M_of c * number (-1)) * (M_of c * number (-1) + number 0 * number (-1)) + (number 1 + number 0 * number (-1)) * (number 0 * number (-1) + number 1 * number (-1)) * asymptotic_discriminant c + (L_of c * N_of c + number 0 * number 0 * asymptotic_discriminant c) * number (-1)] ++ [(number 0 + M_of c * number (-1)) * (number 0 * number (-1) + number 1 * number (-1)) + (number 1 + number 0 * number (-1)) * (M_of c * number (-1) + number 0 * number (-1)) + (L_of c * number 0 + number 0 * N_of c) * number (-1)]).
+
+(** asymptotic lines. The squared determinant of `(√δ − M, L)` and `(−√δ − M, L)`: zero where both are one. *)
+Definition asymptotic_pair_squared (c : accompanied A) : A :=
+  ((number 0 + M_of c * number (-1)) * L_of c + (number 1 + number 0 * number (-1)) * number 0 * asymptotic_discriminant c + (L_of c * (number 0 * number (-1) + M_of c * number (-1)) + number 0 * (number 1 * number (-1) + number 0 * number (-1)) * asymptotic_discriminant c) * number (-1)) * ((number 0 + M_of c * number (-1)) * L_of c + (number 1 + number 0 * number (-1)) * number 0 * asymptotic_discriminant c + (L_of c * (number 0 * number (-1) + M_of c * number (-1)) + number 0 * (number 1 * number (-1) + number 0 * number (-1)) * asymptotic_discriminant c) * number (-1)) + ((number 0 + M_of c * number (-1)) * number 0 + (number 1 + number 0 * number (-1)) * L_of c + (L_of c * (number 1 * number (-1) + number 0 * number (-1)) + number 0 * (number 0 * number (-1) + M_of c * number (-1))) * number (-1)) * ((number 0 + M_of c * number (-1)) * number 0 + (number 1 + number 0 * number (-1)) * L_of c + (L_of c * (number 1 * number (-1) + number 0 * number (-1)) + number 0 * (number 0 * number (-1) + M_of c * number (-1))) * number (-1)) * asymptotic_discriminant c.
+
+(** asymptotic lines. `−4 L² (LN − M²)`. *)
+Definition asymptotic_pair_by_parabolic (c : accompanied A) : A :=
+  number (-4) * L_of c ^ 2 * (L_of c * N_of c - M_of c ^ 2).
+
+(** asymptotic lines. `L II`. *)
+Definition second_form_times_L (c : path A) : A :=
+  L c * second_form c.
+
+(** asymptotic lines. `(L u′ + M v′)² + (LN − M²) v′²`: zero for real directions only where `LN ≤ M²`. *)
+Definition second_form_as_squares (c : path A) : A :=
+  (L c * der (along c) (u_of c) + M c * der (along c) (v_of c)) ^ 2 + (L c * N_ c - M c ^ 2) * der (along c) (v_of c) ^ 2.
+
+(** asymptotic lines. `S_v · (S_uu × S_u)`: zero where the u-line is straight. *)
+Definition bending_of_u_line (c : patch A) : A :=
+  dot (S_v c) (cross (S_uu c) (S_u c)).
+
+(** asymptotic lines. `S_u · (S_v × S_vv)`: zero where the v-line is straight, as rulings are. *)
+Definition bending_of_v_line (c : patch A) : A :=
+  dot (S_u c) (cross (S_v c) (S_vv c)).
+
+(** asymptotic lines. `(γ′ × γ″) · (n × γ′)`: zero where the curve is straight. *)
+Definition bending_off_surface (c : path A) : A :=
+  dot (cross (vder (along c) (gamma c)) (vders (along c) 2 (gamma c))) (cross (normal c) (vder (along c) (gamma c))).
+
+(** asymptotic lines. `−‖γ′‖² II`. *)
+Definition second_form_times_speed (c : path A) : A :=
+  - dot (vder (along c) (gamma c)) (vder (along c) (gamma c)) * second_form c.
+
+(** lifted. `w⁴` times the first fundamental form along the curve. *)
+Definition first_form_lifted (c : path A) : A :=
+  E_reduced c * der (along c) (u_of c) * der (along c) (u_of c) + number 2 * F_reduced c * der (along c) (u_of c) * der (along c) (v_of c) + G_reduced c * der (along c) (v_of c) * der (along c) (v_of c).
+
+(** lifted. `w⁴` times the second one, with the determinants of P. *)
+Definition second_form_of_lifted (c : path A) : A :=
+  L_lifted c * der (along c) (u_of c) * der (along c) (u_of c) + number 2 * M_lifted c * der (along c) (u_of c) * der (along c) (v_of c) + N_lifted c * der (along c) (v_of c) * der (along c) (v_of c).
+
+(** lifted. `w⁶ [P P_u P_v P″]²/((w⁴ I)² ‖Π_n‖²)`. *)
+Definition normal_curvature_squared_lifted (c : path A) : A :=
+  w c ^ 6 * second_form_lifted c ^ 2 / (first_form_lifted c ^ 2 * area_squared_lifted c).
+
+(** Gaussian curvature. `(LN − M²)/(EG − F²)²`. *)
+Definition gaussian_of_forms (c : accompanied A) : A :=
+  parabolic_of_forms c / area_of_forms c ^ 2.
+
+(** Gaussian curvature. Its derivative by u. *)
+Definition gaussian_of_forms_by_u (c : accompanied A) : A :=
+  der s (gaussian_of_forms c).
+
+(** Gaussian curvature. Its derivative by v. *)
+Definition gaussian_of_forms_by_v (c : accompanied A) : A :=
+  der s_bar (gaussian_of_forms c).
+
+(** constant curvature. `a k_u − 2 k a_u` with `a = EG − F²` and `k = LN − M²`: zero where K_u is. *)
+Definition change_of_forms_by_u (c : accompanied A) : A :=
+  area_of_forms c * der s (parabolic_of_forms c) - number 2 * parabolic_of_forms c * der s (area_of_forms c).
+
+(** constant curvature. The same for `K_v`. *)
+Definition change_of_forms_by_v (c : accompanied A) : A :=
+  area_of_forms c * der s_bar (parabolic_of_forms c) - number 2 * parabolic_of_forms c * der s_bar (area_of_forms c).
+
+(** constant curvature. The derivative by u of `w⁴ (LN − M²)/(EG − F²)²`, where the coefficients are those of both lifted forms. *)
+Definition gaussian_weighted_by_u (c : accompanied A) : A :=
+  der s (gaussian_of_forms c * w c ^ 4).
+
+(** constant curvature. The derivative by v. *)
+Definition gaussian_weighted_by_v (c : accompanied A) : A :=
+  der s_bar (gaussian_of_forms c * w c ^ 4).
+
+(** constant curvature. `w (a k_u − 2 k a_u) + 4 w_u k a`. *)
+Definition change_weighted_by_u (c : accompanied A) : A :=
+  w c * (area_of_forms c * der s (parabolic_of_forms c) - number 2 * parabolic_of_forms c * der s (area_of_forms c)) + number 4 * der s (w c) * parabolic_of_forms c * area_of_forms c.
+
+(** constant curvature. `w (a k_v − 2 k a_v) + 4 w_v k a`. *)
+Definition change_weighted_by_v (c : accompanied A) : A :=
+  w c * (area_of_forms c * der s_bar (parabolic_of_forms c) - number 2 * parabolic_of_forms c * der s_bar (area_of_forms c)) + number 4 * der s_bar (w c) * parabolic_of_forms c * area_of_forms c.
+
+(** constant curvature. `‖Π_n‖⁶/w³` times `K_u`: with `k = w⁸ (LN − M²)` and `a = ‖Π_n‖²` it is `w (a k_u − 2 k a_u) + 4 w_u k a`. *)
+Definition gaussian_change_by_u_lifted (c : patch A) : A :=
+  w c * (area_squared_lifted c * der s (parabolic_lifted c) - number 2 * parabolic_lifted c * der s (area_squared_lifted c)) + number 4 * der s (w c) * parabolic_lifted c * area_squared_lifted c.
+
+(** constant curvature. `‖Π_n‖⁶/w³` times `K_v`. *)
+Definition gaussian_change_by_v_lifted (c : patch A) : A :=
+  w c * (area_squared_lifted c * der s_bar (parabolic_lifted c) - number 2 * parabolic_lifted c * der s_bar (area_squared_lifted c)) + number 4 * der s_bar (w c) * parabolic_lifted c * area_squared_lifted c.
 
 End Formulas.

@@ -8,8 +8,9 @@ Import ListNotations.
 
 (** ** Operations *)
 
-(** The parameters of two curves; what depends on one parameter alone uses the first. *)
-Inductive parameter := s | s_bar.
+(** The parameters of two curves, s and s̄; what depends on one parameter alone uses the first. Of a surface u is s and
+    v is s_bar; a curve on it has its own. *)
+Inductive parameter := s | s_bar | time.
 
 (** What a formula needs: every reading of a formula is an instance of this. *)
 Class operations (A : Type) := {
@@ -148,11 +149,19 @@ Record patch (A : Type) := Patch { net : curve A }.
 Arguments Patch {A} _. Arguments net {A} _.
 Coercion net : patch >-> curve.
 
+(** A curve on a surface, γ(t) = S(u(t), v(t)): the surface, and its parameters as functions of t. *)
+Record path (A : Type) := Path { under : patch A; route : list A }.
+Arguments Path {A} _ _. Arguments under {A} _. Arguments route {A} _.
+Coercion under : path >-> patch.
+Definition with_route {A : Type} (c : path A) : accompanied A := Accompanied (net c) (route c).
+Coercion with_route : path >-> accompanied.
+
 Section Arguments.
 Context {A : Type} {o : operations A}.
 Local Open Scope formula_scope.
 
-(** What stands beside a curve whose hodograph is (u² − v², 2uv) h. *)
+(** What stands beside a curve: u, v and h of the hodograph (u² − v², 2uv) h; the parameters u and v of a curve on a
+    surface. *)
 Definition u_of (c : accompanied A) := component 0 (beside c).
 Definition v_of (c : accompanied A) := component 1 (beside c).
 Definition h_of (c : accompanied A) := component 2 (beside c).
@@ -380,3 +389,21 @@ Definition every_planar_map (P : forall K : differential_field, patch K -> Prop)
 Definition every_two_forms (P : forall K : differential_field, accompanied K -> Prop) : Prop :=
   forall (K : differential_field) (E F G L M N w : K), commuting K ->
   P K (Accompanied (rational_curve s [] w []) [E; F; G; L; M; N]).
+
+(** *** Curves on a surface *)
+
+(** A function a of u and v, and its partial derivatives up to an order, obey the chain rule along the curve with the
+    parameters u(t), v(t): da/dt = a_u u′ + a_v v′. *)
+Fixpoint composed {K : differential_field} (u v : K) (order : nat) (a : K) : Prop :=
+  derivative K time a =
+    plus K (times K (derivative K s a) (derivative K time u)) (times K (derivative K s_bar a) (derivative K time v)) /\
+  match order with
+  | 0 => True
+  | S n => composed u v n (derivative K s a) /\ composed u v n (derivative K s_bar a)
+  end.
+
+(** Every curve on every rational surface. *)
+Definition every_curve_on_a_surface (P : forall K : differential_field, path K -> Prop) : Prop :=
+  forall (K : differential_field) (u v x y z w : K), commuting K ->
+  (forall order, Forall (composed u v order) [x; y; z; w]) -> w <> zero K ->
+  P K (Path (Patch (rational_curve time [x; y; z] w [])) [u; v]).

@@ -204,7 +204,10 @@ Fixpoint chain (i : positive) (order : nat) : rules :=
 Definition constants (is : list positive) : rules := map (fun i => (i, num 0)) is.
 
 Definition of_parameters (first second : rules) (q : parameter) : rules :=
-  match q with s => first | s_bar => second end.
+  match q with s => first | s_bar => second | time => [] end.
+
+Definition of_three_parameters (first second third : rules) (q : parameter) : rules :=
+  match q with s => first | s_bar => second | time => third end.
 
 (** The partial derivatives up to an order: row by row, in the n-th row first all by u, at last all by v. *)
 Definition partials {K : differential_field} (order : nat) (x : K) : list K :=
@@ -215,6 +218,13 @@ Definition grid (i : positive) (order right : nat) : rules :=
   let place n j := Pos.of_nat (Pos.to_nat i + Nat.div2 (n * S n) + j) in
   flat_map (fun n => map (fun j => (place n j, var (place (S n) (j + right)%nat))) (seq 0 (S n))) (seq 0 order).
 
+(** Their rules along a curve on the surface, where u′ and v′ are variables: the chain rule. *)
+Definition chained (i : positive) (order : nat) (u v : positive) : rules :=
+  let place n j := Pos.of_nat (Pos.to_nat i + Nat.div2 (n * S n) + j) in
+  flat_map (fun n => map (fun j =>
+    (place n j, eadd (emul (var (place (S n) j)) (var u)) (emul (var (place (S n) (S j))) (var v)))) (seq 0 (S n)))
+    (seq 0 order).
+
 Lemma commuted (K : differential_field) (a : K) n : commuting K ->
   derivative K s_bar (ders s n a) = ders s n (derivative K s_bar a).
 Proof.
@@ -224,10 +234,112 @@ Proof.
   rewrite <- IH. symmetry. apply C.
 Qed.
 
+(** Along a curve the functions of u and v that obey the chain rule are a field. *)
+Section Composed.
+Variable K : differential_field.
+Variable u v : K.
+Add Field K_composed : (field_axioms K).
+
+Lemma composed_once n a : composed u v n a -> composed u v 0 a.
+Proof. destruct n as [|n]; [easy|]. intros [E _]. now split. Qed.
+
+Lemma composed_less n : forall a, composed u v (S n) a -> composed u v n a.
+Proof.
+  induction n as [|n IH]; intros a [E [Hu Hv]]; (split; [exact E|]); [exact I|]. split; apply IH; assumption.
+Qed.
+
+Lemma composed_plus n : forall a b, composed u v n a -> composed u v n b -> composed u v n (plus K a b).
+Proof.
+  induction n as [|n IH]; intros a b [Ea Ha] [Eb Hb]; cbn [composed]; rewrite !derivative_plus, Ea, Eb;
+    (split; [ring|]); [exact I|].
+  split; apply IH; easy.
+Qed.
+
+Lemma composed_times n : forall a b, composed u v n a -> composed u v n b -> composed u v n (times K a b).
+Proof.
+  induction n as [|n IH]; intros a b Ha Hb.
+  - destruct Ha as [Ea _], Hb as [Eb _]. split; [|exact I]. rewrite !derivative_times, Ea, Eb. ring.
+  - pose proof (composed_less n a Ha). pose proof (composed_less n b Hb). destruct Ha as [Ea [Au Av]], Hb as [Eb [Bu Bv]].
+    cbn [composed]. rewrite !derivative_times, Ea, Eb. split; [ring|].
+    split; apply composed_plus; now apply IH.
+Qed.
+
+Lemma derivative_inverse q (b : K) : b <> zero K ->
+  derivative K q (quotient K (one K) b) =
+  times K (opposite K (derivative K q b)) (times K (quotient K (one K) b) (quotient K (one K) b)).
+Proof. intro N. rewrite derivative_quotient by exact N. rewrite derivative_one. field. exact N. Qed.
+
+Lemma composed_opposite n : forall a, composed u v n a -> composed u v n (opposite K a).
+Proof.
+  induction n as [|n IH]; intros a [Ea Ha]; cbn [composed]; rewrite !derivative_opposite, Ea; (split; [ring|]); [exact I|].
+  split; now apply IH.
+Qed.
+
+Lemma composed_inverse (b : K) : b <> zero K -> forall n, composed u v n b -> composed u v n (quotient K (one K) b).
+Proof.
+  intros N n. induction n as [|n IH]; intro Hb.
+  - destruct Hb as [E _]. split; [|exact I]. rewrite !derivative_inverse by exact N. rewrite E. ring.
+  - pose proof (IH (composed_less n b Hb)) as Hi. destruct Hb as [E [Hu Hv]]. cbn [composed].
+    rewrite !derivative_inverse by exact N. rewrite E. split; [ring|].
+    split; apply composed_times; try (apply composed_times; exact Hi); now apply composed_opposite.
+Qed.
+
+Lemma composed_quotient n (a b : K) : b <> zero K -> composed u v n a -> composed u v n b ->
+  composed u v n (quotient K a b).
+Proof.
+  intros N Ha Hb. replace (quotient K a b) with (times K a (quotient K (one K) b)) by (field; exact N).
+  apply composed_times; [exact Ha | now apply composed_inverse].
+Qed.
+
+Lemma composed_by_v j : forall n a, composed u v (j + n) a -> composed u v n (ders s_bar j a).
+Proof.
+  induction j as [|j IH]; intros n a H; [exact H|].
+  change (ders s_bar (S j) a) with (derivative K s_bar (ders s_bar j a)).
+  apply (IH (S n) a). now rewrite Nat.add_succ_r.
+Qed.
+
+Lemma composed_by_u i : forall n a, composed u v (i + n) a -> composed u v n (ders s i a).
+Proof.
+  induction i as [|i IH]; intros n a H; [exact H|].
+  change (ders s (S i) a) with (derivative K s (ders s i a)).
+  apply (IH (S n) a). now rewrite Nat.add_succ_r.
+Qed.
+
+(** The chain rule for a partial derivative, where the derivatives by u and v commute. *)
+Lemma along_the_curve (a : K) : commuting K -> (forall n, composed u v n a) -> forall i j,
+  derivative K time (ders s i (ders s_bar j a)) =
+  plus K (times K (ders s (S i) (ders s_bar j a)) (derivative K time u))
+         (times K (ders s i (ders s_bar (S j) a)) (derivative K time v)).
+Proof.
+  intros C H i j.
+  destruct (composed_by_u i 0 _ (composed_by_v j (i + 0) a (H _))) as [E _]. rewrite E.
+  now rewrite (commuted K (ders s_bar j a) i C).
+Qed.
+End Composed.
+
+Lemma curve_on_a_surface_by_position (P : forall K : differential_field, path K -> Prop) :
+  (forall (K : differential_field) (u v x y z w : K), commuting K ->
+   (forall n, composed u v n x) -> (forall n, composed u v n y) -> (forall n, composed u v n z) ->
+   (forall n, composed u v n w) -> w <> zero K ->
+   P K (Path (Patch (homogeneous time [x; y; z] w [])) [u; v])) -> every_curve_on_a_surface P.
+Proof.
+  intros H K u v x y z w C F Hw. rewrite rational_is_homogeneous by exact Hw.
+  assert (G : forall n, (composed u v n x /\ composed u v n y) /\ composed u v n z /\ composed u v n w).
+  { intro n. specialize (F n). repeat match goal with H : Forall _ (_ :: _) |- _ => inversion_clear H end. easy. }
+  apply H; try assumption; intro n; try apply composed_quotient; try apply G; exact Hw.
+Qed.
+
+Ltac by_chain_rule :=
+  match goal with C : commuting _, F : forall n, composed _ _ n _ |- _ => first
+    [exact (along_the_curve _ _ _ _ C F 0 0) | exact (along_the_curve _ _ _ _ C F 1 0)
+    | exact (along_the_curve _ _ _ _ C F 0 1) | exact (along_the_curve _ _ _ _ C F 2 0)
+    | exact (along_the_curve _ _ _ _ C F 1 1) | exact (along_the_curve _ _ _ _ C F 0 2)] end.
+
 Ltac rules_by_computation :=
   let q := fresh in intro q; destruct q; repeat (apply Forall_cons; [first [reflexivity | match goal with
     H : constant _ |- _ => exact (H _) | C : commuting _ |- _ => first
-      [exact (commuted _ _ 1 C) | exact (commuted _ _ 2 C) | exact (commuted _ _ 3 C) | exact (commuted _ _ 4 C)] | H : _ = _ |- _ => exact H end]|]); apply Forall_nil.
+      [exact (commuted _ _ 1 C) | exact (commuted _ _ 2 C) | exact (commuted _ _ 3 C) | exact (commuted _ _ 4 C)]
+    | H : _ = _ |- _ => exact H end | by_chain_rule]|]); apply Forall_nil.
 
 (** ** Atoms *)
 
@@ -421,7 +533,7 @@ Add Field K3 : (field_axioms K).
 Definition explicit_rules : parameter -> rules := of_parameters [(1%positive, num 1)] [].
 
 Lemma explicit_rules_hold q : rules_hold K [t] q (explicit_rules q).
-Proof. destruct q; [apply Forall_cons; [exact Ht|]|]; apply Forall_nil. Qed.
+Proof. destruct q; [apply Forall_cons; [exact Ht|] | |]; apply Forall_nil. Qed.
 
 (** A polynomial that becomes a constant other than 0 after so many derivatives. *)
 Fixpoint constant_after (n : nat) (a : poly) : bool :=
@@ -525,3 +637,30 @@ Proof.
   cbn -[plus times minus quotient one] in *. field. repeat split; assumption.
 Qed.
 End Sphere.
+
+(** ** The curvature of a curve on a surface *)
+
+Section OnSurface.
+Variable K : differential_field.
+Add Field K5 : (field_axioms K).
+Local Open Scope formula_scope.
+
+(** With a = γ′, b = γ″ and a vector n at right angles to a, of which nothing else is used: Gram's determinant. *)
+Lemma curvature_by_the_normal (a1 a2 a3 b1 b2 b3 n1 n2 n3 first second area : K) :
+  let a := [a1; a2; a3] in
+  let b := [b1; b2; b3] in
+  let n := [n1; n2; n3] in
+  dot a n = zero K -> dot a a = first -> dot b n = second -> dot n n = area -> first ^ 2 * area <> zero K ->
+  dot (cross a b) (cross a b) / dot a a ^ 3 =
+  second ^ 2 / (first ^ 2 * area) + det [a; b; n] ^ 2 / (first ^ 3 * area).
+Proof.
+  intros a b n O F S A N.
+  assert (HF : first <> zero K) by (intro Z; apply N; rewrite Z; simpl; ring).
+  assert (HA : area <> zero K) by (intro Z; apply N; rewrite Z; simpl; ring).
+  assert (G : det [a; b; n] ^ 2 = dot (cross a b) (cross a b) * dot n n - dot b n ^ 2 * dot a a
+    + dot a n * (number 2 * dot a b * dot b n - dot a n * dot b b)).
+  { unfold a, b, n. cbv -[element plus times minus opposite zero one]. ring. }
+  rewrite O, F, S, A in G. rewrite F, G.
+  clear - HF HA. set (X := dot (cross a b) (cross a b)). clearbody X. simpl. field. easy.
+Qed.
+End OnSurface.

@@ -1,0 +1,109 @@
+"""Parabolic curves across patches: parts on neighbouring patches that end at one point of their common border are one.
+
+Where patches meet with continuous curvature the zeros of K on the border are the same for both, as roots of two
+polynomials; whether two of these are one number is decided exactly. The ends of a closed surface are one border.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from exactspline.exact import mpq
+from exactspline.geometry.surface.borders import Edge, along, roots_along
+from exactspline.geometry.surface.forms import Patch, in_parameters
+from exactspline.geometry.surface.places import Parameter
+from exactspline.geometry.surface.zero_curve import Part, Shape, Vertex, ZeroCurve
+from exactspline.splines.patch_forms import Box
+from exactspline.splines.surface import Along
+
+#: A point of a border by its two parameters.
+Spot = tuple[Parameter, Parameter]
+
+
+class Piece(NamedTuple):
+    """The part of a parabolic curve on one patch."""
+
+    patch: Patch
+    sides: Box
+    curve: ZeroCurve
+    part: Part
+
+    def spots(self) -> Iterator[tuple[Spot, int]]:
+        """Its points on the border of the patch, in the parameters of the surface, and how many arcs end at each."""
+        ends = Counter(vertex for arc in self.part.arcs for vertex in (arc.first, arc.last))
+        for vertex in self.part.vertices:
+            if (spot := self._spot(vertex)) is not None:
+                yield spot, ends[vertex]
+
+    def _spot(self, vertex: Vertex) -> Spot | None:
+        if vertex.other is not None:
+            if not {vertex.value, vertex.other} & {0, 1}:
+                return None
+            (u, _), (v, _) = in_parameters(((vertex.value,) * 2, (vertex.other,) * 2), self.sides)
+            return u, v
+        if vertex.value not in (0, 1):
+            return None
+        edge = Edge(vertex.direction, int(vertex.value))
+        own = roots_along(along(self.curve.form, edge, self.sides), edge, self.sides)[vertex.index]
+        value = edge.value(self.sides)
+        return (value, own) if edge.direction == 0 else (own, value)
+
+
+@dataclass(frozen=True)
+class ParabolicCurve:
+    """A connected part of the zeros of K, with its pieces patch by patch."""
+
+    shape: Shape
+    pieces: tuple[Piece, ...] = field(repr=False)
+
+    @property
+    def patches(self) -> tuple[Patch, ...]:
+        """The patches that it meets."""
+        return tuple(dict.fromkeys(piece.patch for piece in self.pieces))
+
+
+def chained(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicCurve, ...]:
+    """The pieces, those that meet on borders of patches as one."""
+    spots: dict[Spot, Counter[int]] = {}
+    borders = [() if line in closed else side for side, line in zip(domain, Along, strict=True)]
+    for k, piece in enumerate(pieces):
+        for spot, arcs in piece.spots():
+            spots.setdefault(_once(spot, domain, closed), Counter())[k] += arcs
+    groups = list(range(len(pieces)))
+    for own in spots.values():
+        first, *others = (groups[k] for k in own)
+        groups = [first if group in others else group for group in groups]
+    return tuple(
+        ParabolicCurve(_shape(members, pieces, spots, borders), tuple(pieces[k] for k in members))
+        for members in ([k for k, own in enumerate(groups) if own == group] for group in dict.fromkeys(groups))
+    )
+
+
+def _once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
+    """The point with the first parameter instead of the last one where the surface is closed."""
+    u, v = (
+        side[0] if line in closed and t == side[1] else t for t, side, line in zip(spot, domain, Along, strict=True)
+    )
+    return u, v
+
+
+def _shape(
+    members: Iterable[int], pieces: Sequence[Piece], spots: dict[Spot, Counter[int]], borders: Sequence[tuple[mpq, ...]]
+) -> Shape:
+    """What pieces are together, by the numbers of arcs that meet at their points on borders."""
+    own = set(members)
+    if any(pieces[k].part.shape is Shape.CROSSED for k in own):
+        return Shape.CROSSED
+    if not any(pieces[k].part.arcs for k in own):
+        return Shape.POINT
+    met = {spot: sum(arcs.values()) for spot, arcs in spots.items() if own & arcs.keys()}
+    if max(met.values(), default=0) > 2:
+        return Shape.CROSSED
+    ends = [spot for spot, count in met.items() if count == 1]
+    if not ends:
+        return Shape.LOOP
+    outside = all(any(t in side for t, side in zip(spot, borders, strict=True)) for spot in ends)
+    return Shape.ARC if outside else Shape.BROKEN

@@ -1,0 +1,58 @@
+"""Patches on which the Gaussian curvature is constant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import count, islice, product
+
+from exactspline.exact import mpq
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, sides_of
+from exactspline.splines.patch_forms import PatchForm
+
+#: At how many points K is compared first, and the denominator of the first ones.
+POINTS, FIRST = 4, 7
+
+
+def constant_curvature(forms: SurfaceForms, patch: Patch) -> mpq | None:
+    """The Gaussian curvature of a patch where it is the same at all its points; None where it is not, and on patches
+    that are curves or points.
+
+    >>> from exactspline import example_surface
+    >>> constant_curvature(SurfaceForms(example_surface("sphere")), (0, 0))
+    mpq(1,1)
+    >>> constant_curvature(SurfaceForms(example_surface("torus")), (0, 0))
+    """
+    found = set(islice(_values(forms, patch), POINTS))
+    if len(found) != 1:
+        return None
+    value = found.pop()
+    return value if has_curvature(forms, patch, value) else None
+
+
+def has_curvature(forms: SurfaceForms, patch: Patch, value: mpq) -> bool:
+    """Whether K has this value at all points of a patch that have a tangent plane.
+
+    >>> from exactspline import example_surface
+    >>> has_curvature(SurfaceForms(example_surface("torus")), (0, 0), mpq(1, 3))
+    False
+    """
+    numerator, denominator = forms.curvature
+    return bool(PatchForm.of(numerator - denominator.scaled(value), *patch).is_zero)
+
+
+def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
+    """K at some points inside a patch that have a tangent plane; at none only where no point has one."""
+    if PatchForm.of(forms.area, *patch).is_zero:
+        return
+    sides = sides_of(forms.surface, patch)
+    for x, y in _places():
+        (u, _), (v, _) = in_parameters(((x, x), (y, y)), sides)
+        if area := forms.area(u, v):
+            yield mpq(forms.parabolic(u, v) * forms.surface.w(u, v) ** 4 / area**2)
+
+
+def _places() -> Iterator[tuple[mpq, mpq]]:
+    """Points of the unit square: the zeros of no polynomial are all of them."""
+    for n in count(FIRST):
+        for i, j in product(range(1, n), repeat=2):
+            yield mpq(i, n), mpq(j, n)

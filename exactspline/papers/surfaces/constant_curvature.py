@@ -1,0 +1,87 @@
+"""How the Gaussian curvature changes: where both its derivatives vanish it is constant.
+
+Spheres, planes and developable surfaces are among the surfaces on which both vanish everywhere; which rational surfaces
+beside these there are is not said here.
+"""
+
+from exactspline.language.formula import formula
+from exactspline.papers.surfaces.by_forms import area_of_forms, parabolic_of_forms
+from exactspline.papers.surfaces.lifted import area_squared_lifted, parabolic_lifted
+
+
+def change_of_quotient(k, a, by):
+    """What the derivative of ``k/a²`` is a multiple of, by ``1/a³``."""
+    return a * k.d(1, by=by) - 2 * k * a.d(1, by=by)
+
+
+def change_with_weight(k, a, w, by):
+    """What that of ``w⁴ k/a²`` is a multiple of, by ``w³/a³``."""
+    return w * change_of_quotient(k, a, by) + 4 * w.d(1, by=by) * k * a
+
+
+@formula("Gaussian curvature", on="forms", symbol="K")
+def gaussian_of_forms(c):
+    """``(LN − M²)/(EG − F²)²``."""
+    return parabolic_of_forms(c) / area_of_forms(c) ** 2
+
+
+@formula("Gaussian curvature", on="forms", symbol="K_u")
+def gaussian_of_forms_by_u(c):
+    """Its derivative by u."""
+    return gaussian_of_forms(c).d(1, by="u")
+
+
+@formula("Gaussian curvature", on="forms", symbol="K_v")
+def gaussian_of_forms_by_v(c):
+    """Its derivative by v."""
+    return gaussian_of_forms(c).d(1, by="v")
+
+
+@formula("constant curvature", on="forms")
+def change_of_forms_by_u(c):
+    """``a k_u − 2 k a_u`` with ``a = EG − F²`` and ``k = LN − M²``: zero where K_u is."""
+    return change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "u")
+
+
+@formula("constant curvature", on="forms")
+def change_of_forms_by_v(c):
+    """The same for ``K_v``."""
+    return change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "v")
+
+
+@formula("constant curvature", on="forms")
+def gaussian_weighted_by_u(c):
+    """The derivative by u of ``w⁴ (LN − M²)/(EG − F²)²``, where the coefficients are those of both lifted forms."""
+    return (gaussian_of_forms(c) * c.w**4).d(1, by="u")
+
+
+@formula("constant curvature", on="forms")
+def gaussian_weighted_by_v(c):
+    """The derivative by v."""
+    return (gaussian_of_forms(c) * c.w**4).d(1, by="v")
+
+
+@formula("constant curvature", on="forms")
+def change_weighted_by_u(c):
+    """``w (a k_u − 2 k a_u) + 4 w_u k a``."""
+    return change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "u")
+
+
+@formula("constant curvature", on="forms")
+def change_weighted_by_v(c):
+    """``w (a k_v − 2 k a_v) + 4 w_v k a``."""
+    return change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "v")
+
+
+@formula("constant curvature", on="surface")
+def gaussian_change_by_u_lifted(c):
+    """``‖Π_n‖⁶/w³`` times ``K_u``: with ``k = w⁸ (LN − M²)`` and ``a = ‖Π_n‖²`` it is ``w (a k_u − 2 k a_u) + 4 w_u k
+    a``.
+    """
+    return change_with_weight(parabolic_lifted(c), area_squared_lifted(c), c.w, "u")
+
+
+@formula("constant curvature", on="surface")
+def gaussian_change_by_v_lifted(c):
+    """``‖Π_n‖⁶/w³`` times ``K_v``."""
+    return change_with_weight(parabolic_lifted(c), area_squared_lifted(c), c.w, "v")
