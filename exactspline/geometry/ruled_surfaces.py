@@ -163,5 +163,4 @@ def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
 
 def _ratio(top: Any, bottom: Any) -> Rational[BSpline]:
     """A quotient of scalars that may be quotients themselves, in lowest terms."""
-    found = top / bottom
-    return where_it_exists(found if isinstance(found, Rational) else Rational(found, BSpline.constant(found, 1)))
+    return where_it_exists(top / bottom)
