@@ -42,6 +42,7 @@ from exactspline.geometry.surface.inspection import _sided
 from exactspline.geometry.surface.isolation import isolate
 from exactspline.geometry.surface.multiple import _hull_of_neighbours
 from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.planar_maps import _inside, _placed
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.roots.enclosure import Enclosure
 from exactspline.splines.examples import example
@@ -336,7 +337,7 @@ def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_bor
     ends = [0, 0, 1, 1]
     x, y = TensorSpline((1, 1), ends, ends, [[0, 0], [1, 1]]), TensorSpline((1, 1), ends, ends, [[0, 1], [0, 1]])
     sides = (x * 4 - 1) * (x * 8 - 7)
-    for near in (0, mpq(1, 2**20), mpq(-1, 2**20), mpq(1, 2**50)):
+    for near in (0, mpq(1, 2**20), mpq(-1, 2**20), *[mpq(1, 2**k) for k in (50, 100, 200, 300)]):
         line, other = y + sides * near, sides * (x * x * 2 - 1) + y * 0
         found = isolate(*together([line.elevated_to(other), other.elevated_to(line)], 0, 0)).zeros
         told = {tuple(round(float(a), 3) for a, _ in zero.refine(60)): is_inside(zero, UNIT) for zero in found}
@@ -417,3 +418,12 @@ def test_the_hull_of_neighbours_is_that_of_the_first_box():
     assert _hull_of_neighbours([near[0], far[0], *near[1:], far[1]]) == ((0, 3), (0, 2))
     assert _hull_of_neighbours([far[1], *near, far[0]]) == ((7, 9), (7, 9))
     assert _hull_of_neighbours([near[0], *far]) == near[0]
+
+
+def test_points_of_a_patch_have_parameters_of_the_surface():
+    sides = (mpq(0), mpq(4)), (mpq(-1), mpq(1))
+    assert _placed((mpq(1, 4), mpq(3, 4)), sides) == (1, mpq(1, 2))
+    assert _inside((mpq(0), mpq(1)), 1, PatchForm.of_net([[1, 2], [3, 4]]), sides) == (0, 1)
+    # x (1 − y): positive inside, not at this corner
+    u, v = _inside((mpq(0), mpq(1)), 1, PatchForm.of_net([[0, 0], [1, 0]]), sides)
+    assert (0 < u < 4, -1 < v < 1) == (True, True)
