@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
     from exactspline.display.ledger import Failure
     from exactspline.display.sheet import Sheet
+    from exactspline.splines.nurbs import Nurbs
+    from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
     from exactspline.verification.questions import Proof
     from exactspline.verification.verdict import Row
@@ -48,6 +50,14 @@ Sections = Annotated[
 ]
 Verdicts = Annotated[
     list[str] | None, typer.Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated.")
+]
+Surfaces = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--surface",
+        metavar="SURFACE",
+        help="A surface file (JSON) or an example surface, to check claims of surfaces on. May be repeated.",
+    ),
 ]
 Judge = Annotated[
     str,
@@ -83,6 +93,7 @@ def prove(
     out: Output,
     claim: Claims = None,
     curve: CurveFiles = None,
+    surface: Surfaces = None,
     section: Sections = None,
     verdict: Verdicts = None,
     judge: Judge = "",
@@ -96,8 +107,8 @@ def prove(
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """Decide every claim of a paper: for all curves at once, and exactly on the curves given (without --curve: on those
-    in its folder, or on the example curves).
+    """Decide every claim of a paper: for all curves at once, and exactly on the curves and surfaces given (without any:
+    on the curves in its folder, or on the example curves).
     """
     if identity:
         _identity(out, identity, trust)
@@ -107,16 +118,20 @@ def prove(
     from exactspline.verification.ledger import tasks
 
     if emit_coq:
-        if claim or section or verdict or curve or paper:
+        if claim or section or verdict or curve or surface or paper:
             raise OptionsError("--emit-coq with a choice", remedy="leave it out: all theorems are written")
         _emit(emit_coq)
         return
     wanted = [_word(each, WORDS) for each in verdict or []]
     claims = _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or [])
     given, good = loaded(curve or [])
-    curves = also_in_their_planes(given) if curve else None
-    if judge and curve:
-        raise OptionsError("--judge and --curve", remedy="another judge decides for all curves: leave --curve out")
+    patches, all_read = _surfaces(surface or [])
+    curves: list[Nurbs | NurbsSurface] | None = None
+    if curve or surface:
+        curves = [*also_in_their_planes(given), *patches]
+    if judge and curves is not None:
+        told = "--judge and --curve" if curve else "--judge and --surface"
+        raise OptionsError(told, remedy="another judge decides for all: leave it out")
     found = tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving")
     kernel = _kernel(claims) if judge == "coq" else None
     chosen = [row for row in found if not wanted or word(row) in wanted]
@@ -131,10 +146,26 @@ def prove(
     out.give(
         "prove", pages.data, pages.sheets, lambda: pages.print(out, found, listed=listed, everything=rows), by="curve"
     )
-    if not good:
+    if not (good and all_read):
         raise typer.Exit(2)
     if not all(row.as_recorded for row in found):
         raise typer.Exit(1)
+
+
+def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
+    """The surfaces that can be read, and whether all could: a bad one is reported, and the rest are read."""
+    from exactspline.display.console import show_error
+    from exactspline.errors import ExactSplineError
+    from exactspline.splines.examples import load_surface
+
+    found, good = [], True
+    for name in names:
+        try:
+            found.append(load_surface(name))
+        except ExactSplineError as error:
+            show_error(error)
+            good = False
+    return found, good
 
 
 def _named(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
@@ -235,7 +266,7 @@ class _Ledger:
         self,
         rows: list[Row],
         claims: Sequence[Claim],
-        curves: list[Any] | None,
+        curves: Sequence[Nurbs | NurbsSurface] | None,
         digits: int,
         exact: bool,
         kernel: dict[tuple[str, str], str] | None = None,
@@ -359,12 +390,15 @@ class _Ledger:
     def _on_curves(self, shown: Console, listed: bool) -> None:
         from exactspline.display import console
         from exactspline.display.ledger import by_section, ledger, reasons
+        from exactspline.display.surface_data import described_surface
+        from exactspline.splines.surface import NurbsSurface
         from exactspline.verification.verdict import REFUTED
 
         for i, c in enumerate(self.curves or []):
             if i:
                 shown.print()
-            title = f"{c.name}: {described(c)}"
+            on_surface = isinstance(c, NurbsSurface)
+            title = f"{c.name}: {described_surface(c) if isinstance(c, NurbsSurface) else described(c)}"
             own = [row for row in self.rows if row.curve == c.name]
             if not own:
                 console.lines(shown, title)
@@ -378,6 +412,9 @@ class _Ledger:
                 if wrong:
                     shown.print()
                     shown.print(ledger(wrong, "Refuted on this curve", self.digits, exact=self.exact))
-            if silent := [claim for claim in self.claims if not claim.speaks_of(c.dimension, c.polynomial)]:
+            speaks = [claim.speaks_of(c.dimension, c.polynomial, surface=on_surface) for claim in self.claims]
+            if silent := [claim for claim, told in zip(self.claims, speaks, strict=True) if not told]:
                 told = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"
-                console.lines(shown, f"{told} nothing of this curve: {reasons(silent, c)}")
+                console.lines(
+                    shown, f"{told} nothing of this {'surface' if on_surface else 'curve'}: {reasons(silent, c)}"
+                )

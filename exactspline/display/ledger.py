@@ -11,8 +11,10 @@ from functools import cache
 from exactspline.display.numbers import decimals
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
+from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper, paper
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import name_of, numbered
@@ -177,8 +179,8 @@ ARGUMENTS = {
 }
 
 
-def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
-    """The reasons why claims do not apply to a curve, counted.
+def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
+    """The reasons why claims do not apply to a curve or a surface, counted.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.splines.examples import example
@@ -189,6 +191,8 @@ def reasons(claims: Iterable[Claim], curve: Nurbs) -> str:
     for claim in claims:
         if claim.curve == ArgumentKind.TABLE:
             counts["of Table 1"] += 1
+        elif isinstance(curve, NurbsSurface) and kind_of(claim.curve).made_of_a_surface:
+            counts["of other surfaces"] += 1
         elif claim.curve not in (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension)):
             counts[f"of {ARGUMENTS.get(claim.curve, f'{claim.curve} curves')}"] += 1
         else:

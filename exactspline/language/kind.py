@@ -56,6 +56,8 @@ class Kind(ABC):
     name: str
     dimensions: tuple[int, ...]
     made_of_a_curve = True
+    #: Whether one surface alone gives an example.
+    made_of_a_surface = False
     #: The parameters in which tables count degrees: that of the first of two curves alone.
     counted: tuple[Parameter, ...] = (Parameter.FIRST,)
     #: Where a parameter of some operands is itself a function of the curve's parameter: the operand that it is.

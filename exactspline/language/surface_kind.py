@@ -61,6 +61,7 @@ class SurfaceKind(Kind):
     """A surface in space, or a map of the plane."""
 
     made_of_a_curve = False
+    made_of_a_surface = True
     counted = BOTH
 
     def __init__(self, name: str, dimension: int) -> None:

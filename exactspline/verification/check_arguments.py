@@ -8,11 +8,12 @@ from exactspline.language.accompanied import Accompanied
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.hodograph_kind import curve_of_hodograph
-from exactspline.language.kinds import HODOGRAPH, CurveKind, PairKind, constant_text, kind_of
+from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, constant_text, kind_of
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.integral import integral
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 
 #: How many segments of either curve are used in a pair: more would show nothing new, and the number of patches is their
@@ -62,12 +63,20 @@ def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
     return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w}, x.constant(1))
 
 
-def argument(kind: str, curve: Nurbs) -> tuple[Evaluated, str]:
-    """The argument of formulas of a kind on one curve, and its description beside the name of the curve.
+def argument(kind: str, curve: Nurbs | NurbsSurface) -> tuple[Evaluated, str]:
+    """The argument of formulas of a kind on one curve or surface, and its description beside the name of that.
 
-    Raises `InapplicableError` for a kind of which one curve alone is not an example.
+    Raises `InapplicableError` for a kind of which one curve or surface alone is not an example.
     """
     asked = kind_of(kind)
+    if isinstance(curve, NurbsSurface):
+        if asked not in (SURFACE, PLANAR_MAP):
+            raise InapplicableError(
+                f"one surface is not an example of {str(kind)!r}", remedy="such claims are decided for all"
+            )
+        (a, b, *_), (c, d, *_) = (mesh.breaks for mesh in curve.meshes)
+        whole = curve.patches == (1, 1)
+        return (curve, "") if whole else (curve.mapped(lambda f: f.restrict((a, b), (c, d))), ", first patch")
     if isinstance(asked, PairKind):
         return pair_with(curve), ", first segment, with its moved copy"
     if asked is HODOGRAPH:

@@ -18,8 +18,9 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
-from exactspline.readings.degree import parse
+from exactspline.readings.degree import DegreeReading, parse
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim_factor import WEIGHTS
@@ -138,6 +139,8 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
+#: The largest degree in a parameter to which formulas are multiplied out on single surfaces.
+LARGEST_ON_SURFACES = 100
 #: The largest count that a claim may state.
 LARGEST = 1000
 
@@ -294,10 +297,11 @@ class Claim(Displayed):
         """The dimensions of which it speaks."""
         return kind_of(self.curve).dimensions
 
-    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
-        """Whether it applies to single curves of that dimension and kind: splines have no roots."""
+    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
+        """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
-        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and kind.made_of_a_curve
+        made = kind.made_of_a_surface if surface else kind.made_of_a_curve
+        told = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made
         return told and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
@@ -321,16 +325,29 @@ class Claim(Displayed):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The finding for all curves of a dimension, with w = 1 or with any w."""
 
-    def check(self, curve: Nurbs | Operands | Evaluation) -> Finding:
-        """The finding on one curve (or on the `Evaluation` of one)."""
+    def check(self, curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Finding:
+        """The finding on one curve or surface (or on the `Evaluation` of one)."""
         own = evaluation(curve)
+        if isinstance(own.curve, NurbsSurface) and (told := self._too_long(own.curve)):
+            return Finding(UNDECIDED, self.claims, witness=OUTSIDE + told)
         argument = own.handed(self.curve)
-        if gone := self.missing(argument):
-            return vacuous(self.claims, gone)
-        finding = self.examine(argument, own)
-        if finding.verdict == REFUTED and (failing := own.failing(self.curve, self.assumes)):
+        gone = self.missing(argument)
+        finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)
+        silent = finding.verdict == REFUTED or finding.is_vacuous
+        if silent and (failing := own.failing(self.curve, self.assumes)):
             return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
         return finding
+
+    def _too_long(self, surface: NurbsSurface) -> str:
+        """The formula whose value as it stands has too high a degree on a surface; empty where there is none."""
+        for name in self.named:
+            formula = self.find(name)
+            for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):
+                reading = DegreeReading(parameter=parameter)
+                counted = formula(reading.argument(formula.kind, surface.dimension, polynomial=surface.polynomial))
+                if (n := counted.degree.at(dict.fromkeys(counted.degree.names, d))) > LARGEST_ON_SURFACES:
+                    return f"{name} as it stands has degree {n} in {parameter} there, too much to be multiplied out"
+        return ""
 
     @abstractmethod
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
@@ -375,7 +392,7 @@ class ExampleClaim(Claim):
 
     example: str = field(metadata=read(example_name))
 
-    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """It applies to its example alone."""
         return False
 

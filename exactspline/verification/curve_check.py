@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import count
 from typing import Any
 
 from flint import fmpz_poly
@@ -9,6 +10,7 @@ from flint import fmpz_poly
 from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Operands
+from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
@@ -20,23 +22,33 @@ from exactspline.verification.evaluation import between, segment
 def where_it_differs(difference: BSpline | TensorSpline) -> str:
     """A parameter (two, of a spline in two) at which a spline that is not zero does not vanish, and its value there."""
     if isinstance(difference, TensorSpline):
-        (a, b), (c, d) = difference.domain
-        line = next(line for j in range(1, 10**6) if not (line := difference.at_t(c + (d - c) / mpq(j + 1))).is_zero)
-        return f"{where_it_differs(line)} of the first curve and an inner one of the second"
-    for i, p in enumerate(difference.polynomials):
-        if p:
-            a, b = difference.breakpoints[i : i + 2]
-            for j in range(1, difference.degree + 3):
-                t = a + (b - a) * mpq(j, difference.degree + 3)
-                if value := difference(t):
-                    return f"by {text(value)} at the parameter {text(t)}"
-    return "nowhere"
+        _, (c, d) = difference.domain
+        lines = ((t, difference.at_t(t)) for t in (c + (d - c) / mpq(j) for j in count(2)))
+        t, line = next((t, line) for t, line in lines if not line.is_zero)
+        s, value = _not_zero(line)
+        return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
+    if difference.is_zero:
+        return "nowhere"
+    t, value = _not_zero(difference)
+    return f"by {text(value)} at the parameter {text(t)}"
+
+
+def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
+    """A parameter at which a spline that is not zero does not vanish, and its value there."""
+    return next(
+        (t, value)
+        for p, a, b in zip(f.polynomials, f.breakpoints, f.breakpoints[1:], strict=False)
+        if p
+        for t in (a + (b - a) * mpq(j, f.degree + 3) for j in range(1, f.degree + 3))
+        if (value := f(t))
+    )
 
 
 def printed_factor(factor: str, curve: Evaluated) -> str:
     """The factor on this curve: powers of w are 1 where the curve is polynomial."""
     only_w = all(part.split("^")[0] in ("w", "W") for part in factor.split())
-    polynomial = all(c.polynomial for c in curve.together() if isinstance(c, Curve))
+    known = [c.polynomial for c in curve.together() if isinstance(c, (Curve, Surface))]
+    polynomial = bool(known) and all(known)
     return f"{factor} = 1 (polynomial: w = 1)" if polynomial and only_w and factor != "1" else factor
 
 

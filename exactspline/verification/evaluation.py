@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import product
 from typing import Any
 
 from exactspline.exact import mpq, text
+from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.patch_forms import PatchForm
+from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.check_arguments import argument
@@ -30,7 +34,7 @@ class Evaluation:
     (True, False)
     """
 
-    def __init__(self, curve: Nurbs | Operands) -> None:
+    def __init__(self, curve: Nurbs | NurbsSurface | Operands) -> None:
         self.curve: Any = curve
         self._handed: dict[str, tuple[Evaluated, str]] = {}
         self._failing: dict[tuple[str, Assumption], str] = {}
@@ -53,7 +57,8 @@ class Evaluation:
         """The first assumption that fails on this curve, with the place; empty when all hold."""
         for each in assumed:
             if (kind, each) not in self._failing:
-                place = _fails(each, self.handed(kind))
+                on_surface = isinstance(self.curve, NurbsSurface)
+                place = (_fails_on_surface if on_surface else _fails)(each, self.handed(kind))
                 told = each.name.removesuffix(" ≢ 0").removesuffix(" ≠ 0")
                 self._failing[kind, each] = f"{told} vanishes {place}" if place else ""
             if told := self._failing[kind, each]:
@@ -61,7 +66,7 @@ class Evaluation:
         return ""
 
 
-def evaluation(curve: Nurbs | Operands | Evaluation) -> Evaluation:
+def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluation:
     """The evaluation of a curve; one that is given is kept."""
     return curve if isinstance(curve, Evaluation) else Evaluation(curve)
 
@@ -76,6 +81,17 @@ def _fails(each: Assumption, handed: object) -> str:
     if not each.everywhere:
         return next((segment(value, i) for i, p in enumerate(value.polynomials) if not p), "")
     return zero_of(value)
+
+
+def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
+    """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
+    value = each.polynomial(handed)
+    patches = product(*[range(len(mesh)) for mesh in value.meshes])
+    for form, patch in ((PatchForm.of(value, *patch), patch) for patch in patches):
+        told = "" if form.is_zero or not each.everywhere else sign_on_patch(form).sign
+        if form.is_zero or (each.everywhere and told not in (Sign.POSITIVE, Sign.NEGATIVE)):
+            return f"on patch {patch[0]}, {patch[1]}" if each.everywhere else "on a whole patch"
+    return ""
 
 
 def segment(f: BSpline, i: int) -> str:

@@ -10,6 +10,7 @@ from exactspline.errors import ExactSplineError
 from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
 from exactspline.verification.claim import Claim, contradict, fitting
 from exactspline.verification.curve_check import spline_table
@@ -23,11 +24,11 @@ TABLE = "splines of degrees 2 and 3 over different knots"
 Task = Callable[[], Row]
 
 
-def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Iterator[Row]:
+def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> Iterator[Row]:
     """The rows of the ledger, one by one.
 
     Without curves: every claim decided for all curves, and then checked on every example curve to which it applies.
-    With curves: checked on these.
+    With curves, or surfaces: checked on these.
 
     >>> from exactspline.verification.claims import select
     >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
@@ -39,7 +40,7 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> Ite
         yield task()
 
 
-def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs] | None = None) -> list[Task]:
+def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> list[Task]:
     """The checks as calls that return a row each, so that progress can be shown. Each run evaluates curves with its own
     objects, so that runs in several threads can share curves.
     """
@@ -60,7 +61,7 @@ def _curves_of(source: Paper) -> list[Nurbs]:
     return list(own_curves(source).values()) or [example(name) for name in example_names()]
 
 
-def _on_curves(claims: Iterable[Claim], curves: Iterable[Nurbs], proofs: Proofs) -> list[Task]:
+def _on_curves(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface], proofs: Proofs) -> list[Task]:
     """Curve by curve, the claims that apply to it; formulas are evaluated once per curve."""
     calls: list[Task] = []
     for curve in curves:
@@ -68,7 +69,7 @@ def _on_curves(claims: Iterable[Claim], curves: Iterable[Nurbs], proofs: Proofs)
         calls += [
             partial(checked, claim, own, own.curve.name or UNNAMED, proofs)
             for claim in claims
-            if claim.speaks_of(curve.dimension, curve.polynomial)
+            if claim.speaks_of(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
         ]
     return calls
 

@@ -19,6 +19,8 @@ VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
 OUTSIDE = "the claim says nothing of this curve: "
 #: Why a curve of lower degree decides nothing about the generic one.
 LOWER_HERE = "the degree is lower on it, as it may be on special curves"
+#: Why a count says nothing of a patch of low degree.
+NO_DERIVATIVES = "its degree is lower than the order of a derivative"
 
 
 class ContradictionError(ExactSplineError):

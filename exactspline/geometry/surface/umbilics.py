@@ -122,7 +122,11 @@ class _Search:
                 place = Place((self.patch,), None, *edge.place(self.sides, root))
                 if not any(same_place(place, one.place) for one in found):
                     found.append(Umbilic(place, self._kind(place.box(30))))
-        return tuple(edges), found
+        return tuple(edges), [one for one in found if not any(self._is_on(edge, one.place) for edge in edges)]
+
+    def _is_on(self, edge: Edge, place: Place) -> bool:
+        """Whether a point is one of an edge."""
+        return bool((place.u, place.v)[edge.direction] == edge.value(self.sides))
 
     def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
         """The umbilics inside, a curve of them, and what could not be decided."""

@@ -49,9 +49,9 @@ class Coefficients(Claim):
         """The formula has no vanishing coefficient."""
         return rf"{self.symbol(self.formula)} \;\text{{has no vanishing coefficient}}"
 
-    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""
-        return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial)
+        return self.curves == Curves.EVERY and super().speaks_of(dimension, polynomial, surface=surface)
 
     def prove(self) -> tuple[str, Finding]:
         """A claim about every curve can only be refuted, by one; the generic curve is computed."""

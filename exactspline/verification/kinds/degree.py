@@ -13,8 +13,10 @@ from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
+from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.readings.degree import parse
+from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lines import Degrees
@@ -23,7 +25,16 @@ from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
 from exactspline.verification.notation import degree_latex
-from exactspline.verification.verdict import LOWER_HERE, OUTSIDE, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import (
+    LOWER_HERE,
+    NO_DERIVATIVES,
+    OUTSIDE,
+    REFUTED,
+    UNDECIDED,
+    VERIFIED,
+    Finding,
+    vacuous,
+)
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation, Scope
 
 #: The measured degree, as LaTeX.
@@ -97,14 +108,14 @@ class DegreeClaim(Claim):
         """The reading that decides the measure."""
         return {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
 
-    def speaks_of(self, dimension: int, polynomial: bool) -> bool:
+    def speaks_of(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Counts by another rule, heights, and lower bounds for the generic curve do not apply to one curve."""
         silent = (
             self.counting == Counting.PART_BY_PART
             or self.measure == Measure.HEIGHT
             or (self.measure.is_generic and self.relation == Relation.AT_LEAST)
         )
-        return not silent and super().speaks_of(dimension, polynomial)
+        return not silent and super().speaks_of(dimension, polynomial, surface=surface)
 
     def prove(self) -> tuple[str, Finding]:
         """The reading is that of the measure."""
@@ -119,6 +130,8 @@ class DegreeClaim(Claim):
         """The degree of the given splines. A curve of higher degree refutes what is claimed of the generic one; a
         curve of lower degree may be a special one, and decides nothing.
         """
+        if self._has_too_few_derivatives(argument):
+            return Finding(UNDECIDED, self.claims, witness=f"{OUTSIDE}{NO_DERIVATIVES}", relation=self.relation)
         claimed = self._claimed(argument)
         text = f"{RELATIONS[self.relation][1]}{claimed}"
         computed = self._computed(argument)
@@ -141,6 +154,12 @@ class DegreeClaim(Claim):
             if (named := each.degree_in(self.parameter)).isidentifier():
                 values[named] = max(self._own(known[each.name].degree), values.get(named, 0))
         return degree.at({name: values[name] for name in degree.names})
+
+    def _has_too_few_derivatives(self, argument: Any) -> bool:
+        """Whether a count is asked for on a patch of lower degree than the formula has derivatives."""
+        if self.measure != Measure.NOMINAL or not isinstance(argument, Surface):
+            return False
+        return any(min(f.degree) < order_of(self.find(self.formula), argument.dimension) for f in argument.p)
 
     def _computed(self, argument: Handed) -> int:
         if self.measure == Measure.REDUCED:

@@ -1,0 +1,93 @@
+"""Claims checked on single surfaces: what holds, what is vacuous there, and statements that are false."""
+
+import json
+from dataclasses import replace
+
+import pytest
+from typer.testing import CliRunner
+
+from exactspline import example_surface, paper, save_surface
+from exactspline.cli import app
+from exactspline.cli.output import OptionsError
+from exactspline.verification.claims import claims_of
+from exactspline.verification.ledger import audit
+from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, ContradictionError
+from exactspline.verification.vocabulary import Verdict
+
+CLAIMS = claims_of(paper("surfaces"))
+
+
+def on(name, claims=CLAIMS):
+    return list(audit(claims, [example_surface(name)]))
+
+
+def named(key):
+    return next(claim for claim in CLAIMS if claim.key == key)
+
+
+@pytest.mark.parametrize("name", ["rational_biquadratic", "torus", "monkey_saddle", "planar_map", "cone"])
+def test_no_claim_is_refuted_on_a_surface(name):
+    rows = on(name)
+    assert rows
+    assert all(row.as_recorded and row.verdict in (VERIFIED, UNDECIDED) for row in rows)
+    assert any(row.verdict == VERIFIED for row in rows)
+
+
+def test_what_vanishes_on_a_plane_patch_is_vacuous():
+    rows = {row.key: row for row in on("cone")}
+    assert rows["S3-parabolic-parabolic_lifted"].witness.startswith("vacuous")
+    assert rows["S1-E-E_reduced"].verdict == VERIFIED
+
+
+def test_claims_of_polynomial_surfaces_are_silent_of_rational_ones():
+    assert not any(row.key.startswith("PM1") for row in on("torus"))
+    assert any(row.key.startswith("PM1") and row.verdict == VERIFIED for row in on("bicubic"))
+
+
+@pytest.mark.parametrize("factor", ["w^-3", "2 w^-4", "1"])
+def test_a_wrong_factor_is_refuted_on_a_rational_surface(factor):
+    wrong = replace(named("S2-L-L_lifted"), factor=factor, expected=Verdict.REFUTED, key="S2-wrong")
+    (row,) = on("rational_biquadratic", [wrong])
+    assert row.verdict == REFUTED
+    assert "at the parameters" in row.witness
+
+
+def test_a_wrong_power_of_w_holds_where_w_is_one():
+    wrong = replace(named("S2-L-L_lifted"), factor="w^-3", expected=Verdict.REFUTED, key="S2-wrong")
+    (row,) = on("bicubic", [wrong])
+    assert (row.verdict, row.factor) == (VERIFIED, "w^-3 = 1 (polynomial: w = 1)")
+
+
+def test_a_proof_that_fails_on_a_surface_is_a_contradiction(monkeypatch):
+    wrong = replace(named("S2-L-L_lifted"), factor="2 w^-4", key="S2-wrong")
+    right = named("S2-L-L_lifted")
+    monkeypatch.setattr(type(wrong), "prove", lambda self: ("jet", right.decide(3, False)))
+    with pytest.raises(ContradictionError):
+        on("rational_biquadratic", [wrong])
+
+
+def test_the_command(tmp_path):
+    path = tmp_path / "own.json"
+    save_surface(example_surface("biquadratic"), path)
+    told = CliRunner().invoke(
+        app, ["prove", "--paper", "surfaces", "--surface", str(path), "--surface", "cone", "--json"]
+    )
+    assert told.exit_code == 0
+    rows = json.loads(told.output)["rows"]
+    assert {row["curve"] for row in rows} == {"biquadratic", "cone"}
+    assert len({row["key"] for row in rows}) == len(rows)
+    text = CliRunner().invoke(app, ["prove", "--paper", "surfaces", "--surface", "torus", "-q"])
+    assert "VACUOUS" in text.output
+    assert text.output.splitlines()[0].startswith("torus: rational, degree 2 × 2")
+
+
+@pytest.mark.parametrize("arguments", [["--surface", "tours"], ["--surface", "circle"]])
+def test_a_name_that_is_no_surface_is_told(arguments):
+    told = CliRunner().invoke(app, ["prove", "--paper", "surfaces", *arguments])
+    assert told.exit_code == 2
+
+
+def test_another_judge_and_a_surface():
+    told = CliRunner().invoke(app, ["prove", "--paper", "surfaces", "--surface", "torus", "--judge", "sympy"])
+    assert isinstance(told.exception, OptionsError)
+    assert "--surface" in str(told.exception)
