@@ -43,6 +43,7 @@ from exactspline.geometry.surface.isolation import isolate
 from exactspline.geometry.surface.multiple import _hull_of_neighbours
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.planar_maps import _inside, _placed
+from exactspline.geometry.surface.singular import SingularPoints
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.roots.enclosure import Enclosure
 from exactspline.splines.examples import example
@@ -346,6 +347,27 @@ def test_a_cell_around_a_singular_point_lies_inside_the_patch():
     assert cell.crossing is critical.Crossing.POINT
     assert cell.box == ((1 - edge - edge / 2, 1 - edge / 2), (y - edge / 2, y + edge / 2))
     assert cells(2 * edge, 0) is not None
+
+
+def test_cells_hold_their_points_where_the_box_of_one_spans_that_of_another(monkeypatch):
+    monkeypatch.setattr(critical, "_kind", lambda form, box: critical.Crossing.POINT)
+
+    def zero(a, b, y):
+        box = (mpq(a), mpq(b)), (mpq(y), mpq(y))
+        return SimpleNamespace(refine=lambda n: box, box=box, region=UNIT)
+
+    zeros_at = [zero("2/5", "3/5", "1/5"), zero("1/2", "1/2", "4/5"), zero("1/8", "1/8", "1/2")]
+    cells = critical._cells(PatchForm.of_net([[1]]), zeros_at, critical.CELL_BITS[0])
+    assert len(cells) == len(zeros_at)
+    for cell, one in zip(cells, zeros_at, strict=True):
+        assert all(c < a and b < d for (a, b), (c, d) in zip(one.box, cell.box, strict=True))
+
+
+def test_a_patch_is_regular_where_its_normal_vanishes_along_edges_at_most():
+    edge, place = singular.EDGES[0], Place(((0, 0),), None, mpq(0), mpq(0))
+    assert SingularPoints(edges=(edge,)).regular
+    for told in ({"degenerate": True}, {"places": (place,)}, {"undecided": (UNIT,)}, {"along_curve": True}):
+        assert not SingularPoints(edges=(edge,), **told).regular
 
 
 def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_border():
