@@ -44,6 +44,20 @@ def test_patches_of_a_planar_map_that_is_less_than_its_degree():
     assert jacobian_sign(shear).kind is MapKind.POSITIVE
 
 
+def test_places_of_both_signs_are_where_the_determinant_has_them():
+    """A folded patch, its negative corner at a knot behind which the map is the identity: at the knot itself the
+    determinant is the one from the right.
+    """
+    net = [[(0, 0), (0, 1), (0, 1), (0, 2)], [(1, 0), (-1, 1), (1, 1), (1, 2)]]
+    folded = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1, 2, 2], net)
+    for surface in (folded, folded.transposed()):
+        found = jacobian_sign(surface)
+        assert found.kind is MapKind.FOLDED
+        for place, sign in ((found.positive, 1), (found.negative, -1)):
+            (a, b), (c, d) = surface.partial(1, 0, *place), surface.partial(0, 1, *place)
+            assert (a * d - b * c) * sign > 0
+
+
 # ---- points and curves without a tangent plane
 
 
