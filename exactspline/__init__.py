@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
     from exactspline.geometry.many_curves import features_of_many as features_of_many
+    from exactspline.geometry.many_splines import features_of_curves as features_of_curves
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
     from exactspline.geometry.surface.inspection import inspect_surface as inspect_surface
     from exactspline.geometry.surface.planar_maps import jacobian_sign as jacobian_sign
@@ -208,6 +209,7 @@ _HOMES = {
     "corners": "geometry.features:corners",
     "curvature_extrema": "geometry.features:curvature_extrema",
     "inspect_curve": "geometry.inspection:inspect_curve",
+    "features_of_curves": "geometry.many_splines:features_of_curves",
     "features_of_many": "geometry.many_curves:features_of_many",
     "inflections": "geometry.features:inflections",
     "joints": "geometry.features:joints",

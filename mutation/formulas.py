@@ -9,28 +9,38 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
+from random import Random
 from typing import Any
 
-from exactspline.errors import InapplicableError
+from exactspline.errors import FormulaError, InapplicableError
+from exactspline.exact import mpq
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.formula import Formula
+from exactspline.language.kind import Symbol
+from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
+from exactspline.language.surface_kind import BOTH
 from exactspline.papers import papers
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.splines.examples import example
 from exactspline.verification.claim import Claim
-from exactspline.verification.claim_factor import WEIGHTS, factor_parts
+from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claims import claims_in
+from exactspline.verification.kinds.identity import Identity
 from exactspline.verification.ledger import proved, tasks
 from exactspline.verification.paper_curves import own_curves
 from exactspline.verification.verdict import Row
+from exactspline.verification.vocabulary import Scope, Verdict
 from mutation.forked import Result, forked
 from mutation.mutants import Mutant, live, mutants
 
 #: What is checked beside the proof for all curves: polynomial ones first, whose splines stay small.
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
+#: So many derivatives of a surface are random numbers.
+TERMS = 6
 #: The place of a function: its module and its name.
 Place = tuple[str, str]
 
@@ -122,6 +132,32 @@ def slow(claim: Claim) -> Iterator[Row]:
         yield proved(claim)
 
 
+def wrong_at_a_point(claim: Claim) -> str:
+    """What an identity has against the formulas with random numbers for the derivatives of a surface at a point: of
+    products that are too large for polynomials this takes no time. Empty where it holds, or is about anything else.
+    """
+    kind = kind_of(claim.curve)
+    if not isinstance(claim, Identity) or {s.parameters for s in kind.symbols(kind.dimensions[0])} != {BOTH}:
+        return ""
+    random = Random(claim.key)
+    places = [(i, j) for i in range(TERMS) for j in range(TERMS - i)]
+
+    def operand(_: Symbol) -> DoubleSeries:
+        return DoubleSeries({place: mpq(random.randint(1, 9)) for place in places}, TERMS)
+
+    one, polynomial = DoubleSeries({(0, 0): mpq(1)}, TERMS), claim.of is Scope.POLYNOMIAL
+    c = kind.argument(kind.dimensions[0], operand, one, polynomial=polynomial)
+    try:
+        left, right = (split(claim.find(name)(c))[0] for name in (claim.left, claim.right))
+        top, bottom = factor_of_text(claim.factor, c, claim.find)
+        wrong = any((x * bottom - y * top).value for x, y in zip(left, right, strict=True))
+    except FormulaError:  # it divides by what vanishes here
+        return ""
+    except Exception as error:  # the ledger would break off
+        return f"{claim.key}: {error!r}"[:200]
+    return f"{claim.key} at a point" if wrong else ""
+
+
 def _extent(claim: Claim) -> int:
     """How many functions its formulas reach: of a claim with few the numbers stay small."""
     return len(_reached_by(claim))
@@ -152,12 +188,16 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
         if result["verdict"] == "ok" and all(result["as_recorded"]):
             times[id(claims[i])] = result["time"]
 
+    sound = {claim for claim in claims if claim.expected == Verdict.PROVED and not wrong_at_a_point(claim)}
+
     def work(mutant: Mutant) -> Result:
         place = mutant.module, mutant.function
         mine = (claim for claim in speaking([place]) if id(claim) in times)
         chosen_claims = sorted(mine, key=lambda c: (_extent(c), times[id(c)]))
         original = live(*place).__code__
         mutant.apply()
+        if told := next(filter(None, map(wrong_at_a_point, filter(sound.__contains__, chosen_claims))), ""):
+            return {"verdict": "killed", "by": told}
         for made in (quick, slow):
             if told := next(filter(None, (_refuted(claim, made) for claim in chosen_claims)), ""):
                 return {"verdict": "killed", "by": told}

@@ -160,7 +160,7 @@ def live(module: str, function: str) -> FunctionType:
         value = vars(value)[part]
     if isinstance(value, property):
         value = value.fget
-    value = getattr(value, "function", None) or getattr(value, "__func__", None) or value
+    value = next((f for name in ("function", "compute", "__func__") if (f := getattr(value, name, None))), value)
     value = getattr(value, "func", None) or value
     found = inspect.unwrap(value)
     if not isinstance(found, FunctionType):

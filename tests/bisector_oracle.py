@@ -126,6 +126,8 @@ RATIONAL = bezier((0, 0, 0), (1, 0, 1), (2, 2, 0), weights=[1, 2, 1])
 SPLINE = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0, 0), (1, 0, 1), (1, 2, 0), (3, 1, 2)])
 JUMPS = Nurbs(1, [0, 0, 1, 1, 2, 2], [(0, 0, 0), (1, 0, 0), (1, 1, 0), (2, 1, 1)])
 CUSP = bezier((1, -1, 0), (-1, 1, 0), (-1, -1, 0), (1, 1, 0), domain=(-1, 1))
+#: Its tangent at 0 is that of the unit circle: normal planes there and of the circle have the axis in common.
+TOUCHING = bezier((1, -1, 1), (1, 0, -1), (1, 1, 1), domain=(-1, 1))
 FAMILIES = {
     "coaxial circles of one radius": (circle(1, 0, 2), circle(1, 1, 2)),
     "coaxial circles": (circle(1, 0, 3), circle(2, 1, 2)),
@@ -147,6 +149,8 @@ FAMILIES = {
     "parabolas in one plane": (bezier((-1, 1, 0), (0, -1, 0), (1, 1, 0)), bezier((-1, -3, 0), (0, -1, 0), (1, -3, 0))),
     "a line and a circle around it": (line((0, 0, -1), (0, 0, 1)), circle(1, 0, 2)),
     "a line and a circle through it": (line((1, 0, -1), (1, 0, 1)), circle(1, 0, 2)),
+    "a curve that touches a circle, and the circle": (TOUCHING, circle(1, 0, 2)),
+    "a circle and a curve that touches it": (circle(1, 0, 2), TOUCHING),
     "a cusp and a curve through it": (CUSP, bezier(("-1/2", 1, -1), ("-1/2", -1, 0), ("-1/2", 1, 1))),
     "a cusp and a cubic": (CUSP, CUBIC),
     "two cusps": (CUSP, mapped(CUSP, lambda x, y, z: (y, z + 1, x))),

@@ -56,9 +56,8 @@ def does_not_exist(claim, own):
     if gone := claim.missing(own.handed(claim.curve)):
         return gone
     found = claim.check(own)
-    return (
-        found.computed if found.is_vacuous and ("no surface" in found.computed or "not exist" in found.computed) else ""
-    )
+    nothing = found.is_vacuous or found.is_outside
+    return found.computed if nothing and ("no surface" in found.computed or "not exist" in found.computed) else ""
 
 
 def findings(claim):

@@ -9,6 +9,7 @@ import jsonschema
 import pytest
 from typer.testing import CliRunner
 
+from docs.site import benchmarks
 from exactspline.batch.bench import (
     alone,
     features,
@@ -182,6 +183,20 @@ def test_the_command_prints_table_json_and_picture(tmp_path, monkeypatch):
     assert CliRunner().invoke(app, ["bench"]).exit_code == 1
     with pytest.raises(PlotError):
         picture.draw(made, str(tmp_path / "bench.gif"))
+    with pytest.raises(PlotError, match="no ratio"):
+        picture.draw(made[:1], str(tmp_path / "bench.svg"))
+
+
+def test_a_section_that_breaks_off_does_not_lose_the_others(monkeypatch):
+    def failing(options):
+        yield Row("roots", "a case", OURS, 1, "ms")
+        raise RuntimeError("a peer has failed")
+
+    monkeypatch.setitem(table.SECTIONS, "roots", failing)
+    monkeypatch.setitem(table.SECTIONS, "splines", lambda options: iter([Row("splines", "a case", OURS, 2, "ms")]))
+    first, broken, last = table.rows(["roots", "splines"], Options())
+    assert (first.value, last.value) == (1, 2)
+    assert (broken.value, broken.met, broken.note) == (None, False, "RuntimeError: a peer has failed")
 
 
 def test_sections_are_known_by_name():
@@ -194,3 +209,15 @@ def test_sections_are_known_by_name():
 def test_versions_are_those_of_the_packages():
     assert row.version_of("python-flint") == row.version_of("python-flint inline") != ""
     assert row.version_of("Fraction") == ""
+
+
+def test_every_section_is_on_record_and_on_the_page(tmp_path):
+    assert [each["section"] for each in benchmarks.recorded()] == list(table.SECTIONS)
+    benchmarks.write_page(tmp_path / "page.md")
+    page = (tmp_path / "page.md").read_text(encoding="utf-8")
+    for record in benchmarks.recorded():
+        assert f"## {record['section'].capitalize()}\n" in page
+        assert record["rows"]
+        for each in record["rows"]:
+            assert each["case"].replace("|", "\\|") in page
+            assert each["version"] in page

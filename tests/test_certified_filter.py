@@ -26,8 +26,33 @@ from exactspline.roots.doubles import Rows, isolated, ordinates, values_at  # no
 MODES = {"nearest": 0, "down": 0x400, "up": 0x800, "to zero": 0xC00}
 
 
+#: Bits of the control register of SSE: results that are subnormal become zero, operands that are so are read as zero.
+FLUSHED = {"results": 0x8000, "operands": 0x40, "both": 0x8040}
+
+
+@contextmanager
+def flushing(name):
+    if platform.machine() not in ("x86_64", "AMD64") or sys.platform != "linux":
+        pytest.skip("the control register is that of x86")
+    libm, before = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(64)
+    libm.fegetenv(before)
+    # the register is at the end of the 32 bytes that <fenv.h> keeps
+    set_ = bytearray(before.raw)
+    set_[28:32] = (int.from_bytes(before.raw[28:32], "little") | FLUSHED[name]).to_bytes(4, "little")
+    libm.fesetenv(ctypes.create_string_buffer(bytes(set_), 64))
+    try:
+        assert np.array([2.0**-1000])[0] * 2.0**-60 == 0 or name == "operands"
+        yield
+    finally:
+        libm.fesetenv(before)
+
+
 @contextmanager
 def rounding(mode):
+    if mode in FLUSHED:
+        with flushing(mode):
+            yield
+        return
     if MODES[mode] and (platform.machine() not in ("x86_64", "AMD64") or sys.platform != "linux"):
         pytest.skip("the numbers of rounding modes are those of x86")
     libm = ctypes.CDLL("libm.so.6") if MODES[mode] else None
@@ -95,7 +120,7 @@ def signature(degree, rational):
     return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, True)
 
 
-@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("mode", [*MODES, *FLUSHED])
 @pytest.mark.parametrize("name", ["f2", "g2", "vertices_lifted", "D1_squared"])
 @pytest.mark.parametrize(("degree", "rational"), [(3, False), (2, True), (3, True)])
 def test_no_number_is_farther_from_the_exact_one_than_its_bound(name, degree, rational, mode):
@@ -157,9 +182,9 @@ def expected(points, weights):
     return [*found.inflections, *found.curvature_extrema]
 
 
-def same_as_exact(points, weights=None):
+def same_as_exact(points, weights=None, found=None):
     """Hold every answer against the exact one: how many curves there are, and how many went to exact arithmetic."""
-    found = features_of_many(points, weights)
+    found = features_of_many(points, weights) if found is None else found
     for k in range(len(points)):
         own = found.curve == k
         true = expected(points[k], None if weights is None else weights[k])
@@ -216,10 +241,91 @@ def test_what_is_no_batch_is_refused():
         features_of_many([[0, 1], [2, 3]])
     with pytest.raises(ShapeError):
         features_of_many(np.zeros((3, 4, 2)), np.ones((3, 3)))
-    with pytest.raises(NumberError, match=r"points\[1\]"):
-        features_of_many([[(0, 0), (1, 1)], [(0, 0), (1, float("nan"))]])
-    with pytest.raises(WeightError):
-        features_of_many([[(0, 0), (1, 1), (2, 0)]], [[1, -5, 1]])
+    with pytest.raises(ShapeError, match="no array"):
+        features_of_many([[(0, 0), (1, 1)], [(0, 0)]])
+    for numbers in (np.zeros((1, 2, 2), dtype=complex), [[("0", "1"), ("1", "2")]], np.zeros((1, 2, 2), dtype=bool)):
+        with pytest.raises(NumberError, match="of the type"):
+            features_of_many(numbers)
+
+
+def test_one_bad_curve_does_not_stop_the_others():
+    numbers = np.random.default_rng(8)
+    points, weights = numbers.uniform(-9, 9, (12, 4, 2)), numbers.uniform(0.5, 4, (12, 4))
+    whole = features_of_many(points, weights)
+    points[1, 2, 0], points[3, 0, 1], points[5], weights[6, 1] = np.nan, np.inf, -np.inf, np.nan
+    weights[8], weights[9] = [1, -5, -5, 1], 0
+    for at_once in (3, 100):
+        parts = list(features_in_parts(points, weights, at_once=at_once))
+        refused = {i: error for part in parts for i, error in part.refused.items()}
+        assert {i: type(error) for i, error in refused.items()} == {
+            1: NumberError, 3: NumberError, 5: NumberError, 6: NumberError, 8: WeightError, 9: WeightError
+        }  # fmt: skip
+        assert "points[1]" in str(refused[1])
+        assert "weights[6]" in str(refused[6])
+        good = ~np.isin(whole.curve, list(refused))
+        for name in ("curve", "kind", "low", "high"):
+            assert [x for part in parts for x in getattr(part, name).tolist()] == getattr(whole, name)[good].tolist()
+
+
+def test_arrays_of_any_make_are_read_as_what_they_hold():
+    points = np.round(np.random.default_rng(9).uniform(-9, 9, (20, 4, 2)), 2).astype(np.float32)
+    double = points.astype(float)
+    expected = features_of_many(double)
+    wide = np.zeros((20, 8, 4))
+    wide[:, ::2, 1::2] = double
+    swapped = np.asfortranarray(double)
+    others = (points, double.astype(">f8"), wide[:, ::2, 1::2], swapped, double.astype(np.longdouble),
+              double.astype(object), np.ma.array(double), double[::-1][::-1])  # fmt: skip
+    for other in others:
+        found = features_of_many(other)
+        assert all(np.array_equal(a, b) for a, b in zip(found[:5], expected[:5], strict=True))
+        assert not found.refused
+    whole = np.round(double * 100).astype(np.int16)
+    assert features_of_many(whole).low.tolist() == features_of_many(whole.astype(float)).low.tolist()
+
+
+def test_a_number_that_is_no_double_is_not_rounded():
+    points = np.random.default_rng(9).integers(-9, 9, (4, 4, 2))
+    good = features_of_many(points)
+    beyond, between, thirds = points.copy(), points.astype(np.longdouble), points.astype(object)
+    beyond[2, 1, 1] = 2**53 + 1
+    between[2, 1, 1] += np.longdouble(2) ** -60
+    thirds[2, 1, 1] = Fraction(1, 3)
+    huge = points.astype(object)
+    huge[2, 1, 1] = 10**400
+    hidden = np.ma.array(points.astype(float), mask=False)
+    hidden.mask[2, 1, 1] = True
+    for numbers in (beyond, between, thirds, huge, hidden):
+        found = features_of_many(numbers)
+        if numbers is between and np.finfo(np.longdouble).nmant == 52:
+            continue
+        assert list(found.refused) == [2]
+        assert isinstance(found.refused[2], NumberError)
+        assert found.kind.tolist() == good.kind[good.curve != 2].tolist()
+    beyond[2, 1, 1] = 2**54
+    thirds[2, 1, 1] = Fraction(1, 4)
+    assert not features_of_many(beyond).refused
+    assert not features_of_many(thirds).refused
+
+
+@pytest.mark.parametrize("mode", FLUSHED)
+def test_a_processor_that_flushes_subnormal_numbers_is_not_believed(mode):
+    points, weights = hostile(3, True)
+    tiny = np.array([[(0, 0), (3, 2), (5, -4), (7, 1)]] * 2) * np.array([[[5e-324]], [[1]]])
+    for p, w in ((points[33:42], weights[33:42]), (points[58:], weights[58:]), (tiny, None), (tiny + 0, weights[:2])):
+        with rounding(mode):
+            found = features_of_many(p, w)
+        assert found.curve.tolist() == features_of_many(p, w).curve.tolist()
+        same_as_exact(p, w, found)
+
+
+def test_curves_with_zero_and_negative_weights():
+    numbers = np.random.default_rng(3)
+    points, weights = numbers.uniform(-9, 9, (30, 4, 2)), numbers.uniform(0.5, 4, (30, 4))
+    weights[:10, 1] = 0
+    weights[10:20] *= -1
+    weights[20:30, 1] = -0.125
+    same_as_exact(points, weights)
 
 
 def test_programs_that_doubles_cannot_hold_are_refused():

@@ -88,7 +88,7 @@ def test_how_often_a_knot_can_be_inserted_is_told():
 
 def test_help_names_arguments_without_the_types_of_python():
     for command in COMMANDS:
-        told = run(command.__name__.replace("_", "-"), "--help").stdout
+        told = run(command.replace("_", "-"), "--help").stdout
         usage = told.splitlines()[0]
         assert "[[" not in usage
         assert "...]" not in usage

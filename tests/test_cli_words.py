@@ -124,7 +124,7 @@ def test_an_unknown_name_gets_the_nearest_ones(arguments, near):
 
 def test_help_shows_examples_and_exit_statuses():
     for command in COMMANDS:
-        name = command.__name__.replace("_", "-")
+        name = command.replace("_", "-")
         told = run(name, "--help").stdout
         assert "Exit status: 0 success" in told
         assert f"  exactspline {name}" in told

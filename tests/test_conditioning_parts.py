@@ -66,6 +66,11 @@ def test_a_tally_counts_what_it_is_given():
     assert tally.largest == (5, first)
     assert tally.smallest == (mpq(1, 5), second)
     assert (tally.double_worse, tally.double_better) == (2, 2)
+    # of equal ratios the first curve stays
+    tally.add(conditions(five, unit), third)
+    tally.add(conditions(unit, five), third)
+    assert (tally.largest, tally.smallest) == ((5, first), (mpq(1, 5), second))
+    assert (tally.worse, tally.better, tally.equal, tally.proved) == (2, 2, 4, 1)
 
 
 def test_a_bracket_reaches_halfway_to_the_next_zeros_and_ends():

@@ -1,17 +1,21 @@
-"""Which claims have which theorems: every equality that holds one that says so, every one that fails one to deny it,
-and, where the ledger says what holds instead, that too.
+"""Which claims have which theorems: every equality that holds one that says so, every one that fails one that denies
+it, and, where the ledger says what holds instead, that too. None assumes what cannot be.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
+from exactspline.errors import FormulaError
 from exactspline.language.kinds import kind_of
-from exactspline.papers import papers
+from exactspline.papers import find, papers
+from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.coq.emission import Stated, library
-from exactspline.verification.coq.theorems import STATED
+from exactspline.verification.coq.theorems import STATED, theorem
 from exactspline.verification.vocabulary import Status, Verdict
 
 #: Failures whose correction is no equality, with what it is instead.
@@ -54,3 +58,16 @@ def test_what_holds_instead_of_a_failure_is_a_theorem(claim: Claim) -> None:
         assert [each.kind for each in meant] == [CORRECTED_OTHERWISE[claim.key]]
     else:
         assert any(held(each) for each in meant if isinstance(each, STATED))
+
+
+def test_what_cannot_be_assumed_is_refused() -> None:
+    claim = next(each for each in EQUALITIES if each.key == "C3d-velocity_acceleration_jerk-D1_D2_D3")
+    assert "speed_squared c <> zero K" in assuming(claim, "speed_squared")
+    with pytest.raises(FormulaError, match="it assumes of 0 that it is not 0"):
+        assuming(claim, "D1_D2_D21")
+
+
+def assuming(claim: Claim, name: str) -> str:
+    """The theorem of a claim in space that assumes of a formula that it is not zero."""
+    assumption = Assumption(name, name, name, find(name), ("space",), formula=name)
+    return theorem(replace(claim, assumes=(assumption,)), 3, lambda formula: formula.name)

@@ -317,6 +317,7 @@ def test_words_that_nobody_knows(change, told, tmp_path):
     ("text", "told"),
     [
         ("[[claim]\n", "not TOML"),
+        (".".join("a" * 5000) + " = 1\n", "not TOML"),
         ("claim = 3\n", "not a table of claims"),
         ("claim = [3]\n", "a claim is not a table"),
         ("formulas = ['../../x']\n", "the file"),

@@ -126,7 +126,8 @@ COVERED = {
     *("singular_points", "joints", "torsion_zeros"),  # "features" above
     *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
     *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational", "from_float"),
-    *("from_floats", "floats", "features_of_many", "check_certificate", "derived_data", "inspection_data"),
+    *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),
+    *("derived_data", "inspection_data"),
     *("example", "example_names", "example_surface", "example_surface_names", "load", "load_surface", "save"),
     *("save_surface", "surface_from_text", "write", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),
     *("load_paper", "select_claims", "measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),

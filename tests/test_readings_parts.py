@@ -27,6 +27,7 @@ from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import FIRST, _Fractions, _quotient
 from exactspline.readings.taylor import Series, taylor
+from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.readings.tree import TreeReading, trace
 from exactspline.splines.examples import example
 
@@ -394,3 +395,24 @@ def test_nodes_divide_and_are_divided_by_nodes_and_constants_alone():
     assert c.w.dividing(c.p).is_vector
     assert not c.w.dividing(c.p[0]).is_vector
     assert c.w.dividing(object()) is NotImplemented
+
+
+places = st.tuples(st.integers(0, 3), st.integers(0, 3))
+
+
+@given(st.dictionaries(places, fractions), st.dictionaries(places, fractions), st.integers(1, 4), st.integers(1, 4))
+def test_a_product_of_series_in_two_variables_is_known_as_far_as_both(a, b, m, n):
+    """Held against the product of polynomials in packed exponents: h = x, k = x¹⁶."""
+    first, second = (
+        DoubleSeries({p: mpq(x) for p, x in a.items()}, m),
+        DoubleSeries({p: mpq(x) for p, x in b.items()}, n),
+    )
+    dense = {}
+    for (i, j), x in first.coefficients.items():
+        for (k, o), y in second.coefficients.items():
+            dense.setdefault(i + k + 16 * (j + o), []).append(x * y)
+    product = first * second
+    assert product.terms == min(m, n)
+    expected = {(e % 16, e // 16): sum(parts) for e, parts in dense.items() if e % 16 + e // 16 < min(m, n)}
+    assert product.coefficients == {place: x for place, x in sorted(expected.items()) if x}
+    assert first.__mul__("h") is NotImplemented

@@ -1,5 +1,6 @@
 """The parts of root finding, each held against what it means, with known answers."""
 
+import random
 from math import isqrt, nextafter
 
 import pytest
@@ -10,6 +11,7 @@ from exactspline import BSpline, zeros
 from exactspline.errors import DomainError
 from exactspline.roots import cells, checker
 from exactspline.roots.enclosure import Bounds, Enclosure, narrowed, rounded_outwards, sign_at, value_at, values_between
+from exactspline.roots.isolation import LocalPolynomial
 from exactspline.roots.real import Real
 from exactspline.roots.root import between, knot_root
 
@@ -289,3 +291,15 @@ def test_a_root_of_a_quotient_is_compared_exactly(sign):
     assert told.sign_above(sign * (near + mpq(1, 10**15))) == -sign
     assert told.sign_above(mpq(0)) == sign
     assert told.sign_above(mpq(-sign)) == sign
+
+
+def test_a_polynomial_with_a_rational_zero_is_never_said_to_have_none():
+    chance = random.Random(5)
+    said = 0
+    for _ in range(300):
+        other = fmpz_poly([chance.randint(-(2**40), 2**40) or 1 for _ in range(chance.randint(1, 9))])
+        # denominators and numerators that are divisible by the primes tried, and others
+        p, q = (chance.choice([1, 5, 7, 35, 11 * 13, 5 * 7 * 11 * 13 * 17 * 19, 2, 9]) for _ in range(2))
+        assert not LocalPolynomial(fmpz_poly([-p, q]) * other).without_rational_zero
+        said += LocalPolynomial(other).without_rational_zero
+    assert said > 150

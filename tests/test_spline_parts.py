@@ -1,21 +1,25 @@
 """The parts of splines and programs, each held against what it means, with known answers."""
 
 import pytest
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import KnotError, ReductionError
 from exactspline.language.kinds import TABLE
+from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction
 from exactspline.programs.program import operands_of
 from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
-from exactspline.splines.patch_forms import PatchForm
+from exactspline.splines.patch_forms import UNIT, PatchForm, Sized
 from exactspline.splines.surd import square_root
-from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
+from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
+from exactspline.splines.tensor import lifted
+from exactspline.splines.tensor_bernstein import evaluated
+from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
 from exactspline.splines.wronskian import lowest_wronskian
 from exactspline.verification.curve_check import spline_table
 
@@ -172,3 +176,53 @@ def test_a_primitive_part_vanishes_nowhere():
     assert b == 2 * a > 0
     a, b = (f(0) for f in part)
     assert (a > 0, b) == (True, 0)
+
+
+def test_the_zero_patch_has_the_value_zero_and_a_constant_its_own():
+    """Degree −1 in either parameter is the zero of that degree."""
+    half = mpq(1, 2)
+    assert evaluated(fmpz_poly([3]), fmpz(2), (0, 0), 1, half, half) == mpq(3, 2)
+    assert evaluated(fmpz_poly([1, 2]), fmpz(1), (1, 0), 2, half, mpq(1, 3)) == mpq(3, 2)
+    assert evaluated(fmpz_poly([1, 2]), fmpz(1), (0, 1), 1, half, mpq(1, 3)) == mpq(4, 3)
+    for degrees in ((-1, -1), (-1, 2), (2, -1)):
+        assert evaluated(fmpz_poly([]), fmpz(1), degrees, 4, half, half) == 0
+
+
+def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
+    """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
+    for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
+        form = PatchForm.of_net(net)
+        (a, b), (c, d) = found = _zero_at_corners(Sized(UNIT, [form], 0))
+        values = [form.value(x, y) for x in (a, b) for y in (c, d)]
+        assert min(values) <= 0 <= max(values), net
+        assert found == ((a, a), (c, c)) or (b - a) * (d - c) == mpq(1, 2**DEPTH)
+    for net in ([[1, 2], [3, 4]], [[1, -1, 1], [1, -1, 1]]):
+        assert _zero_at_corners(Sized(UNIT, [PatchForm.of_net(net)], 0)) is None
+    for corner in range(4):
+        values = [5, 1, 2, 3]
+        values[corner] = 0
+        place = mpq(corner // 2), mpq(corner % 2)
+        box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
+        (x, _), (y, _) = _zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
+        assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])
+
+
+def test_quotients_in_lowest_terms_are_the_same_functions():
+    """Over patches with unequal denominators, and refused where the denominator vanishes on one."""
+    first, second = BSpline(1, [0, 0, 1, 2, 2], ["1/2", "2/3", 3]), BSpline(2, [0, 0, 0, 1, 1, 1], ["1/5", 2, "3/7"])
+    meshes = first.mesh, second.mesh
+    s, t = lifted(first, meshes, 0), lifted(second, meshes, 1)
+    common, w = s * t + s, s + 2
+    value = in_lowest_terms(Rational(Vector(common * t, common * s * s), common * w))
+    assert value.denominator.degree == (2, 2)
+    single = in_lowest_terms(Rational(common * t, common * w))
+    assert (single.is_vector, single.denominator.degree) == (False, (1, 2))
+    for a in (mpq(1, 3), mpq(5, 4)):
+        for b in (mpq(1, 7), mpq(3, 5)):
+            x, y, below = t(a, b), s(a, b) ** 2, w(a, b)
+            told = [f(a, b) / value.denominator(a, b) for f in value.vector]
+            assert told == [x / below, y / below]
+            assert single.scalar(a, b) / single.denominator(a, b) == x / below
+    gone = lifted(BSpline(1, [0, 0, 1, 1, 2, 2], [1, 2, 0, 0]), meshes, 0)
+    with pytest.raises(ReductionError, match=r"all of \[1, 2\] × \[0, 1\]"):
+        in_lowest_terms(Rational(s, gone))

@@ -5,6 +5,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, example_surface, inspect_surface, jacobian_sign
 from exactspline.display.surface_data import surface_inspection_data
+from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
 
@@ -96,3 +97,41 @@ def test_a_circle_of_umbilics_that_leaves_the_patch_has_no_single_ones():
     found = inspect_surface(bowl(lambda square: square * square, (mpq(1, 3), mpq(1, 5))))
     assert [one.place.exact for one in found.umbilics] == [(mpq(1, 3), mpq(1, 5))]
     assert found.patches[0].umbilics.curve is not None
+
+
+def test_the_ends_of_an_edge_of_umbilics_are_no_single_ones():
+    """z = (1 − v)³: a cylinder, both of whose curvatures vanish along v = 1."""
+    u, v = parameters(0)
+    edge = NurbsSurface.from_splines([u, v, (1 - v) * (1 - v) * (1 - v)])
+    for surface in (edge, edge.insert_knot("u", "3/7")):
+        found = inspect_surface(surface)
+        assert found.umbilics == ()
+        assert all(one.umbilics.edges == (Edge(1, 1),) for one in found.patches)
+
+
+# ---- parabolic lines
+
+
+def strips(*heights):
+    """A surface of strips over u from −1 to 1, each a cubic in u with these Bézier ordinates, plus v²."""
+    n = len(heights)
+    columns = [(mpq(-1) + mpq(2 * (3 * k + i), 3 * n), z) for k, own in enumerate(heights) for i, z in enumerate(own)]
+    kept = [point for i, point in enumerate(columns) if i % 4 or i == 0]
+    net = [[(x, mpq(y), mpq(z) + w) for y, w in ((0, 0), (mpq(1, 2), 0), (1, 1))] for x, z in kept]
+    breaks = [mpq(-1) + mpq(2 * k, n) for k in range(n + 1)]
+    knots = [breaks[0], *[t for t in breaks for _ in range(3)], breaks[-1]]
+    return NurbsSurface((3, 2), knots, [0, 0, 0, 1, 1, 1], net)
+
+
+def test_a_parabolic_line_seen_from_one_side_only():
+    """z = u³ + v² for u ≤ 0 and u² + v² for u ≥ 0 have one tangent plane, but K = 0 on one side of u = 0 alone."""
+    cubic, square = (-1, 0, 0, 0), (0, 0, mpq(1, 3), 1)
+    found = inspect_surface(strips(cubic, square))
+    assert [(line.value, line.one_sided) for line in found.parabolic_lines] == [(0, True)]
+    assert surface_inspection_data(found, 5)["parabolic_lines"][0]["one_sided"]
+    both = inspect_surface(strips(cubic, (0, 0, 0, 1)))
+    assert [(line.value, line.one_sided) for line in both.parabolic_lines] == [(0, False)]
+    # a cylinder behind: K = 0 on both sides
+    flat = inspect_surface(strips(cubic, (0, 0, 0, 0)))
+    assert [(line.value, line.one_sided) for line in flat.parabolic_lines] == [(0, False)]
+    assert all(not line.one_sided for line in inspect_surface(example_surface("torus")).parabolic_lines)

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline
 from exactspline.errors import KnotError, ReductionError
 from exactspline.splines.tensor import TensorSpline, lifted
+from exactspline.splines.tensor_lines import lines
 from tests import oracles
 from tests.laws import check_ring_axioms
 from tests.oracles import assert_surface, surface_rebuilt, transposed
@@ -288,6 +289,24 @@ def test_degrees_raised_and_lowered(f, i, j):
     assert lowered == f
     assert lowered.degree == f.degree
     assert raised.true_degree == f.true_degree
+
+
+@FEWER
+@given(tensor_splines(high=3), st.integers(0, 1))
+def test_what_is_done_patch_by_patch_is_done_line_by_line(f, direction):
+    """Derivatives, true degrees and lower degrees on packed polynomials, and by splines in one parameter."""
+    for g in (f, f * f):
+        if g.degree[direction] > 0:
+            by_lines, direct = g.along(direction, lambda line: line.d()), g.partial(1 - direction, direction)
+            assert (direct.degree, direct.continuity) == (by_lines.degree, by_lines.continuity)
+            assert direct == by_lines
+        true = (max(line.true_degree for own in lines(h) for line in own) for h in (g.transposed(), g))
+        assert g.true_degree == tuple(true)
+        high = g.elevate_degree(2, 1)
+        lower = high.along(0, lambda line: line.reduce_degree(2)).along(1, lambda line: line.reduce_degree(1))
+        if not g.is_zero:
+            assert (high.reduce_degree(2, 1).degree, lower.degree) == (g.degree, g.degree)
+        assert high.reduce_degree(2, 1) == lower
 
 
 @given(tensor_splines(high=3))

@@ -28,6 +28,7 @@ from exactspline.batch.work import Work
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError, FormulaError
 from exactspline.exact import mpq
+from exactspline.interchange.files import read, read_in_pieces
 from exactspline.splines.curve_files import curve_data
 from exactspline.verification.ledger import audit
 from tests.interchange_seeds import SVG, truetype
@@ -144,9 +145,9 @@ def test_serial_lines_are_in_order_and_a_bad_curve_is_one_of_them(serial):
     assert [line.index for line in serial if line.error] == [41]
 
 
-@pytest.mark.parametrize("backend", ["processes", "dask"])
+@pytest.mark.parametrize("backend", ["processes", "dask", "ray"])
 def test_all_backends_say_the_same(serial, backend):
-    pytest.importorskip({"processes": "joblib", "dask": "distributed"}[backend])
+    pytest.importorskip({"processes": "joblib", "dask": "distributed", "ray": "ray"}[backend])
     assert list(xs.sweep(SOURCES, backend=backend, jobs=2)) == serial
 
 
@@ -178,6 +179,45 @@ def test_memory_does_not_grow_with_the_corpus():
         assert at_the_end_of(600) < at_the_end_of(100) + 10_000
     finally:
         tracemalloc.stop()
+
+
+def test_no_curve_is_kept_when_its_line_is_done(tmp_path):
+    pytest.importorskip("fontTools")
+    font, drawing = tmp_path / "f.ttf", tmp_path / "d.svg"
+    font.write_bytes(truetype())
+    path = "".join(f'<path d="M 0 0 C 1 2 3 {k} 4 0"/>' for k in range(30))
+    drawing.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{path}</svg>')
+
+    def alive():
+        gc.collect()
+        return sum(isinstance(each, xs.Nurbs) and each.source.startswith("d.svg") for each in gc.get_objects())
+
+    lines, left = xs.sweep([str(drawing)], find=["inflections"]), []
+    for line in lines:
+        assert line.error is None
+        left.append(alive())
+    assert len(left) == 30
+    # one may still be held by the generators
+    assert all(count <= 30 - i for i, count in enumerate(left))
+    assert left[-1] <= 1
+
+
+def test_a_font_is_read_glyph_by_glyph_as_it_is_read_at_once(tmp_path):
+    pytest.importorskip("fontTools")
+    font = tmp_path / "f.ttf"
+    font.write_bytes(truetype())
+    whole, pieces = read(str(font)), list(read_in_pieces(str(font)))
+    assert len(pieces) > 1
+    assert [piece.done for piece in pieces] == list(range(1, pieces[-1].total + 1))
+    named = [each for piece in pieces for each in piece.reading.curves]
+    assert [(each.name, each.curve, each.notes) for each in named] == [
+        (each.name, each.curve, each.notes) for each in whole.curves
+    ]
+    assert [each for piece in pieces for each in piece.reading.skipped] == list(whole.skipped)
+    found = list(items([str(font)]))
+    assert [item.name for item in found][: len(named)] == [each.name for each in named]
+    assert [item.share for item in found] == sorted(item.share for item in found)
+    assert found[-1].share == 1
 
 
 def test_what_is_not_there_is_told_before_anything_is_computed(monkeypatch):

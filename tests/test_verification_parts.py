@@ -1,21 +1,34 @@
 """The parts that verdicts are made of, each held against what it means on small cases with known answers."""
 
 import re
+from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE
+from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
+from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
+from exactspline.readings.jet import JetReading
 from exactspline.splines.examples import example
+from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
+from exactspline.verification import sympy_judge
 from exactspline.verification.check_arguments import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.claims import all_claims, matches, select
 from exactspline.verification.curve_check import extra_zero, where_it_differs
-from exactspline.verification.degree_tables import _bisected, construction_table, formula_table
+from exactspline.verification.degree_tables import (
+    BISECTORS,
+    WITNESSES,
+    _bisected,
+    construction_table,
+    formula_table,
+    generic_table,
+)
 from exactspline.verification.errata import errata, name_of, numbered, remarks
 from exactspline.verification.evaluation import Evaluation, between, zero_of
 from exactspline.verification.generic_degree import joined_degree
@@ -23,6 +36,7 @@ from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.ledger import Proofs, checked, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.notation import degree_latex, factor_latex
+from exactspline.verification.patch_degrees import _measured
 from exactspline.verification.statement import sides
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
 
@@ -207,8 +221,6 @@ def test_what_a_curve_is_bisected_with_are_primes():
 )
 def test_a_degree_that_is_claimed_one_off_is_refuted(key, verdict):
     """Whatever is proved: one more as a lower bound and one less as an upper bound are refuted with a witness."""
-    from dataclasses import replace
-
     one = claim(key)
     if verdict != "PROVED" or one.relation != "=" or one.measure == "height":
         return
@@ -314,3 +326,42 @@ def test_a_bound_is_claimed_with_its_sign(relation, sign):
     one = replace(claim("C42g-g2"), relation=relation, expected="PROVED")
     assert one.claims == f"{sign}9d − 6"
     assert "\\" not in one.claims
+
+
+def test_degrees_in_the_bisector_table_are_those_of_the_larger_part_and_attained():
+    """Of (34) on polynomials the numerator has 3d − 1, the denominator 2d − 2; rational ones have 4d − 2 in both."""
+    rows = {row.object: row for call in generic_table(polynomial=True) if (row := call()).object in BISECTORS}
+    assert {(row.k, row.m, row.j, row.true) for row in rows.values()} == {(3, 1, 1, "3d − 1")}
+    more = [call() for call in generic_table()[-len(BISECTORS) :]]
+    assert {(row.k, row.m, row.true) for row in more} == {(4, 1, "4d − 2")}
+    for row in (*rows.values(), *more):
+        assert (row.attained, row.absent, row.differ) == (tuple(WITNESSES), (), ())
+
+
+def test_measured_degrees_of_a_product_add_up_with_exponents():
+    """Of factors and a core on the patch (u, v, u v²)/(1 + u); nothing where a factor or the whole core vanishes."""
+    ends = [0, 0, 1, 1]
+    u, v = TensorSpline((1, 1), ends, ends, [[0, 0], [1, 1]]), TensorSpline((1, 1), ends, ends, [[0, 1], [0, 1]])
+    patch = Surface(Vector(u, v, u * v * v), u + 1)
+    c = JetReading(1).argument(SURFACE, 3)
+    x, y, z = c.p
+
+    def measured(core, *kept):
+        return _measured(SimpleNamespace(core=core, kept=kept), patch)
+
+    zero = x - x
+    assert measured((x, y, z)) == (1, 2)
+    assert (measured((x, zero)), measured((zero, y))) == ((1, 0), (0, 1))
+    assert measured((x, y), (c.w, 2), (z, 3)) == (2 + 3 + 1, 6 + 1)
+    assert measured((zero, zero), (c.w, 2)) == (-1, -1)
+    assert measured((x, y), (c.w, 2), (zero, 1)) == (-1, -1)
+
+
+def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
+    """Also with roots adjoined: there formulas of γ alone have indeterminate coordinates, others p and w."""
+    framed = next(c for c in all_claims() if c.kind == "identity" and kind_of(c.curve).adjoins_roots)
+    (dimension,) = kind_of(framed.curve).dimensions
+    weighted = replace(framed, factor="w^2")
+    assert sympy_judge._argument(weighted, dimension, True).polynomial
+    assert not sympy_judge._argument(weighted, dimension, False).polynomial
+    assert sympy_judge._argument(replace(framed, factor="1"), dimension, False).polynomial

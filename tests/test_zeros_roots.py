@@ -1,12 +1,15 @@
 """Roots: comparison, hash, refinement in steps, interrupts."""
 
 from fractions import Fraction
+from random import Random
 
 import pytest
+from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.errors import NumberError
+from exactspline.geometry.bisector.polynomials import as_splines
 from exactspline.roots.zero_set import zeros
 
 T = BSpline.identity(0, 2)
@@ -87,6 +90,25 @@ def test_digits_go_on_from_where_they_are():
     assert root.refine(0) == many
     with pytest.raises(NumberError):
         root.refine(1.5)
+
+
+def test_any_steps_reach_the_same_digits():
+    """A root near 2⁻⁵⁷: an end of the interval reached may be nearer to it than the next precision can tell, and
+    halving from there takes one step for every bit.
+    """
+    random = Random(1)
+    form = fmpz_poly([-1, *[random.randint(0, 2**60) for _ in range(20)]])
+    at_once, *others = (as_splines([form], mpq(0), mpq(1))[0] for _ in range(3))
+    (root,) = roots(at_once)
+    low, high = root.refine(9000)
+    for f, steps in zip(others, ((20, 154, 308, 616, 1200, 2400, 9000), (1000, 1001, 2002, 9000)), strict=True):
+        (other,) = roots(f)
+        for digits in steps:
+            a, b = other.refine(digits)
+        assert a < high
+        assert low < b
+        assert (b - a) * mpq(10) ** 9000 <= 1
+        assert other == root
 
 
 def test_value_has_the_digits_it_says():

@@ -1,4 +1,4 @@
-"""The benchmarks that the site shows: measured by ``python -m docs.site.benchmarks [SECTION …]``, kept with the date.
+"""The benchmarks that the site shows: measured by ``python -m docs.site.benchmarks [--full] [SECTION …]``.
 
 The page is generated from that record, never typed.
 """
@@ -10,38 +10,51 @@ import os
 import platform
 import subprocess
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version as installed_version
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 import exactspline
-from exactspline.batch.bench.row import Row
-from exactspline.batch.bench.table import sheet
+from exactspline.batch.bench.row import OURS, Row
+from exactspline.batch.bench.table import SECTIONS, chosen_sections, sheet
 
 RECORD = Path(__file__).parent.parent / "benchmarks.json"
 LIBRARIES = ("python-flint", "gmpy2", "sympy", "mpmath")
 
 
-def measure(sections: list[str]) -> None:
-    """Measure and keep: rows of ``exactspline bench``, where and when, with which versions, beside what load."""
-    command = [sys.executable, "-m", "exactspline", "bench", *sections, "--json", "--quiet"]
-    told = subprocess.run(command, stdout=subprocess.PIPE, check=False, text=True).stdout
-    record = {
-        "date": datetime.now(UTC).date().isoformat(),
-        "exactspline": exactspline.__version__,
-        "commit": _commit(),
-        "python": platform.python_version(),
-        "system": f"{platform.system()} {platform.machine()}",
-        "processor": _processor(),
-        "processors": os.cpu_count(),
-        "load": round(os.getloadavg()[0], 1),
-        "libraries": {name: installed_version(name) for name in LIBRARIES},
-        "rows": json.loads(told)["rows"],
-    }
-    RECORD.write_text(json.dumps(record, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+def measure(sections: Iterable[str], *, full: bool) -> None:
+    """Measure sections one after the other and keep each when it is done, in the place of what was kept of it before:
+    rows of ``exactspline bench``, where and when, with which versions, beside what load.
+    """
+    for name in sections:
+        command = [sys.executable, "-m", "exactspline", "bench", name, *["--full"] * full, "--json", "--quiet"]
+        told = subprocess.run(command, stdout=subprocess.PIPE, check=False, text=True).stdout
+        measured = {
+            "section": name,
+            "command": f"exactspline bench {name}{' --full' * full}",
+            "date": datetime.now(UTC).date().isoformat(),
+            "exactspline": exactspline.__version__,
+            "commit": _commit(),
+            "python": platform.python_version(),
+            "system": f"{platform.system()} {platform.machine()}",
+            "processor": _processor(),
+            "processors": os.cpu_count(),
+            "load": round(os.getloadavg()[0], 1),
+            "libraries": {library: installed_version(library) for library in LIBRARIES},
+            "rows": json.loads(told)["rows"],
+        }
+        kept = {each["section"]: each for each in recorded()} | {name: measured}
+        text = json.dumps([kept[each] for each in SECTIONS if each in kept], ensure_ascii=False, indent=1)
+        RECORD.write_text(text + "\n", encoding="utf-8")
+
+
+def recorded() -> list[dict[str, Any]]:
+    """What is kept, section by section."""
+    found: list[dict[str, Any]] = json.loads(RECORD.read_text(encoding="utf-8"))
+    return found
 
 
 def _commit() -> str:
@@ -57,19 +70,31 @@ def _processor() -> str:
 
 def write_page(file: Path) -> None:
     """The record as a page: a table a section, and what it was measured on."""
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    versions = ", ".join(f"{name} {version}" for name, version in record["libraries"].items() if version)
     lines = [
         "# Benchmarks",
-        f"Measured on {record['date']} by `exactspline bench` ({record['exactspline']}, commit {record['commit']}): "
-        f"Python {record['python']} on {record['system']}, {record['processors']} processors ({record['processor']}), "
-        f"load {record['load']} at the end; {versions}. Times are processor time; ours / theirs below 1 means that "
-        "exactspline is faster. A target that was missed is shown as missed. What is measured and how: "
-        "[How fast](bench.md).",
+        "Times are processor time; ours / theirs below 1 means that exactspline is faster. A target that was missed is "
+        "shown as missed. What is measured and how: [How fast](bench.md).",
     ]
-    for name, rows in groupby(map(_row, record["rows"]), lambda row: row.section):
-        lines += [f"## {name.capitalize()}", sheet(rows).markdown()]
-    file.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
+    for record in recorded():
+        lines += [f"## {record['section'].capitalize()}", _measured_on(record)]
+        lines += [sheet(map(_row, record["rows"])).markdown(), _peers(record)]
+    file.write_text("\n\n".join(filter(None, lines)) + "\n", encoding="utf-8")
+
+
+def _measured_on(record: dict[str, Any]) -> str:
+    """A line about when, where and beside what load a section was measured."""
+    versions = ", ".join(f"{name} {version}" for name, version in record["libraries"].items() if version)
+    return (
+        f"`{record['command']}` on {record['date']}, exactspline {record['exactspline']} (commit {record['commit']}), "
+        f"Python {record['python']} on {record['system']}, {record['processors']} processors ({record['processor']}), "
+        f"load {record['load']} at the end; {versions}."
+    )
+
+
+def _peers(record: dict[str, Any]) -> str:
+    """A line with the versions of the other libraries of a section."""
+    versions = {row["peer"]: row["version"] for row in record["rows"] if row["peer"] != OURS and row["version"]}
+    return f"Beside: {', '.join(f'{peer} ({version})' for peer, version in versions.items())}." if versions else ""
 
 
 @dataclass(frozen=True)
@@ -90,4 +115,5 @@ def _row(data: dict[str, Any]) -> Recorded:
 
 
 if __name__ == "__main__":
-    measure(sys.argv[1:])
+    words = sys.argv[1:]
+    measure(chosen_sections(word for word in words if word != "--full"), full="--full" in words)

@@ -1,13 +1,14 @@
 """Where a sweep is computed: in this process, in processes of this machine, on a Dask or a Ray cluster.
 
-joblib does all but the first; the number of its pending tasks is bounded, and its results come in the order of the
-curves.
+joblib does all but the first and the last (its interface to Ray hands out no result before all are there); the number
+of pending tasks is bounded, and the results come in the order of the curves.
 """
 
 from __future__ import annotations
 
 import signal
 import threading
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
@@ -25,6 +26,8 @@ BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 CHUNK = 16
 #: Chunks of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
 WINDOW = 64
+#: Chunks of a process that are sent before a result is awaited.
+PENDING = 3
 
 
 class BackendError(ExactSplineError):
@@ -64,14 +67,18 @@ def mapped(
         for each in given:
             yield from call([each])
         return
-    from joblib import Parallel, delayed
-
     closed = threading.Event()
     chunks = _chunks(given, closed)
+    if backend == "ray":
+        yield from _through_ray(call, chunks, jobs, scheduler)
+        return
+    from joblib import Parallel, delayed
+
     with ExitStack() as stack:
         with _interrupts_ignored():
             stack.enter_context(_configured(backend, jobs, scheduler))
-            parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=f"3*{jobs}"))
+            sent = f"{PENDING}*{jobs}"
+            parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=sent))
             started = parallel(delayed(int)() for _ in range(jobs))
         for _ in started:
             pass
@@ -120,8 +127,6 @@ def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManag
 
     if backend == "dask":
         return _on_dask(jobs, scheduler)
-    if backend == "ray":
-        return _on_ray(jobs, scheduler)
     config: AbstractContextManager[object] = parallel_config(backend="loky", n_jobs=jobs)
     return config
 
@@ -144,20 +149,34 @@ def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
         yield
 
 
-@contextmanager
-def _on_ray(jobs: int, scheduler: str) -> Iterator[None]:
-    """A running Ray cluster, or a local one for as long as the sweep lasts."""
+def _through_ray(
+    call: Callable[[Sequence[T]], list[V]], chunks: Iterator[list[T]], jobs: int, scheduler: str
+) -> Iterator[V]:
+    """The results of a running Ray cluster, or of a local one for as long as the sweep lasts."""
     import ray
-    from joblib import parallel_config
-    from ray.util.joblib import register_ray
 
+    pending: deque[object] = deque()
+    with _interrupts_ignored():
+        try:
+            cpus = None if scheduler else jobs
+            ray.init(
+                address=scheduler or "local", num_cpus=cpus, include_dashboard=None if scheduler else False,
+                log_to_driver=False, logging_level="ERROR",
+            )  # fmt: skip
+        except (ConnectionError, ValueError) as error:
+            raise BackendError(f"no Ray cluster at {scheduler}: {error}", remedy="name a running one") from None
     try:
-        ray.init(address=scheduler or None, num_cpus=None if scheduler else jobs, log_to_driver=False)
-    except (ConnectionError, ValueError) as error:
-        raise BackendError(f"no Ray cluster at {scheduler}: {error}", remedy="name a running one") from None
-    try:
-        register_ray()
-        with parallel_config(backend="ray", n_jobs=jobs):
-            yield
+        task = ray.remote(_called)
+        function = ray.put(call)
+        for chunk in chunks:
+            pending.append(task.remote(function, chunk))
+            if len(pending) >= PENDING * jobs:
+                yield from ray.get(pending.popleft())
+        while pending:
+            yield from ray.get(pending.popleft())
     finally:
         ray.shutdown()
+
+
+def _called(call: Callable[[Sequence[T]], list[V]], chunk: Sequence[T]) -> list[V]:
+    return call(chunk)

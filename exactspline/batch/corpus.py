@@ -9,8 +9,9 @@ from pathlib import Path
 
 from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.interchange.files import read
+from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.records import Skipped
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.verdict import ContradictionError
@@ -124,19 +125,29 @@ def _parts(source: Source) -> Iterator[Part]:
 
 
 def _of_file(place: str) -> Iterator[Part]:
-    """The curves of a file followed by what was skipped in it, or the problem of the whole file."""
+    """The curves of a file followed by what was skipped in it, or the problem of the whole file. No curve is kept here
+    when it has been handed out: a curve remembers what was computed of it.
+    """
+    found, skipped = 0, list[Skipped]()
     try:
         if place in example_names() and not os.path.exists(place):
             yield place, place, example(place), (1, 1)
             return
-        reading = read(place)
+        for reading, done, count in read_in_pieces(place):
+            skipped += reading.skipped
+            kept = [*reversed(reading.curves)]
+            own = len(kept)
+            del reading
+            while kept:
+                named = kept.pop()
+                found += 1
+                # of the piece that was read last a part is done
+                yield place, named.name, named.curve, (own * done - len(kept), own * count)
+                del named
     except ExactSplineError as error:
         yield place, "", Problem.of(error), (1, 1)
         return
-    count = len(reading.curves) + len(reading.skipped)
-    if not count:
+    if not found and not skipped:
         yield place, "", Problem.of(CurveFileError("holds no curve", where=place)), (1, 1)
-    for i, named in enumerate(reading.curves, 1):
-        yield place, named.name, named.curve, (i, count)
-    for i, skipped in enumerate(reading.skipped, len(reading.curves) + 1):
-        yield place, skipped.where, Problem("Skipped", f"{skipped.what}: {skipped.why}"), (i, count)
+    for each in skipped:
+        yield place, each.where, Problem("Skipped", f"{each.what}: {each.why}"), (1, 1)

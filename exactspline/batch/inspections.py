@@ -27,6 +27,8 @@ INSPECTIONS: dict[str, Callable[[Nurbs], Points]] = {
 }
 #: The default inspections.
 USUAL = ("inflections", "extrema", "corners")
+#: Digits that are found beyond those that are told: an interval as wide as a decimal's last place is rarely inside.
+BEYOND = 4
 #: Inspections of space curves only.
 IN_SPACE = ("torsion_zeros",)
 
@@ -81,7 +83,7 @@ def enclosed(root: Root, digits: int) -> tuple[str, str]:
     """
     if root.exact is not None:
         return str(root.exact), str(root.exact)
-    scale, more = 10**digits, digits
+    scale, more = 10**digits, digits + BEYOND
     while True:
         low, high = root.refine(more)
         below = int((low * scale).numerator // (low * scale).denominator)

@@ -52,11 +52,11 @@ def bench(
 
     quiet_fonts()
     found = _told(rows(chosen_sections(section or []), Options(limit, curves, full)))
+    out.give("bench", lambda: [row.data() for row in found], lambda: [sheet(found)], lambda: _print(out, found))
     if plot:
         from exactspline.batch.bench.picture import draw
 
         draw(found, plot)
-    out.give("bench", lambda: [row.data() for row in found], lambda: [sheet(found)], lambda: _print(out, found))
     if any(row.met is False for row in found):
         raise typer.Exit(1)
 

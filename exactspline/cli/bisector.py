@@ -167,8 +167,10 @@ def _line_row(line: LineComponent, digits: int) -> Row:
     degrees = {piece.surface.degree for piece in line.pieces}
     if line.pieces:
         where = "; ".join(f"{'st'[x.of]} in [{shown(x.low, digits)}, {shown(x.high, digits)}]" for x in line.pieces)
-    elif line.fixed is not None:
-        where = f"= {shown(line.fixed, digits)}"
+    elif line.over_root is not None:
+        own, (low, high) = line.over_root, line.over_root.interval
+        degrees = {own.degree}
+        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in [{low}, {high}]"
     else:
         where = f"{len(line.real.branches)} branches"
     return Row("lines", _pairs(line.equation, line.sides, where), ", ".join(map(str, degrees)) or "–", str(line.cause))

@@ -23,6 +23,7 @@ from exactspline.geometry.bisector.components import (
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.polynomials import Parameter, Sides
+from exactspline.geometry.bisector.root_lines import Coordinate, RootLines
 from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
 from exactspline.language.rational import Rational
@@ -92,6 +93,7 @@ def _line_data(line: LineComponent, digits: int) -> Data:
         "sides": _sides(line.sides),
         "equation": line.equation and equation_data(line.equation),
         "fixed": line.fixed and parameter_data(line.fixed, digits),
+        "over_root": line.over_root and _root_lines_data(line.over_root, digits),
         "pieces": [_line_piece_data(one, digits) for one in line.pieces],
         "branches": [
             _branch_data(branch, digits) | _flat_data(line.line(*branch.sample, digits), digits)
@@ -115,6 +117,30 @@ def _line_piece_data(one: LinePiece, digits: int) -> Data:
         "directrix": piece_data(interval, one.surface.directrix),
         "generator": piece_data(interval, one.surface.generator.vector),
         "poles": [parameter_data(root, digits) for root in one.poles],
+    }
+
+
+def _root_lines_data(lines: RootLines, digits: int) -> Data:
+    """Control points in the field of an irrational parameter: a coordinate is a list, the coefficients of the powers 0,
+    1, 2, … of the parameter.
+    """
+
+    def net(part: tuple[Coordinate, ...], field: str) -> Data:
+        first = part[0][0]
+        rows = zip(*[zip(*[f.control_points for f in coordinate], strict=True) for coordinate in part], strict=True)
+        return {
+            "degree": first.degree,
+            "knots": [text(t) for t in first.knots],
+            field: [[[text(x) for x in coordinate] for coordinate in point] for point in rows],
+        }
+
+    return {
+        "parameter": NAMES[lines.of],
+        "low": parameter_data(lines.interval[0], digits),
+        "high": parameter_data(lines.interval[1], digits),
+        "directrix": net(lines.directrix, "homogeneous_control_points"),
+        "generator": net(lines.generator, "control_points"),
+        "poles": [parameter_data(root, digits) for root in lines.poles],
     }
 
 

@@ -74,6 +74,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
                 "value": text(line.value),
                 "interval": _ends(line.interval),
                 "closed": line.closed,
+                "one_sided": line.one_sided,
             }
             for line in found.parabolic_lines
         ],
@@ -207,7 +208,8 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
     for kind, box, remark in _regions(found):
         made.add_row(kind, *(_side(side) for side in box), remark)
     for line in found.parabolic_lines:
-        made.add_row("parabolic line", *_line(line.along, line.value, line.interval), "closed" if line.closed else "")
+        told = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
+        made.add_row("parabolic line", *_line(line.along, line.value, line.interval), told)
     for curve in found.parabolic_curves:
         extent = _around(_extent(piece) for piece in curve.pieces)
         across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""

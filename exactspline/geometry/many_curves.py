@@ -7,38 +7,38 @@ is certain (`exactspline.roots.doubles`), and uncertain ones are left to exact a
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Iterator, Mapping
 from math import comb
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from exactspline.errors import FormulaError, NumberError, ShapeError
-from exactspline.exact import from_floats, mpq
+from exactspline.errors import ExactSplineError, NumberError, ShapeError
+from exactspline.exact import Rounding, double, from_floats, is_float, mpq, rational
 from exactspline.geometry.analysis import Analysis
-from exactspline.geometry.constructions import construction
-from exactspline.geometry.kinds import Feature, FeatureKind
-from exactspline.language.formula import Formula
-from exactspline.language.kinds import PLANE
-from exactspline.papers import find
-from exactspline.programs.doubles import Floats, in_doubles
-from exactspline.programs.program import Program, Signature, program_of
-from exactspline.programs.wronskian import wronskian_of
-from exactspline.roots.doubles import Flags, Integers, Isolated, Rows, isolated, narrowed, ordinates
+from exactspline.geometry.filtered import AT_ONCE, filtered
+from exactspline.geometry.kinds import FeatureKind
+from exactspline.programs.doubles import Floats
+from exactspline.roots.doubles import Flags, Integers
 from exactspline.splines.nurbs import Nurbs
-
-#: How many curves are computed at once, so that their numbers fit into the cache.
-CHUNK = 4096
 
 #: The numbers of the kinds in an array.
 KINDS = (FeatureKind.INFLECTION, FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
+#: Whole numbers up to here are doubles.
+WHOLE = 2**53
+#: The bits of a double without its sign, and those of the least that is not subnormal, read as a whole number.
+SIZE, LEAST = 2**63 - 1, 2**52
+TINY = mpq(1, 2**1022)
+#: The rows of one curve or of many: the number of the curve, kinds, both bounds, and which form vanishes.
+Found = tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]
 
 
 class ManyFeatures(NamedTuple):
-    """Features of many curves: the number of the curve, what it is (the value of a `FeatureKind`), and an interval of
-    [0, 1] with its parameter; `exact` are the numbers of the curves that were left to exact arithmetic.
+    """Features of many curves: the number of the curve, what it is (the value of a `FeatureKind`), and an interval with
+    its parameter; `exact` are the numbers of the curves that were left to exact arithmetic, `refused` says for others
+    why they have no features.
 
     In the order of the curves; for each curve first the points with κ = 0, then those with κ′ = 0, in the order of the
     parameter.
@@ -49,100 +49,159 @@ class ManyFeatures(NamedTuple):
     low: Floats
     high: Floats
     exact: Integers
+    refused: Mapping[int, ExactSplineError] = MappingProxyType({})
 
 
 def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> ManyFeatures:
     """Inflections and curvature extrema of plane Bézier curves of one degree.
 
-    `points` are doubles of the shape (curves, degree + 1, 2), `weights` of the shape (curves, degree + 1).
+    `points` are doubles of the shape (curves, degree + 1, 2), `weights` of the shape (curves, degree + 1). A curve with
+    a number that is not finite or no double, or whose denominator has a zero, is refused; the others are computed.
 
     >>> found = features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)]] * 2)
     >>> found.curve.tolist(), found.kind.tolist(), found.exact.tolist()
     ([0, 0, 0, 1, 1, 1], ['inflection', 'minimum', 'maximum', 'inflection', 'minimum', 'maximum'], [])
+    >>> list(features_of_many([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused.values())
+    [NumberError('points[0]: is not a finite number; write finite numbers')]
 
-    Raises `ShapeError` for arrays of another shape, `NumberError` for what is not finite, `WeightError` for a curve
-    whose denominator has a zero.
+    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays of what are no numbers.
     """
-    parts = list(features_in_parts(points, weights))
-    curve, kind, low, high, exact = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return ManyFeatures(curve, kind, low, high, exact)
+    return joined(list(features_in_parts(points, weights)))
+
+
+def joined(parts: list[ManyFeatures]) -> ManyFeatures:
+    """Several parts, at least one, as one."""
+    refused = {i: error for part in parts for i, error in part.refused.items()}
+    curve, kind, low, high, exact = (
+        np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)
+    )
+    return ManyFeatures(curve, kind, low, high, exact, MappingProxyType(refused))
 
 
 def features_in_parts(
-    points: ArrayLike, weights: ArrayLike | None = None, *, at_once: int = CHUNK
+    points: ArrayLike, weights: ArrayLike | None = None, *, at_once: int = AT_ONCE
 ) -> Iterator[ManyFeatures]:
     """The same, a part of the curves at a time, so that partial results are available."""
-    p, w = _checked(points, weights)
+    p, w, wrong = _checked(points, weights)
     for start in range(0, max(len(p), 1), at_once):
         some = slice(start, start + at_once)
-        found = _features(p[some], None if w is None else w[some])
-        yield found._replace(curve=found.curve + start, exact=found.exact + start)
+        own = {i - start: error for i, error in wrong.items() if start <= i < start + at_once}
+        found = _features(p[some], None if w is None else w[some], own)
+        refused = {i + start: error for i, error in sorted(found.refused.items())}
+        yield found._replace(curve=found.curve + start, exact=found.exact + start, refused=MappingProxyType(refused))
 
 
-def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floats | None]:
-    p = np.asarray(points, dtype=float)
+def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floats | None, dict[int, ExactSplineError]]:
+    """The numbers as doubles, and what is wrong with those of a curve; instead of them there are zeros."""
+    p, inexact = _doubles(points, "points")
     if p.ndim != 3 or p.shape[1] < 2 or p.shape[2] != 2:
         raise ShapeError(f"points of the shape {p.shape}", where="points", remedy="(curves, degree + 1, 2)")
-    w = None if weights is None else np.asarray(weights, dtype=float)
-    if w is not None and w.shape != p.shape[:2]:
-        raise ShapeError(f"weights of the shape {w.shape}", where="weights", remedy=f"{p.shape[:2]}, one a point")
-    for name, array in (("points", p), ("weights", w)):
-        if array is not None and not np.isfinite(array).all():
-            row = int(np.argwhere(~np.isfinite(array))[0][0])
-            raise NumberError("is not a finite number", where=f"{name}[{row}]", remedy="write finite numbers")
-    return p, w
+    w = None
+    wrong = _wrong(p, inexact, "points")
+    if weights is not None:
+        w, inexact = _doubles(weights, "weights")
+        if w.shape != p.shape[:2]:
+            raise ShapeError(f"weights of the shape {w.shape}", where="weights", remedy=f"{p.shape[:2]}, one a point")
+        wrong = _wrong(w, inexact, "weights") | wrong
+    if wrong:
+        p = p.copy()
+        p[list(wrong)] = 0
+    return p, w, wrong
 
 
-class _Programs(NamedTuple):
-    """The programs of one degree: κ, κ′ and ‖γ′‖² up to positive factors."""
-
-    curvature: Program
-    critical: Program
-    speed: Program
-
-
-@cache
-def _programs(degree: int, rational: bool) -> _Programs:
-    count = 3 if rational else 2
-    signature = Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True)
-
-    def made(formula: Formula) -> Program:
-        return program_of(formula, signature)
-
-    inflections, critical = construction("zero_curvature"), construction("critical_curvature")
-    if rational:
-        first, second = (wronskian_of(find(each.wronskian_of)) for each in (inflections, critical))
-        return _Programs(made(first), made(second), made(find("D1_squared")))
-    return _Programs(made(inflections.formula("paper")), made(critical.formula("paper")), made(find("D1_squared")))
-
-
-def _features(p: Floats, w: Floats | None) -> ManyFeatures:
-    """The features of the curves of one part."""
-    count, degree = len(p), p.shape[1] - 1
-    programs = _programs(degree, w is not None)
-    left = np.zeros(count, dtype=bool)
-    found: list[tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]] = []
+def _doubles(given: ArrayLike, name: str) -> tuple[Floats, Flags]:
+    """Numbers as doubles, and which of them are other numbers then. What a masked array hides is no number."""
     try:
-        operands = _operands(p, w)
-        if w is not None:
-            left |= ~(w > 0).all(axis=1)
-        curvature = _solved(programs.curvature, operands, left)
-        critical = _solved(programs.critical, operands, left)
-        _, rests = _solved(programs.speed, operands, left)
-        left[rests.row] = True
-    except FormulaError:
+        a = np.ma.filled(given, np.nan) if isinstance(given, np.ma.MaskedArray) else np.asarray(given)
+    except (ValueError, TypeError) as error:
+        raise ShapeError(f"{name} are no array: {error}", where=name, remedy="rows of one length") from None
+    if a.dtype.kind not in "fiuO":
+        raise NumberError(f"{name} of the type {a.dtype}", where=name, remedy="an array of doubles")
+    if a.dtype.kind == "O":
+        numbers = [_double(x, name) for x in a.flat]
+        flags = np.array([exact for _, exact in numbers], dtype=bool).reshape(a.shape)
+        return np.array([x for x, _ in numbers], dtype=float).reshape(a.shape), ~flags
+    with np.errstate(all="ignore"):
+        f = a.astype(float)
+        changed = np.zeros(a.shape, dtype=bool)
+        if a.dtype.kind == "f" and a.dtype.itemsize > 8:
+            changed = np.isfinite(a) & (f.astype(a.dtype) != a)
+        elif a.dtype.kind in "iu" and a.dtype.itemsize == 8:
+            for index in np.argwhere((a > WHOLE) | (f < -WHOLE)):
+                place = tuple(index)
+                changed[place] = int(a[place]) != int(f[place])
+    return f, changed
+
+
+def _double(number: object, name: str) -> tuple[float, bool]:
+    """An exact number or a float as a double, and whether that is the same number."""
+    if is_float(number):
+        return float(number), True
+    value = rational(number)  # type: ignore[arg-type]  # the gate refuses what is no number
+    try:
+        near = float(value)
+    except OverflowError:
+        return 0, False
+    return near, mpq(near) == value
+
+
+def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
+    """What is wrong with the numbers of each curve."""
+    wrong: dict[int, ExactSplineError] = {}
+    for bad, told, remedy in (
+        (inexact, "is no double", "write doubles, or take `analyse`"),
+        (~np.isfinite(a), "is not a finite number", "write finite numbers"),
+    ):
+        for row in np.unique(np.nonzero(bad)[0]).tolist():
+            wrong[row] = NumberError(told, where=f"{name}[{row}]", remedy=remedy)
+    return wrong
+
+
+def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -> ManyFeatures:
+    """The features of the curves of one part."""
+    left = np.array(_subnormal(p).any(axis=(1, 2)), dtype=bool)
+    if w is not None:
+        left |= _subnormal(w).any(axis=1)
+    found: list[Found] = []
+    done = filtered(p.shape[1] - 1, _operands(p, w))
+    if done is None:
         left[:] = True
     else:
-        for which, (rows, isolating) in enumerate((curvature, critical)):
-            zeros = narrowed(rows, isolating.where(~left[isolating.row]))
+        left |= done.open
+        for which, form in enumerate((done.curvature, done.critical)):
+            zeros = form.zeros.where(~left[form.zeros.row])
             kinds = np.where(zeros.before > 0, *KINDS[1:]) if which else np.full(len(zeros.row), KINDS[0])
             found.append((zeros.row, kinds, zeros.low, zeros.high, np.full(len(zeros.row), which)))
-    exact = np.flatnonzero(left)
-    for i in exact:
-        found.append(_exactly(int(i), p[i], None if w is None else w[i]))
-    curve, kind, low, high, which_form = (np.concatenate(column) for column in zip(*found, strict=True))
-    order = np.lexsort((low, which_form, curve))
-    return ManyFeatures(curve[order], kind[order].astype(str), low[order], high[order], exact)
+    refused = dict(wrong)
+    left[list(wrong)] = False
+    for i in np.flatnonzero(left).tolist():
+        try:
+            curve = _curve(p[i], None if w is None else w[i])
+            found.append(exactly(i, curve))
+        except ExactSplineError as error:
+            refused[i] = error
+            left[i] = False
+    return in_order(found, np.flatnonzero(left), refused)
+
+
+def in_order(found: list[Found], exact: Integers, refused: Mapping[int, ExactSplineError]) -> ManyFeatures:
+    """The features of curves that were found in any order."""
+    curve, kind, low, high, which = (np.concatenate(column) for column in zip(NONE, *found, strict=True))
+    order = np.lexsort((high, low, which, curve))
+    return ManyFeatures(curve[order], kind[order].astype(str), low[order], high[order], exact, refused)
+
+
+#: No features.
+NONE: Found = (np.zeros(0, dtype=int), np.zeros(0, dtype=str), np.zeros(0), np.zeros(0), np.zeros(0, dtype=int))
+
+
+def _subnormal(a: Floats) -> Flags:
+    """Which numbers are not zero and so small that a processor may read them as zero; told by their bits, since a
+    comparison reads them so, too.
+    """
+    bits = np.ascontiguousarray(a).view(np.int64) & SIZE
+    found: Flags = (bits > 0) & (bits < LEAST)
+    return found
 
 
 def _operands(p: Floats, w: Floats | None) -> list[Floats]:
@@ -162,24 +221,28 @@ def _small(a: Floats, axis: tuple[int, ...]) -> Floats:
     return smaller
 
 
-def _solved(program: Program, operands: list[Floats], left: Flags) -> tuple[Rows, Isolated]:
-    """The zeros of a form; curves on which they are uncertain are skipped."""
-    (form,) = in_doubles(program, operands, roundings=2)
-    rows = ordinates(form.values, form.errors)
-    zeros, open_ = isolated(rows)
-    left |= open_
-    return rows, zeros
-
-
-def _exactly(i: int, p: Floats, w: Floats | None) -> tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]:
-    """The features of one curve in exact arithmetic."""
+def _curve(p: Floats, w: Floats | None) -> Nurbs:
     degree = len(p) - 1
     knots = [0] * (degree + 1) + [1] * (degree + 1)
-    weights = None if w is None else from_floats(w.tolist())
-    analysis = Analysis(Nurbs(degree, knots, from_floats(p.tolist()), weights))
+    return Nurbs(degree, knots, [_exact(row) for row in p], None if w is None else _exact(w))
+
+
+def _exact(row: Floats) -> list[mpq]:
+    """The values of doubles, subnormal ones read by their bits."""
+    values = from_floats(row.tolist())
+    for k in np.flatnonzero(_subnormal(row)).tolist():
+        bits = int(row[k : k + 1].view(np.int64)[0])
+        size = mpq(bits & SIZE, 2**1074)
+        values[k] = -size if bits < 0 else size
+    return values
+
+
+def exactly(i: int, curve: Nurbs) -> Found:
+    """The features of one curve in exact arithmetic."""
+    analysis = Analysis(curve)
     lists = analysis.inflections, analysis.curvature_extrema
     features = [(which, feature) for which, own in enumerate(lists) for feature in own]
-    bounds = [_bounds(feature) for _, feature in features]
+    bounds = [outside(*feature.root.refine(15)) for _, feature in features]
     return (
         np.full(len(features), i),
         np.array([str(feature.kind) for _, feature in features], dtype=str),
@@ -189,8 +252,17 @@ def _exactly(i: int, p: Floats, w: Floats | None) -> tuple[Integers, NDArray[np.
     )
 
 
-def _bounds(feature: Feature) -> tuple[float, float]:
-    """Doubles on both sides of a parameter, or itself."""
-    low, high = feature.root.refine(15)
-    a, b = float(low), float(high)
-    return a if mpq(a) <= low else float(np.nextafter(a, -1)), b if mpq(b) >= high else float(np.nextafter(b, 2))
+def outside(low: mpq, high: mpq) -> tuple[float, float]:
+    """The nearest doubles that are not inside an interval and not subnormal, whatever the rounding of the processor.
+
+    >>> outside(mpq(1, 3), mpq(1, 3)) == (1 / 3, 1 / 3 + 2.0**-54), outside(mpq(0), mpq(1, 10**400)) == (0, 2.0**-1022)
+    (True, True)
+
+    Raises `NumberError` beyond the largest double.
+    """
+    low, high = (mpq(0) if 0 < low < TINY else low), (mpq(0) if -TINY < high < 0 else high)
+    low, high = (-TINY if -TINY < low < 0 else low), (TINY if 0 < high < TINY else high)
+    try:
+        return double(low, Rounding.DOWN), double(high, Rounding.UP)
+    except OverflowError:
+        raise NumberError("a parameter exceeds the range of doubles", remedy="take `analyse`") from None

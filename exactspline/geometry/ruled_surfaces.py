@@ -18,8 +18,8 @@ from exactspline.language.choices import Side
 from exactspline.language.operand import Operand
 from exactspline.language.parts import numerator, split
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface, development
-from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.language.ruled import RuledSurface, development, differences
+from exactspline.language.vector import Vector, dot, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.knots import Mesh
@@ -137,18 +137,6 @@ def _check_generator(surface: SplineSurface) -> None:
             )
 
 
-def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
-    """Vectors that vanish exactly where two ruled surfaces (in any reading) coincide: ``G × Ḡ`` and ``(δ̄ − δ) ×
-    G``.
-    """
-    between: Any = b.directrix
-    first: Any = a.generator
-    second: Any = b.generator
-    across: Any = cross(first, second)
-    aside: Any = cross(between - a.directrix, first)
-    return across, aside
-
-
 def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
     """The relation between the ruling parameters ζ of `a` and λ of `b` when both are one surface with the same rulings
     for the same s, else None.
@@ -175,5 +163,4 @@ def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
 
 def _ratio(top: Any, bottom: Any) -> Rational[BSpline]:
     """A quotient of scalars that may be quotients themselves, in lowest terms."""
-    found = top / bottom
-    return where_it_exists(found if isinstance(found, Rational) else Rational(found, BSpline.constant(found, 1)))
+    return where_it_exists(top / bottom)

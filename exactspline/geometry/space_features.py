@@ -73,13 +73,6 @@ class SpaceFacts(Facts):
         position = bisect_left(found, root)
         return position < len(found) and found[position] == root
 
-    def torsion_sign(self, root: Root, side: Side | str = Side.RIGHT) -> int:
-        """The sign of τ (where κ = 0: of its limit) at a regular root."""
-        sign = self.torsion_numerator.sign_at(root, side)
-        if root.exact is None or sign == 0:
-            return sign
-        return sign if self.reduced_torsion.denominator(root.exact, side) > 0 else -sign
-
 
 def flat_points(facts: SpaceFacts) -> list[Feature]:
     """The zeros of the curvature at regular points, and where κN is reversed by a jump."""

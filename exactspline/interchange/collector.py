@@ -26,6 +26,12 @@ class Collector:
         """Everything that was found."""
         return Reading(self.format, tuple(self.curves), tuple(self.skipped))
 
+    def taken(self) -> Reading:
+        """What was found since the last time."""
+        found = self.reading()
+        self.curves, self.skipped = [], []
+        return found
+
     def skip(self, what: str, where: str, why: str) -> None:
         """Record something that is not read."""
         self.count(1)

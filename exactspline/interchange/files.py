@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
@@ -13,7 +13,7 @@ from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
 from exactspline.splines.nurbs import Nurbs
 
 #: How many bytes of a file are used to recognize its format.
@@ -40,7 +40,44 @@ def read(
     Raises `CurveFileError` where there is nothing to read or the format is unknown, the `ExactSplineError` of a file
     broken as a whole; a single curve that is broken is among the `skipped`.
     """
-    limits = limits or Limits()
+    given = None if knots is None else tuple(map(str, knots))
+    chosen, source, name = _located(place, format, part, degree, given, limits or Limits())
+    try:
+        return chosen.read(source)
+    except ExactSplineError as error:
+        raise (error.at(name) if name else error) from None
+
+
+def read_in_pieces(place: str) -> Iterator[Piece]:
+    """The curves of a file as `read` returns them, piece by piece where the format has pieces, so that a large font is
+    never held as a whole.
+
+    >>> [(len(piece.reading.curves), piece.done, piece.total) for piece in read_in_pieces("curve.xyz")]
+    Traceback (most recent call last):
+    ...
+    exactspline.errors.CurveFileError: curve.xyz: cannot be read (No such file or directory); name a curve file
+
+    Raises what `read` raises, but pieces before a defect have been handed out by then.
+    """
+    chosen, source, name = _located(place, None, "", None, None, Limits())
+    try:
+        if chosen.pieces is None:
+            yield Piece(chosen.read(source), 1, 1)
+        else:
+            yield from chosen.pieces(source)
+    except ExactSplineError as error:
+        raise (error.at(name) if name else error) from None
+
+
+def _located(
+    place: str | os.PathLike[str] | bytes,
+    format: str | None,
+    part: str,
+    degree: int | None,
+    knots: tuple[str, ...] | None,
+    limits: Limits,
+) -> tuple[Format, Source, str]:
+    """The format of a file, its contents, and its path."""
     if isinstance(place, bytes):
         data, name = place, ""
     else:
@@ -48,12 +85,11 @@ def read(
         part = part or found_part
     if len(data) > limits.megabytes << 20:
         raise CurveFileError(f"{len(data)} bytes", where=name, remedy=f"at most {limits.megabytes} MB are read")
-    given = None if knots is None else tuple(map(str, knots))
     try:
         chosen = named_format(format) if format else _told(data, name)
-        return chosen.read(Source(data, Path(name).name, part, degree, given, limits))
     except ExactSplineError as error:
         raise (error.at(name) if name else error) from None
+    return chosen, Source(data, Path(name).name, part, degree, knots, limits), name
 
 
 def write(

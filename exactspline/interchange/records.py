@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from exactspline.interchange.limits import Limits
 from exactspline.splines.nurbs import Nurbs
@@ -43,6 +43,14 @@ class Reading:
     skipped: tuple[Skipped, ...] = ()
 
 
+class Piece(NamedTuple):
+    """A part of what a file holds, in the order of the file, and how much of the file is done with it."""
+
+    reading: Reading
+    done: int
+    total: int
+
+
 @dataclass(frozen=True)
 class Source:
     """The input of a reader: the bytes, the name of the file, the part asked for (a glyph), and, for formats that hold
@@ -70,7 +78,7 @@ class Source:
 @dataclass(frozen=True)
 class Format:
     """A file format: its name, a title, the suffixes of its files, how its beginning is recognized, its reader and its
-    writer, and what every curve written loses.
+    writer, and what every curve written loses; where files are large, also a reader of one piece after the other.
     """
 
     name: str
@@ -80,3 +88,4 @@ class Format:
     read: Callable[[Source], Reading]
     write: Callable[[Sequence[NamedCurve], NumberText], bytes] | None = None
     loses: str = ""
+    pieces: Callable[[Source], Iterator[Piece]] | None = None

@@ -241,14 +241,20 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
     (<kind plane point>, <kind curve>)
     >>> common_kind([kind_of("plane with delta"), CURVE, kind_of("plane with r")])
     <kind plane with delta, r>
+    >>> common_kind([kind_of("surface"), SPACE])
+    <kind curve on a surface>
     """
     given = list(kinds)
     special = [kind for kind in given if not any(kind is k for k in (CURVE, PLANE, SPACE))]
     if not special:
         return CURVE
+    others = [kind for kind in special if type(kind) is not CurveKind]
+    if others:
+        takes_all = (
+            kind for kind in (*others, *KINDS.values()) if all(kind.takes(k, n) for k in given for n in kind.dimensions)
+        )
+        return next(takes_all, others[0])
     curves = [kind for kind in special if type(kind) is CurveKind]
-    if len(curves) < len(special):
-        return next(kind for kind in special if type(kind) is not CurveKind)
     constants = sorted({name for kind in curves for name in kind.constants})
     first = next((kind for kind in curves if kind.with_point), curves[0])
     return first.with_constants(constants) if constants else first

@@ -8,7 +8,7 @@ from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import Constant, D, HasDegree, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.services import Displayed
-from exactspline.language.vector import Vector, det
+from exactspline.language.vector import Vector, cross, det
 
 T_co = TypeVar("T_co", covariant=True)
 V = TypeVar("V")
@@ -83,6 +83,18 @@ def ruled(directrix: V, generator: V) -> RuledSurface[V]:
 def development(surface: RuledSurface[Vector[R]]) -> R:
     """``[δ′ G G′]`` of a ruled surface δ + ζ G: zero when its tangent plane is constant along every ruling."""
     return det(surface.directrix.d(1), surface.generator, surface.generator.d(1))
+
+
+def differences(a: RuledSurface[V], b: RuledSurface[V]) -> tuple[V, V]:
+    """Vectors that vanish exactly where two ruled surfaces (in any reading) coincide: ``G × Ḡ`` and ``(δ̄ − δ) ×
+    G``.
+    """
+    between: Any = b.directrix
+    first: Any = a.generator
+    second: Any = b.generator
+    across: Any = cross(first, second)
+    aside: Any = cross(between - a.directrix, first)
+    return across, aside
 
 
 def _extended(value: Any, before: list[Any], behind: list[Any]) -> Any:

@@ -5,7 +5,6 @@ also stand in the first lines of ``claims.toml``.
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from hashlib import sha256
@@ -18,6 +17,11 @@ from exactspline.errors import ClaimError, FormulaError, nearest
 from exactspline.language.formula import Formula
 from exactspline.language.services import service
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
+
+try:  # compiled, and with bounds on the depth of what strangers write
+    import tomli as toml
+except ModuleNotFoundError:  # in a browser
+    import tomllib as toml  # type: ignore[no-redef]  # the same functions under another name
 
 
 class Told(TypedDict):
@@ -187,8 +191,8 @@ def read_toml(file: Traversable, place: str) -> dict[str, object]:
             data = stream.read(CHARACTERS + 1)
         if len(data) > CHARACTERS:
             raise ClaimError("is too large", where=place, remedy=f"at most {CHARACTERS} bytes are read")
-        return tomllib.loads(data.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+        return toml.loads(data.decode("utf-8"))
+    except (toml.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ClaimError(f"not TOML:  {error}", where=place, remedy="correct the file") from None
 
 

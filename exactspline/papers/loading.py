@@ -16,7 +16,6 @@ from exactspline.language.formula import Formula
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.papers.formula_check import CHARACTERS, formulas_of
 
 #: A function that gives the formulas that others may import, by ``paper.module:name``.
 Importable = Callable[[], Mapping[str, Formula]]
@@ -27,6 +26,8 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
 
     Raises `FormulaError` with file and line.
     """
+    from exactspline.papers.formula_check import CHARACTERS, formulas_of
+
     place = str(file)
     try:
         with file.open("rb") as stream:

@@ -22,6 +22,8 @@ from exactspline.splines.bernstein import NOTHING, ONE, backwards, divide_u_plus
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
+#: Modulo these it is tried whether a zero can be rational.
+PRIMES = (5, 7, 11, 13, 17, 19)
 
 
 class LocalPolynomial:
@@ -52,6 +54,22 @@ class LocalPolynomial:
     def reversed_slope(self) -> fmpz_poly:
         """Derivative by 1/z of the polynomial in 1/z."""
         return self.reversed.derivative()
+
+    @cached_property
+    def without_rational_zero(self) -> bool:
+        """Whether it is certain that no zero is rational: a rational one is a zero modulo every prime that does not
+        divide the leading coefficient. False says nothing.
+
+        >>> [LocalPolynomial(fmpz_poly(c)).without_rational_zero for c in ([-2, 0, 1], [-4, 0, 1])]
+        [True, False]
+        """
+        return any(_no_zero_modulo(self.polynomial, p) for p in PRIMES)
+
+
+def _no_zero_modulo(polynomial: fmpz_poly, p: int) -> bool:
+    """Whether a polynomial keeps its degree modulo a prime and has no zero there."""
+    residues = nmod_poly(polynomial, p)
+    return residues.degree() == polynomial.degree() and all(int(residues(x)) for x in range(p))
 
 
 def _local(*coefficients: int) -> LocalPolynomial:

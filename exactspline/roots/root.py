@@ -150,6 +150,8 @@ class Root(Immutable, Displayed):
         low, high = self._reached
         if low == high:
             return True
+        if self._zero is not None and self._zero.factor.without_rational_zero:
+            return False
         a = int(self._integers().leading_coefficient())
         low, high = self.refine(a.bit_length() * 30103 // 100000 + 1)
         if low < high:

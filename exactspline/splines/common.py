@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from exactspline.splines.bernstein import rescaled
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor import TensorSpline, make
 
 S = TypeVar("S", BSpline, TensorSpline)
 
@@ -44,3 +44,13 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
         columns.append([rescaled(form, common) for form in forms])
     rows = zip(*columns, strict=True)
     return [f.over_forms(mesh, row) for f, row in zip(splines, rows, strict=True)]
+
+
+def on_one_mesh(splines: Iterable[TensorSpline]) -> list[TensorSpline]:
+    """Components over the same breakpoints, as they are but with the meshes of the first, so that operations need not
+    compare them.
+    """
+    first, *rest = splines
+    return [first] + [
+        make(f.degree, first.meshes, f.continuity, f.stride, f._own, f.denominators, f.provenance) for f in rest
+    ]

@@ -5,12 +5,14 @@ from __future__ import annotations
 from functools import cache
 from importlib import resources
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from exactspline.errors import CurveFileError, nearest
 from exactspline.splines.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.surface_files import read_surface, surface_from_text
+
+if TYPE_CHECKING:
+    from exactspline.splines.surface import NurbsSurface
 
 __all__ = [
     "curve_from_text",
@@ -69,6 +71,8 @@ def example_surface(name: str) -> NurbsSurface:
 
     Raises `CurveFileError` with the nearest names.
     """
+    from exactspline.splines.surface_files import surface_from_text
+
     if name not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="exactspline curves")
         raise CurveFileError(f"there is neither a file nor an example surface called {name!r}", remedy=remedy)
@@ -82,6 +86,8 @@ def load_surface(name_or_path: str) -> NurbsSurface:
     >>> load_surface("enneper").degree
     (3, 3)
     """
+    from exactspline.splines.surface_files import read_surface
+
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
     known = name_or_path in example_surface_names()
     return example_surface(name_or_path) if known or is_name else read_surface(name_or_path)

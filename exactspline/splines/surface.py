@@ -14,7 +14,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.common import with_common_knots
+from exactspline.splines.common import on_one_mesh, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs
@@ -363,11 +363,11 @@ def _splines(
         return TensorSpline((degree[0], degree[1]), *knots, values)
 
     if weights is None:
-        p = [spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))]
+        p = on_one_mesh([spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))])
         return Vector(*p), p[0].constant(1)
     scaled = [[lifted(x, w) for x, w in zip(*rows, strict=True)] for rows in zip(net, weights, strict=True)]
     p = [spline([[point[k] for point in row] for row in scaled]) for k in range(len(net[0][0]))]
-    w = spline(weights)
+    *p, w = on_one_mesh([*p, spline(weights)])
     check_weight(w)
     return Vector(*p), w
 

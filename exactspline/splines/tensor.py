@@ -26,6 +26,7 @@ from exactspline.splines.bernstein import common_denominators, primitive, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.forms import Polynomials
 from exactspline.splines.knots import KnotVector, Mesh, clamped
+from exactspline.splines.tensor_direct import derived, lowered, true_degrees
 from exactspline.splines.tensor_lines import Continuity, Degrees, joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
 from exactspline.splines.tensor_parts import TensorParts
@@ -257,16 +258,20 @@ class TensorSpline(Immutable, TensorParts, Operand):
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
         (mpq(3,1), True)
         """
+        if min(i, j) < 0:
+            raise FormulaError(f"a derivative of order {min(i, j)}", remedy="orders are 0, 1, 2, …")
         if any(0 <= degree < order for degree, order in zip(self.degree, (i, j), strict=True)):
             return self.constant(0)
-        first = self.along(0, lambda f: f.d(i)) if i else self
-        return first.along(1, lambda f: f.d(j)) if j else first
+        found = self
+        for direction in (0,) * i + (1,) * j:
+            direct = found.profile is None and found.degree[direction] > 0
+            found = make(*derived(found, direction), leaf()) if direct else found.along(direction, lambda f: f.d())
+        return found
 
     def elevated_to(self, other: TensorSpline) -> TensorSpline:
         """The same function, in each direction at least of the degree of `other`."""
-        return self.elevate_degree(
-            *[max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
-        )
+        by = [max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
+        return self.elevate_degree(*by)
 
     # ---- the function
 
@@ -327,8 +332,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
         """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for the zero
         function).
         """
-        s, t = (max(line.true_degree for own in lines(f) for line in own) for f in (self.transposed(), self))
-        return Degrees(s, t)
+        return true_degrees(self)
 
     # ---- other representations and parts: what `BSpline` can do, in either direction
 
@@ -356,6 +360,8 @@ class TensorSpline(Immutable, TensorParts, Operand):
 
     def reduce_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """The same function, its degrees lowered; `ReductionError` where that cannot be done exactly."""
+        if (parts := lowered(self, by_s, by_t)) is not None:
+            return make(*parts, leaf())
         return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
 
     def insert_knot(self, direction: int, t: Number, times: int = 1) -> TensorSpline:

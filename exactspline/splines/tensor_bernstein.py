@@ -13,7 +13,7 @@ from math import comb
 from flint import fmpz, fmpz_poly
 
 from exactspline.exact import lcm, mpq, ratio, to_fmpz
-from exactspline.splines.bernstein import Form, primitive, value
+from exactspline.splines.bernstein import Form, primitive, raiser, value
 
 
 def stride_for(degree: int) -> int:
@@ -33,6 +33,42 @@ def rows(c: fmpz_poly, stride: int, n: int) -> list[fmpz_poly]:
     """
     coefficients = c.coeffs()
     return [fmpz_poly(coefficients[j * stride : (j + 1) * stride]) for j in range(n + 1)]
+
+
+def columns(c: fmpz_poly, stride: int, m: int) -> list[fmpz_poly]:
+    """The forms in the second parameter, one for each power of the first.
+
+    >>> columns(fmpz_poly([1, 2, 3, 4]), 2, 1)
+    [3*x + 1, 4*x + 2]
+    """
+    coefficients = c.coeffs()
+    return [fmpz_poly(coefficients[i::stride]) for i in range(m + 1)]
+
+
+def derivative(c: fmpz_poly, stride: int, degrees: tuple[int, int], direction: int) -> fmpz_poly:
+    """``∂v − ∂u`` in one direction (0: the first parameter) of a patch of positive degree there.
+
+    >>> derivative(fmpz_poly([1, 2, 3, 4]), 2, (1, 1), 1)  # 1 + 2x + (3 + 4x) y: the difference of two rows
+    2*x + 2
+    """
+    (m, n), a = degrees, c.coeffs()
+    a += [fmpz(0)] * (stride * (n + 1) - len(a))
+    if direction:
+        return fmpz_poly([(k // stride + 1) * a[k + stride] + (k // stride - n) * a[k] for k in range(stride * n)])
+    places = [(k, k % stride) for k in range(stride * (n + 1))]
+    return fmpz_poly([(i + 1) * a[k + 1] + (i - m) * a[k] if i < m else 0 for k, i in places])
+
+
+def without_powers(c: fmpz_poly, stride: int, by: tuple[int, int]) -> fmpz_poly:
+    """A patch divided by powers of ``u + v`` and ``ū + v̄``, which must divide it.
+
+    >>> without_powers(fmpz_poly([1, 1, 1, 1]), 2, (0, 1))  # (1 + x)(1 + y)
+    x + 1
+    """
+    for times, gap in zip(by, (1, stride), strict=True):
+        if times:
+            c = c // raiser(times).inflate(gap)
+    return c
 
 
 def packed(parts: Sequence[fmpz_poly], stride: int) -> fmpz_poly:

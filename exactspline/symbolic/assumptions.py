@@ -142,9 +142,9 @@ def _somewhere(name: str, formula: str, kinds: tuple[str, ...]) -> Assumption:
 
 _SOMEWHERE = (
     _somewhere("γ′", "D1_squared", (*ALONE, *PAIR)),
-    _somewhere("[γ′ γ″]", "f2", PLANE),
-    _somewhere("γ′×γ″", "binormal_form_squared", SPACE),
-    _somewhere("[γ′ γ″ γ‴]", "D1_D2_D3", SPACE),
+    _somewhere("[γ′ γ″]", "f2", (*PLANE, "plane pair")),
+    _somewhere("γ′×γ″", "binormal_form_squared", (*SPACE, *PAIR)),
+    _somewhere("[γ′ γ″ γ‴]", "D1_D2_D3", (*SPACE, *PAIR)),
     _somewhere("[γ′ γ−Q]", "plane_bisector_determinant", ("plane point",)),
     _somewhere("γ′×(γ−Q)", "point_bisector_generator_polynomial", ("point",)),
     _somewhere("(γ′×(γ−Q))₁", "direct_determinant_x", ("point",)),

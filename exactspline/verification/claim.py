@@ -26,7 +26,7 @@ from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
-from exactspline.verification.paper_curves import curve_named, curve_names
+from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -87,7 +87,7 @@ def example_name(claim: Claim, name: str, value: str) -> str:
     """The name of an example curve of which the claim speaks; empty for none."""
     if value:
         try:
-            claim.curve_named(value)
+            check_curve_name(claim.source_paper, value)
         except ClaimError as error:
             raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
     return str(value)
@@ -331,10 +331,10 @@ class Claim(Displayed):
         if isinstance(own.curve, NurbsSurface) and (told := self._too_long(own.curve)):
             return Finding(UNDECIDED, self.claims, witness=OUTSIDE + told)
         argument = own.handed(self.curve)
-        if gone := self.missing(argument):
-            return vacuous(self.claims, gone)
-        finding = self.examine(argument, own)
-        if finding.verdict == REFUTED and (failing := own.failing(self.curve, self.assumes)):
+        gone = self.missing(argument)
+        finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)
+        silent = finding.verdict == REFUTED or finding.is_vacuous
+        if silent and (failing := own.failing(self.curve, self.assumes)):
             return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
         return finding
 
@@ -491,6 +491,11 @@ def _checks(kind: type[Claim]) -> tuple[tuple[str, Callable[[Claim, str, Any], o
     return _CHECKS[kind]
 
 
+_ENTRIES: dict[type[Claim], dict[str, Field[object]]] = {}
+
+
 def entries(kind: type[Claim]) -> dict[str, Field[object]]:
     """The fields that an entry of a kind of claims may have."""
-    return {f.name: f for f in fields(kind) if f.name != "paper"}
+    if kind not in _ENTRIES:
+        _ENTRIES[kind] = {f.name: f for f in fields(kind) if f.name != "paper"}
+    return _ENTRIES[kind]

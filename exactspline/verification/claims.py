@@ -122,7 +122,12 @@ def key_words(value: object) -> set[str]:
     if isinstance(value, tuple):
         return {word for each in value for word in key_words(each)}
     own = {value.name.lower()} if isinstance(value, StrEnum) else set()
-    return own | set(re.findall(r"[\w′]+", str(value)))
+    return own.union(_words_of(str(value)))
+
+
+@cache
+def _words_of(text: str) -> tuple[str, ...]:
+    return tuple(re.findall(r"[\w′]+", text))
 
 
 def claims_of(source: Paper | str) -> tuple[Claim, ...]:

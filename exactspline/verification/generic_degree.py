@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from exactspline.geometry.constructions import Construction, Variant
+from typing import TYPE_CHECKING
+
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.papers import known_as
 from exactspline.readings.degree import Degree
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction, reduction
+
+if TYPE_CHECKING:
+    from exactspline.geometry.constructions import Construction
 
 
 def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = False) -> Degree:
@@ -60,6 +64,8 @@ def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | No
     >>> minimum_at(torsion, 3), minimum_at(torsion, 2), minimum_at(focal_curve, 2)
     (6, -1, None)
     """
+    from exactspline.geometry.constructions import Variant
+
     found = reduction(c.lifted, c.dimension, polynomial)
     numerator, denominator = found.parts[0].lowest
     top, (bottom,) = truncated(numerator, d), truncated([denominator], d)

@@ -38,9 +38,12 @@ def curve_named(source: Paper, name: str) -> Nurbs:
 
     Raises `ClaimError` with the nearest names.
     """
+    check_curve_name(source, name)
     own = own_curves(source)
-    if name in own:
-        return own[name]
-    if name not in example_names():
+    return own[name] if name in own else example(name)
+
+
+def check_curve_name(source: Paper, name: str) -> None:
+    """Refuse, with `ClaimError`, what names no curve of the paper and no example; no example is read for that."""
+    if name not in own_curves(source) and name not in example_names():
         raise ClaimError(f"there is no example curve called {name!r}", remedy=nearest(name, curve_names(source)))
-    return example(name)

@@ -8,10 +8,10 @@ from time import perf_counter
 from typing import Any
 
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.ruled_surfaces import differences
 from exactspline.language.arguments import embedded
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
+from exactspline.language.ruled import differences
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim, worst

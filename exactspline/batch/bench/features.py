@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.bench import alone
 from exactspline.batch.bench.inputs import MIXED
@@ -17,11 +17,15 @@ from exactspline.geometry.features import curvature_extrema, inflections
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.splines.nurbs import Nurbs
 
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
 FEATURES = "features"
 OCC = "Open CASCADE"
 FOUND = "inflections and extrema of a curve, mean of 400"
 MADE = "construction of a curve, mean of 400"
-BATCH = "inflections and extrema of a cubic segment of a batch"
+TOGETHER = "inflections and extrema of a curve of the same 400, given at once"
 #: The number of cubic segments of the batch; 10⁵ in a full run.
 SOME, ALL = 5_000, 100_000
 #: Degree, knots, control points and weights (None for all 1) in doubles.
@@ -32,32 +36,58 @@ def feature_rows(options: Options) -> Iterator[Row]:
     """All of it."""
     curves = [MIXED.curve(i) for i in range(MIXED.count)]
     yield from _one_by_one(curves)
-    yield from _batch(ALL if options.full else SOME)
+    yield from _together(curves)
+    for kind in ("", "rational "):
+        yield from _batch(ALL if options.full else SOME, kind)
 
 
-def _batch(count: int) -> Iterator[Row]:
+def _together(curves: Sequence[Nurbs]) -> Iterator[Row]:
+    """The same curves all at once, through the filter."""
+    if not installed("numpy"):
+        yield missing(FEATURES, TOGETHER, "numpy")
+        return
+    from exactspline.geometry.many_splines import features_of_curves
+
+    found = features_of_curves(_again(curves))
+    timed: dict[str, Timed] = {OURS: (features_of_curves, lambda: _again(curves))}  # type: ignore[dict-item]  # as made
+    took = best(timed)[OURS] / len(curves)
+    note = f"{_kinds(found.kind)}; {len(found.exact)} curves left to exact arithmetic"
+    yield Row(FEATURES, TOGETHER, OURS, took, "ms", note=note)
+
+
+def _kinds(kind: NDArray[numpy.str_]) -> str:
+    bends = int((kind == str(FeatureKind.INFLECTION)).sum())
+    return f"{bends} inflections, {len(kind) - bends} extrema"
+
+
+def _batch(count: int, kind: str) -> Iterator[Row]:
     """Cubic segments given as arrays, through the filter; Open CASCADE has them one by one."""
-    case = f"{BATCH}, {count} curves"
+    case = f"inflections and extrema of a {kind}cubic segment of a batch, {count} curves"
     if not installed("numpy"):
         yield missing(FEATURES, case, "numpy")
         return
     import numpy
 
-    from exactspline.geometry.many_curves import ManyFeatures, features_of_many
+    from exactspline.geometry.many_curves import features_of_many
 
-    data = [_floats(c) for c in map(Family.parsed(f"degree=3 count={count} seed=2").curve, range(count))]
-    points = numpy.array([each[2] for each in data])
-    found: ManyFeatures = features_of_many(points)
-    bends = int((found.kind == str(FeatureKind.INFLECTION)).sum())
-    note = f"{bends} inflections, {len(found.kind) - bends} extrema; {len(found.exact)} curves left to exact arithmetic"
-    timed: dict[str, Timed] = {OURS: (lambda _: features_of_many(points), lambda: None)}
-    making: dict[str, Timed] = {OURS: (lambda _: numpy.array([each[2] for each in data]), lambda: None)}
+    words = f"degree=3 count={count} seed=2 rational={'yes' if kind else 'no'}"
+    data = [_floats(c) for c in map(Family.parsed(words).curve, range(count))]
+
+    def arrays() -> tuple[NDArray[numpy.float64], NDArray[numpy.float64] | None]:
+        points = numpy.array([each[2] for each in data])
+        return points, numpy.array([each[3] or [1] * 4 for each in data], dtype=float) if kind else None
+
+    given = arrays()
+    found = features_of_many(*given)
+    note = f"{_kinds(found.kind)}; {len(found.exact)} curves left to exact arithmetic"
+    timed: dict[str, Timed] = {OURS: (lambda _: features_of_many(*given), lambda: None)}
+    making: dict[str, Timed] = {OURS: (lambda _: arrays(), lambda: None)}
     theirs = _beside_occ(data, timed, making)
     took = {who: value / count for who, value in best(timed).items()}
     yield bounded(FEATURES, case, took[OURS], "ms", Fraction(1, 20), note)
     yield from _theirs(case, took, theirs, {OCC: Fraction(1)})
     making_took = {who: value / count for who, value in best(making).items()}
-    yield from compared(FEATURES, f"construction of a cubic segment, {count} curves", making_took, {})
+    yield from compared(FEATURES, f"construction of a {kind}cubic segment, {count} curves", making_took, {})
 
 
 def _again(curves: Sequence[Nurbs]) -> list[Nurbs]:

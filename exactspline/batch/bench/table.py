@@ -8,7 +8,7 @@ from exactspline.batch.bench.features import feature_rows, linear_rows
 from exactspline.batch.bench.forms import form_rows, growth_rows
 from exactspline.batch.bench.memory import memory_rows
 from exactspline.batch.bench.roots import root_rows
-from exactspline.batch.bench.row import Options, Row, Section
+from exactspline.batch.bench.row import OURS, Options, Row, Section
 from exactspline.batch.bench.splines import spline_rows
 from exactspline.batch.bench.sweeps import sweep_rows
 from exactspline.batch.bench.whole import command_rows
@@ -39,9 +39,15 @@ def chosen_sections(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def rows(sections: Iterable[str], options: Options) -> Iterator[Row]:
-    """The rows of these sections, one by one as they are measured."""
+    """The rows of these sections, one by one as they are measured; a section that breaks off ends with the reason."""
     for name in sections:
-        yield from SECTIONS[name](options)
+        try:
+            yield from SECTIONS[name](options)
+        # a failure here or in another library must not lose an hour of measurements
+        except Exception as error:
+            yield Row(
+                name, "the rest of the section", OURS, None, "", met=False, note=f"{type(error).__name__}: {error}"
+            )
 
 
 def sheet(given: Iterable[Row]) -> Sheet:

@@ -108,10 +108,11 @@ def _in_space(ax: Any, found: SurfaceInspection, samples: Samples, lines: Any) -
         dots = [p for p in spots if seen.of([[float(x) for x in p]])[0]]
         _dots(ax, dots, color, marker)
     lows, highs = (pick([p for face in faces for p in face], axis=0) for pick in (np.min, np.max))
-    extent = np.maximum(highs - lows, (highs - lows).max() / 1000)
+    # a surface that is a point has no extent: a box around it
+    extent = np.maximum(highs - lows, (highs - lows).max() / 1000 or 1)
     for axis, low, length in zip("xyz", lows, extent, strict=True):
         getattr(ax, f"set_{axis}lim")(low, low + length)
-    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / seen.seen)
+    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / (seen.seen or 1))
     ax.set_axis_off()
 
 

@@ -15,14 +15,16 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.exact import mpq, to_fmpq
+from exactspline.geometry.bisector.discriminants import resultant
 from exactspline.geometry.bisector.polynomials import (
     Interval,
     Parameter,
+    S,
     Sides,
+    T,
     certainly_not_zero,
     enclosed,
     exactly,
-    in_one,
     possible_boxes,
     roots_in,
     rows_of,
@@ -33,7 +35,7 @@ from exactspline.roots.root import Root
 #: A pair of parameters.
 Place = tuple[Parameter, Parameter]
 #: The largest number of common zeros, real and complex, for which an elimination is tried.
-REACH = 700
+REACH = 1000
 #: Primes modulo which a factor of a resultant is tried.
 PRIMES = ((1 << 61) - 1, (1 << 61) - 31, (1 << 62) - 57, (1 << 62) - 87)
 #: Parts of a side by which roots just outside it are known too, and the radii of boxes that are tried.
@@ -121,10 +123,10 @@ def _parameters(
     f: fmpz_mpoly, g: fmpz_mpoly, also: Sequence[fmpz_mpoly], variable: int, side: Interval
 ) -> tuple[list[Root], list[Root]]:
     """The real roots of the resultant on an interval: those at which all may vanish, and all."""
-    resultant = in_one(f.resultant(g, 1 - variable), variable)
+    rows = [rows_of(p if variable == 0 else p.compose(T, S)) for p in (f, g)]
     kept: list[Root] = []
     every: list[Root] = []
-    for factor in [p for p, _ in resultant.factor()[1] if p.degree() > 0]:
+    for factor in [p for p, _ in resultant(*rows).factor()[1] if p.degree() > 0]:
         roots = roots_in(factor, *side)
         every += roots
         if roots and not _certainly_apart([f, g, *also], factor, variable):
@@ -154,7 +156,7 @@ def _certainly_apart(polynomials: Sequence[fmpz_mpoly], factor: fmpz_poly, varia
 
 
 def _image(p: fmpz_mpoly, root: int, prime: int, variable: int) -> nmod_poly:
-    rows = rows_of(p) if variable == 0 else rows_of(p.compose(*reversed(p.context().gens())))
+    rows = rows_of(p) if variable == 0 else rows_of(p.compose(T, S))
     values = [int(nmod_poly([int(x) % prime for x in row.coeffs()], prime)(root)) for row in rows]
     return nmod_poly(values, prime)
 

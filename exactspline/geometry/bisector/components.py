@@ -11,6 +11,7 @@ from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
+from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
@@ -167,8 +168,8 @@ class RealZeros:
 class LineComponent:
     """Lines of solutions along a curve of pairs.
 
-    ``pieces`` where the pairs are parametrized rationally, otherwise the ``real`` zeros of the equation. An irrational
-    fixed parameter is given as ``fixed``. ``equation`` is None where all pairs of the rectangle have lines.
+    ``pieces`` where the pairs are parametrized rationally; ``over_root`` where one parameter is an irrational constant;
+    otherwise the ``real`` zeros of the equation. ``equation`` is None where all pairs of the rectangle have lines.
     """
 
     correspondence: Correspondence
@@ -177,7 +178,12 @@ class LineComponent:
     equation: PairEquation | None
     pieces: tuple[LinePiece, ...] = ()
     real: RealZeros = RealZeros()
-    fixed: Root | None = None
+    over_root: RootLines | None = None
+
+    @property
+    def fixed(self) -> Root | None:
+        """The parameter that is an irrational constant."""
+        return None if self.over_root is None else self.over_root.other
 
     @property
     def sides(self) -> Sides:
@@ -203,6 +209,7 @@ class LineComponent:
             system=self.system.transposed(),
             equation=self.equation and self.equation.transposed(),
             pieces=tuple(one.transposed() for one in self.pieces),
+            over_root=self.over_root and self.over_root.transposed(),
         )
 
 

@@ -22,7 +22,7 @@ from exactspline.geometry.bisector.components import (
     SpecialPairs,
 )
 from exactspline.geometry.bisector.flats import Conditions
-from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
+from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along, lines_over_root
 from exactspline.geometry.bisector.polynomials import (
     Parameter,
     at,
@@ -90,18 +90,25 @@ def over_cusps(system: System) -> SpecialPairs:
 
 def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
     second = system.second
-    pieces: tuple[LinePiece, ...] = ()
-    if not isinstance(s, Root):
-        surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, WITHOUT_FIRST)
-        pieces = () if surface is None else (LinePiece(1, *second.interval, s, surface),)
-    lines: tuple[LineComponent, ...] = ()
-    if pieces or isinstance(s, Root):
-        fixed, own = s if isinstance(s, Root) else None, PairEquation.of(equation)
-        lines = (LineComponent(Correspondence.FIRST_FIXED, Cause.FIRST_CUSP, system, own, pieces, fixed=fixed),)
+    lines = lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
     meetings, left_out = _meetings(system, equation, s)
     cusps = cusps_of(second)
     pairs = [SinglePair(*x, Solutions.PLANE, Cause.FIRST_CUSP, system) for x in meetings if x[1] not in cusps]
     return SpecialPairs(lines, (), tuple(pairs), (), left_out)
+
+
+def lines_at(
+    system: System, s: Parameter, cause: Cause, equation: PairEquation, conditions: Conditions
+) -> tuple[LineComponent, ...]:
+    """The lines over all of the second curve at one parameter of the first; none where the planes are parallel."""
+    second, fixed = system.second, Correspondence.FIRST_FIXED
+    if isinstance(s, Root):
+        over_root = lines_over_root(system, s, conditions)
+        return () if over_root is None else (LineComponent(fixed, cause, system, equation, over_root=over_root),)
+    surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, conditions)
+    if surface is None:
+        return ()
+    return (LineComponent(fixed, cause, system, equation, (LinePiece(1, *second.interval, s, surface),)),)
 
 
 def _meetings(system: System, equation: fmpz_mpoly, s: Parameter) -> tuple[list[Place], tuple[str, ...]]:

@@ -1,4 +1,4 @@
-"""Discriminants of polynomials in two variables, by values at whole numbers."""
+"""Discriminants and resultants of polynomials in two variables, by values at whole numbers."""
 
 from __future__ import annotations
 
@@ -21,11 +21,31 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """
     bound = (2 * len(rows) - 4) * max(row.degree() for row in rows)
     start = _start(rows[-1], bound + 1)
-    values = []
-    for k in range(start, start + bound + 1):
-        at = fmpz_poly([row(k) for row in rows])
-        values.append(mpz(int(at.discriminant())))
-    return through(values)(fmpz_poly([-start, 1]))
+    values = [_at(rows, k).discriminant() for k in range(start, start + bound + 1)]
+    return _through_whole(values, start)
+
+
+def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_poly:
+    """The resultant by u of two such sums of degrees m and n in u: a form of degree n in the rows of the first and m in
+    those of the second.
+
+    >>> resultant([fmpz_poly([0, 1]), fmpz_poly([1])], [fmpz_poly([-2]), fmpz_poly([]), fmpz_poly([1])])
+    x^2 + (-2)
+    """
+    m, n = len(first) - 1, len(second) - 1
+    bound = n * max(row.degree() for row in first) + m * max(row.degree() for row in second)
+    start = _start(first[-1] * second[-1], bound + 1)
+    values = [_at(first, k).resultant(_at(second, k)) for k in range(start, start + bound + 1)]
+    return _through_whole(values, start)
+
+
+def _at(rows: Sequence[fmpz_poly], k: int) -> fmpz_poly:
+    return fmpz_poly([row(k) for row in rows])
+
+
+def _through_whole(values: Sequence[fmpz], start: int) -> fmpz_poly:
+    """The polynomial with these values from a whole number on."""
+    return through([mpz(int(value)) for value in values])(fmpz_poly([-start, 1]))
 
 
 def _start(leading: fmpz_poly, count: int) -> int:

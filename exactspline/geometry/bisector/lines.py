@@ -1,21 +1,31 @@
-"""Lines of solutions along pairs that a rational parameter describes: directrix and generator in lowest terms."""
+"""Lines of solutions over one parameter, the other one a quotient of polynomials in it or an irrational constant:
+directrix and generator in lowest terms.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
+from typing import Generic, TypeVar
 
-from flint import fmpz_mpoly, fmpz_poly
+from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.exact import mpq, to_fmpz
 from exactspline.geometry.bisector.flats import ALL, Conditions
-from exactspline.geometry.bisector.polynomials import Interval, as_splines, common_divisor, lifted, rows_of
+from exactspline.geometry.bisector.over_root import OverRoot, by_powers
+from exactspline.geometry.bisector.polynomials import Euclidean, Interval, as_splines, common_divisor, lifted, rows_of
+from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.roots.root import Root
 from exactspline.splines.bernstein import substituted
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.values import RationalSurface
+
+P = TypeVar("P", bound=Euclidean)
 
 ONE, PARAMETER = fmpz_poly([1]), fmpz_poly([0, 1])
 #: A parameter as a quotient of polynomials in the parameter of the lines.
@@ -56,37 +66,87 @@ def lines_along(system: System, path: Path, interval: Interval, conditions: Cond
     """
     *p, w = along([lifted(f, 0) for f in (*system.first.p, system.first.w)], path)
     *chord, weight = along([*system.chord, system.weight], path)
-    e = Vector(*chord)
-    rows = []
-    if Conditions.FIRST in conditions:
-        rows.append((Vector(*along(list(system.a), path)), fmpz_poly([])))
-    if Conditions.MIDDLE in conditions:
-        rows.append((Vector(*[x * 2 for x in e]), norm2(e)))
-    if Conditions.SECOND in conditions:
-        b = Vector(*along(list(system.b), path))
-        rows.append((b, dot(b, e)))
-    for i, (one, height) in enumerate(rows):
-        for other, its in rows[:i]:
-            normal = cross(one, other)
+    a, b = (Vector(*along(list(v), path)) for v in (system.a, system.b))
+    found = _in_lowest_terms(_Entries(p, w, Vector(*chord), weight, a, b), conditions)
+    if found is None:
+        return None
+    *top, bottom = as_splines(found[0], *interval)
+    directrix = Rational(Vector(*top), bottom)
+    return RuledSurface(directrix, Rational(Vector(*as_splines(found[1], *interval)), directrix.product))
+
+
+def lines_over_root(system: System, s: Root, conditions: Conditions = ALL) -> RootLines | None:
+    """The lines in which the planes meet at an irrational parameter of the first curve, over all of the second; None
+    where the planes are parallel.
+    """
+    modulus = fmpq_poly(s.minimal_polynomial())
+    (*p, w), chord, (weight,), a, b = (
+        [OverRoot.of(f, modulus) for f in part]
+        for part in (
+            [lifted(f, 0) for f in (*system.first.p, system.first.w)],
+            system.chord,
+            [system.weight],
+            system.a,
+            system.b,
+        )
+    )
+    found = _in_lowest_terms(_Entries(p, w, Vector(*chord), weight, Vector(*a), Vector(*b)), conditions)
+    if found is None:
+        return None
+    directrix, generator = (_splines(part, system.second.interval) for part in found)
+    return RootLines(1, s, system.second.interval, directrix, generator)
+
+
+def _splines(polynomials: Sequence[OverRoot], interval: Interval) -> tuple[tuple[BSpline, ...], ...]:
+    """For each polynomial its coefficients of the powers of the root, all of one degree."""
+    rows = by_powers(polynomials)
+    found = iter(as_splines([p for row in rows for p in row], *interval))
+    return tuple(tuple(islice(found, len(row))) for row in rows)
+
+
+@dataclass(frozen=True)
+class _Entries(Generic[P]):
+    """The entries of the system where one parameter is left: foot, chord with its weight, tangents."""
+
+    p: list[P]
+    w: P
+    chord: Vector[P]
+    weight: P
+    a: Vector[P]
+    b: Vector[P]
+
+    def planes(self, conditions: Conditions) -> list[tuple[Vector[P], P]]:
+        """Normals and heights of the planes that are asked for."""
+        e, nothing = self.chord, self.w - self.w
+        rows = []
+        if Conditions.FIRST in conditions:
+            rows.append((self.a, nothing))
+        if Conditions.MIDDLE in conditions:
+            rows.append((Vector(*[x * 2 for x in e]), norm2(e)))
+        if Conditions.SECOND in conditions:
+            rows.append((self.b, dot(self.b, e)))
+        return rows
+
+
+def _in_lowest_terms(given: _Entries[P], conditions: Conditions) -> tuple[list[P], list[P]] | None:
+    """The directrix, homogeneous, and the generator of the lines in which two of the planes meet."""
+    rows = given.planes(conditions)
+    for i, one in enumerate(rows):
+        for other in rows[:i]:
+            normal = cross(one[0], other[0])
             if any(normal):
-                return _ruled((one, height), (other, its), normal, (p, w, weight), interval)
+                return _directrix_and_generator(one, other, normal, given)
     return None
 
 
-def _ruled(
-    one: tuple[Vector[fmpz_poly], fmpz_poly],
-    other: tuple[Vector[fmpz_poly], fmpz_poly],
-    normal: Vector[fmpz_poly],
-    foot: tuple[list[fmpz_poly], fmpz_poly, fmpz_poly],
-    interval: Interval,
-) -> RationalSurface:
-    (r, h), (q, k), (p, w, weight) = one, other, foot
+def _directrix_and_generator(
+    one: tuple[Vector[P], P], other: tuple[Vector[P], P], normal: Vector[P], given: _Entries[P]
+) -> tuple[list[P], list[P]]:
+    (r, h), (q, k) = one, other
     factor = common_divisor(normal)
     n = Vector(*[x // factor for x in normal])
-    below = factor * norm2(n) * weight
+    below = factor * norm2(n) * given.weight
     offsets = [h * x + k * y for x, y in zip(cross(q, n), cross(n, r), strict=True)]
-    quotient = [*[x * below + w * y for x, y in zip(p, offsets, strict=True)], w * below]
+    quotient = [*[x * below + given.w * y for x, y in zip(given.p, offsets, strict=True)], given.w * below]
     shared = common_divisor(quotient)
-    *top, bottom = as_splines([f // shared for f in quotient], *interval)
-    directrix = Rational(Vector(*top), bottom)
-    return RuledSurface(directrix, Rational(Vector(*as_splines(list(n), *interval)), directrix.product))
+    return [f // shared for f in quotient], list(n)

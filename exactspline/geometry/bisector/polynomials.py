@@ -7,10 +7,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import reduce
 from math import lcm
+from typing import Protocol, Self, TypeVar
 
 from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.language.operand import Scalar
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE, halves, substituted
@@ -35,6 +37,18 @@ DEPTH, BOXES = 9, 3000
 #: Bits of precision with which it is first asked whether a polynomial vanishes at two irrational numbers, and bits with
 #: which it is not asked any more.
 SHORTEST, LONGEST = 512, 1 << 22
+
+
+class Euclidean(Scalar, Protocol):
+    """A polynomial in one parameter over the whole numbers or a field."""
+
+    def __mul__(self, other: Self | int, /) -> Self: ...
+    def __floordiv__(self, other: Self, /) -> Self: ...
+    def gcd(self, other: Self, /) -> Self:
+        """The greatest common divisor."""
+
+
+E = TypeVar("E", bound=Euclidean)
 
 
 # ---- one parameter
@@ -82,7 +96,7 @@ def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
     return sorted(root for q in factors for root in zeros(as_splines([q], a, b)[0]))
 
 
-def common_divisor(polynomials: Iterable[fmpz_poly]) -> fmpz_poly:
+def common_divisor(polynomials: Iterable[E]) -> E:
     """The greatest common divisor."""
     return reduce(lambda p, q: p.gcd(q), polynomials)
 

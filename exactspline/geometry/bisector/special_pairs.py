@@ -28,7 +28,8 @@ from exactspline.geometry.bisector.components import (
     SpecialPairs,
 )
 from exactspline.geometry.bisector.correspondence import border_pairs, branches, graph_intervals, nodes
-from exactspline.geometry.bisector.cusps import cusps_of, over_both_cusps, over_cusps, standing
+from exactspline.geometry.bisector.cusps import cusps_of, lines_at, over_both_cusps, over_cusps, standing
+from exactspline.geometry.bisector.flats import ALL
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
 from exactspline.geometry.bisector.polynomials import (
     Interval,
@@ -176,17 +177,10 @@ def _graph(system: System, equation: PairEquation, intervals: tuple[tuple[Parame
 
 def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
     """An equation in s alone."""
-    found, kind, side = SpecialPairs(), _kind(system, g), system.second.interval
-    for root in roots_in(in_one(g, 0), *system.first.interval) if kind == Solutions.LINE else ():
-        s = exactly(root)
-        pieces: tuple[LinePiece, ...] = ()
-        if not isinstance(s, Root):
-            surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), side)
-            pieces = (LinePiece(1, *side, s, surface),) if surface is not None else ()
-        fixed, equation = s if isinstance(s, Root) else None, PairEquation.of(g)
-        correspondence = Correspondence.FIRST_FIXED
-        own = LineComponent(correspondence, Cause.DEPENDENT, system, equation, pieces, fixed=fixed)
-        found += SpecialPairs((own,))
+    found, equation = SpecialPairs(), PairEquation.of(g)
+    if _kind(system, g) == Solutions.LINE:
+        for root in roots_in(in_one(g, 0), *system.first.interval):
+            found += SpecialPairs(lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL))
     return found
 
 

@@ -52,13 +52,17 @@ _BY_SIGN = {
 
 @dataclass(frozen=True)
 class ParabolicLine:
-    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`."""
+    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`.
+
+    `one_sided` tells that it does only as seen from the patches on one side of the line.
+    """
 
     along: Along
     value: mpq
     interval: Interval
     #: Whether the line runs through a whole period of a closed surface.
     closed: bool = False
+    one_sided: bool = False
 
 
 @dataclass(frozen=True)
@@ -99,6 +103,10 @@ class PatchInspection:
         found = () if self.signs is None or self.curve is not None else self.signs.zeros
         points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
         return tuple((u, v) for (u, _), (v, _) in points)
+
+    def is_parabolic_along(self, edge: Edge) -> bool:
+        """Whether K vanishes along an edge, as seen from this patch."""
+        return edge in self.parabolic_edges or self.kind in (PatchKind.PLANAR, PatchKind.DEVELOPABLE)
 
     def _is_singular(self, part: Part) -> bool:
         return part.shape is Shape.POINT and any(
@@ -312,13 +320,16 @@ def _parabolic_lines(
     surface: NurbsSurface, patches: Sequence[PatchInspection], closed: Sequence[Along]
 ) -> tuple[ParabolicLine, ...]:
     """Edges of patches on which K vanishes, neighbours as one line."""
-    sides: dict[tuple[Along, mpq], set[Interval]] = {}
+    sides: dict[tuple[Along, mpq, bool], set[Interval]] = {}
+    by_place = {one.patch: one for one in patches}
     for one in patches:
         for edge in one.parabolic_edges:
-            key = line_of(edge), edge.value(one.sides)
+            behind = by_place.get(_behind(one.patch, edge, surface.patches, closed))
+            one_sided = behind is not None and not behind.is_parabolic_along(Edge(edge.direction, 1 - edge.end))
+            key = line_of(edge), edge.value(one.sides), one_sided
             sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
     lines = []
-    for (along, value), intervals in sorted(sides.items()):
+    for (along, value, one_sided), intervals in sorted(sides.items()):
         joined: list[Interval] = []
         for a, b in sorted(intervals):
             if joined and joined[-1][1] == a:
@@ -326,8 +337,18 @@ def _parabolic_lines(
             else:
                 joined.append((a, b))
         domain = surface.domain[along.direction]
-        lines += [ParabolicLine(along, value, side, along in closed and side == domain) for side in joined]
+        lines += [ParabolicLine(along, value, side, along in closed and side == domain, one_sided) for side in joined]
     return _without_seam(lines, surface.domain, closed)
+
+
+def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
+    """The patch on the other side of an edge; one that does not exist at the end of a surface that is not closed."""
+    place = list(patch)
+    k = edge.direction
+    place[k] += 1 if edge.end else -1
+    if list(Along)[k] in closed:
+        place[k] %= counts[k]
+    return place[0], place[1]
 
 
 def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicLine, ...]:

@@ -122,7 +122,11 @@ class _Search:
                 place = Place((self.patch,), None, *edge.place(self.sides, root))
                 if not any(same_place(place, one.place) for one in found):
                     found.append(Umbilic(place, self._kind(place.box(30))))
-        return tuple(edges), found
+        return tuple(edges), [one for one in found if not any(self._is_on(edge, one.place) for edge in edges)]
+
+    def _is_on(self, edge: Edge, place: Place) -> bool:
+        """Whether a point is one of an edge."""
+        return bool((place.u, place.v)[edge.direction] == edge.value(self.sides))
 
     def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
         """The umbilics inside, a curve of them, and what could not be decided."""
@@ -204,7 +208,7 @@ class _Search:
         umbilics, left = [], list(found.undecided)
         for zero in found.zeros:
             inside = is_inside(zero, self.sides)
-            verdict = self._is_umbilic(zero, pair) if inside else inside
+            verdict = self._is_umbilic(zero) if inside else inside
             if verdict is None:
                 left.append(zero.box)
             elif verdict:
@@ -212,17 +216,17 @@ class _Search:
                 umbilics.append(Umbilic(place, self._kind(in_parameters(zero.refine(40), self.sides))))
         return umbilics, tuple(left)
 
-    def _is_umbilic(self, zero: Zero, pair: tuple[int, int]) -> bool | None:
-        """Whether a zero of two of the equations inside is one of the third, and the surface has a tangent plane."""
+    def _is_umbilic(self, zero: Zero) -> bool | None:
+        """Whether the surface has a tangent plane at a zero of two of the equations inside.
+
+        Then E > 0 and G > 0, and the third equation follows by ``E C − F B + G A = 0``: A and C are a pair only if B is
+        zero.
+        """
         if any(same(point, zero) for point in self.known):
             return False
-        lengths = [PatchForm.of(f, *self.patch) for f in self.forms.lengths]
-        # the third equation follows where E > 0 (of A, B), G > 0 (of B, C); A and C are a pair only if B = 0
-        needed = {(0, 1): lengths[:1], (1, 2): lengths[1:], (0, 2): []}[pair]
         bits = 8
         while bits <= BITS:
-            box = zero.refine(bits)
-            if self.area.form.part(box).sign == 1 and all(f.part(box).sign == 1 for f in needed):
+            if self.area.form.part(zero.refine(bits)).sign == 1:
                 return True
             bits *= 2
         return None

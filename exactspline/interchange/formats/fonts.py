@@ -8,7 +8,7 @@ are placed exactly; one placed by matching points is skipped.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +17,7 @@ from exactspline.exact import mpq
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.records import Format, Reading, Source
+from exactspline.interchange.records import Format, Piece, Reading, Source
 
 if TYPE_CHECKING:
     from fontTools.ttLib import TTFont
@@ -33,6 +33,13 @@ def looks_like(head: bytes) -> bool:
 
 def read(source: Source) -> Reading:
     """The contours of the glyph asked for (by its name or its character), or of all glyphs."""
+    found = [piece.reading for piece in pieces(source)]
+    curves = tuple(curve for reading in found for curve in reading.curves)
+    return Reading("font", curves, tuple(skipped for reading in found for skipped in reading.skipped))
+
+
+def pieces(source: Source) -> Iterator[Piece]:
+    """The same, one glyph after the other."""
     found = Collector("font", source)
     try:
         from fontTools.ttLib import TTFont
@@ -51,19 +58,23 @@ def read(source: Source) -> Reading:
         raise CurveFileError(
             f"is not a font that can be read ({type(error).__name__})", remedy="repair the font"
         ) from None
-    for name in wanted:
-        try:
-            pen = _Glyph(found, glyphs, name)
-            contours = pen.drawn()
-        except ExactSplineError as error:
-            found.skip("glyph", name, str(error))
-            continue
-        except Exception as error:
-            found.skip("glyph", name, f"its outline is damaged ({type(error).__name__})")
-            continue
-        for i, (degree, knots, points) in enumerate(contours, 1):
-            found.add("contour", f"glyph {name}, contour {i}", degree, knots, points, name=f"{name}.{i}", notes=notes)
-    return found.reading()
+    for number, name in enumerate(wanted, 1):
+        _add(found, glyphs, name, notes)
+        yield Piece(found.taken(), number, len(wanted))
+
+
+def _add(found: Collector, glyphs: Any, name: str, notes: Sequence[str]) -> None:
+    """The contours of one glyph."""
+    try:
+        contours = _Glyph(found, glyphs, name).drawn()
+    except ExactSplineError as error:
+        found.skip("glyph", name, str(error))
+        return
+    except Exception as error:
+        found.skip("glyph", name, f"its outline is damaged ({type(error).__name__})")
+        return
+    for i, (degree, knots, points) in enumerate(contours, 1):
+        found.add("contour", f"glyph {name}, contour {i}", degree, knots, points, name=f"{name}.{i}", notes=notes)
 
 
 def _named(font: TTFont, names: Sequence[str], part: str) -> str:
@@ -110,4 +121,4 @@ class _Glyph:
             self._place(pen, inner_name, inner, depth + 1)
 
 
-FORMAT = Format("font", "TrueType and CFF outlines", (".ttf", ".otf", ".ttc"), looks_like, read)
+FORMAT = Format("font", "TrueType and CFF outlines", (".ttf", ".otf", ".ttc"), looks_like, read, pieces=pieces)

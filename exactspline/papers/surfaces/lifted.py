@@ -41,7 +41,7 @@ def conformal_lift_of_surface(c):
 
 @formula("lifted", on="surface", symbol=r"\Pi")
 def tangent_plane(c):
-    """The plane through P, P_u, P_v: its first coordinate, then its normal, ``−w³ n``."""
+    """The plane through P, P_u, P_v: its first coordinate, then its normal, ``w³ n``."""
     x = projective_lift_of_surface(c)
     return generalized_cross(x, x.d(1, by="u"), x.d(1, by="v"))
 
@@ -76,7 +76,7 @@ def N_lifted(c):
 @formula("lifted", on="surface")
 def parabolic_lifted(c):
     """``w⁸ (LN − M²)``, with the determinants of P."""
-    return parabolic_of_forms(lifted_forms(c))
+    return parabolic_of_forms(Operands(L=L_lifted(c), M=M_lifted(c), N=N_lifted(c)))
 
 
 @formula("lifted", on="surface")

@@ -21,8 +21,9 @@ from exactspline.verification.coq.terms import THEORY
 from exactspline.verification.coq.theorems import STATED, theorem
 from exactspline.verification.vocabulary import Verdict
 
-#: The files written by hand: those that the theorems about papers need, and that for answers about one curve.
-BY_HAND = (*THEORY, "Answers")
+#: The files written by hand: those that the theorems about papers need, one that shows that what they assume can be
+#: fulfilled, and one for answers about one curve.
+BY_HAND = (*THEORY, "Models", "Answers")
 #: The logical name of the directory.
 ROOT = "ExactSpline"
 

@@ -114,6 +114,8 @@ class _Theorem(Statement):
         """Statement and proof."""
         conclusion, closing = stated(self.claim, self)
         proof = self.proof
+        if any(h.value.is_zero for h in (*proof.premises, *proof.existing)):
+            raise FormulaError("it assumes of 0 that it is not 0", remedy="drop that assumption")
         premises = [f"{self.writer.at(h.node, 1)} <> zero K" for h in proof.premises]
         premises += [f"number {p} <> zero K" for p in proof.primes]
         premises += [f"{self.writer.at(h.node, 1)} <> zero K" for h in proof.existing]

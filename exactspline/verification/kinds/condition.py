@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq, text
@@ -12,9 +12,11 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.verification.claim import ExampleClaim, formula_name, only_component, read
-from exactspline.verification.conditioning.condition_number import Interval, condition_number
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+
+if TYPE_CHECKING:
+    from exactspline.verification.conditioning.condition_number import Interval
 
 BETTER = "better at every common zero"
 
@@ -75,6 +77,8 @@ class Condition(ExampleClaim):
 
 def _condition(f: BSpline, root: Root) -> Interval:
     """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and stays so."""
+    from exactspline.verification.conditioning.condition_number import condition_number
+
     if root.at_knot:
         return mpq(0), mpq(0)
     if root.segment is None:

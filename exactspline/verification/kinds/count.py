@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.geometry.features import curvature_extrema
 from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.lowest_terms import control_point_count
@@ -71,6 +70,8 @@ class Count(ExampleClaim):
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""
+        from exactspline.geometry.features import curvature_extrema
+
         value = self.find(self.formula)(argument)
         value = joined(value)
         numerators = split(value)[0]

@@ -6,11 +6,10 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.geometry.ruled_surfaces import differences
 from exactspline.language.arguments import Curve, embedded
 from exactspline.language.kinds import POINT_IN_SPACE, Kind
 from exactspline.language.parts import split
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.ruled import RuledSurface, differences
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline

@@ -327,7 +327,7 @@ Definition projective_lift_of_surface (c : patch A) : list A :=
 Definition conformal_lift_of_surface (c : patch A) : list A :=
   ([dot (p c) (p c)] ++ vmul (w c) (p c) ++ [w c ^ 2]).
 
-(** lifted. The plane through P, P_u, P_v: its first coordinate, then its normal, `−w³ n`. *)
+(** lifted. The plane through P, P_u, P_v: its first coordinate, then its normal, `w³ n`. *)
 Definition tangent_plane (c : patch A) : list A :=
   generalized_cross [projective_lift_of_surface c; vder s (projective_lift_of_surface c); vder s_bar (projective_lift_of_surface c)].
 

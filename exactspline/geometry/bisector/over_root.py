@@ -1,0 +1,108 @@
+"""Polynomials in t whose coefficients are polynomials in one irrational root s: exact arithmetic in the field of s."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import zip_longest
+from math import gcd, lcm
+
+from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
+
+from exactspline.geometry.bisector.polynomials import rows_of
+
+ZERO = fmpq_poly([])
+
+
+class OverRoot:
+    """A polynomial in t with coefficients in ``Q[s]/(minimal)``, constant term first, none of them zero at the end.
+
+    >>> modulus = fmpq_poly([-2, 0, 1])
+    >>> product = OverRoot([fmpq_poly([0, 1]), 1], modulus) * OverRoot([fmpq_poly([0, -1]), 1], modulus)
+    >>> product.coefficients  # (t + √2)(t − √2)
+    (-2, 0, 1)
+    """
+
+    __slots__ = ("coefficients", "modulus")
+
+    def __init__(self, coefficients: Sequence[fmpq_poly | int], modulus: fmpq_poly) -> None:
+        found = [fmpq_poly([x]) if isinstance(x, int) else x % modulus for x in coefficients]
+        while found and not found[-1]:
+            found.pop()
+        self.coefficients, self.modulus = tuple(found), modulus
+
+    @classmethod
+    def of(cls, p: fmpz_mpoly, modulus: fmpq_poly) -> OverRoot:
+        """A polynomial in both parameters."""
+        return cls([fmpq_poly(row) for row in rows_of(p)], modulus)
+
+    @property
+    def degree(self) -> int:
+        """The degree in t, −1 for 0."""
+        return len(self.coefficients) - 1
+
+    def __bool__(self) -> bool:
+        return bool(self.coefficients)
+
+    def __add__(self, other: OverRoot) -> OverRoot:
+        pairs = zip_longest(self.coefficients, other.coefficients, fillvalue=ZERO)
+        return OverRoot([a + b for a, b in pairs], self.modulus)
+
+    def __neg__(self) -> OverRoot:
+        return self * -1
+
+    def __sub__(self, other: OverRoot) -> OverRoot:
+        return self + -other
+
+    def __mul__(self, other: OverRoot | int) -> OverRoot:
+        if isinstance(other, int):
+            return OverRoot([a * other for a in self.coefficients], self.modulus)
+        found = [ZERO] * max(0, len(self.coefficients) + len(other.coefficients) - 1)
+        for i, a in enumerate(self.coefficients):
+            for j, b in enumerate(other.coefficients):
+                found[i + j] += a * b
+        return OverRoot(found, self.modulus)
+
+    def __divmod__(self, other: OverRoot) -> tuple[OverRoot, OverRoot]:
+        """Quotient and remainder as polynomials in t."""
+        inverse, rest = _inverse(other.coefficients[-1], self.modulus), list(self.coefficients)
+        quotient = [ZERO] * max(0, self.degree - other.degree + 1)
+        for k in range(len(quotient) - 1, -1, -1):
+            factor = quotient[k] = rest[k + other.degree] * inverse % self.modulus
+            for j, b in enumerate(other.coefficients):
+                rest[k + j] = (rest[k + j] - factor * b) % self.modulus
+        return OverRoot(quotient, self.modulus), OverRoot(rest, self.modulus)
+
+    def __floordiv__(self, other: OverRoot) -> OverRoot:
+        return divmod(self, other)[0]
+
+    def gcd(self, other: OverRoot) -> OverRoot:
+        """The greatest common divisor, its first coefficient 1: Euclid's algorithm.
+
+        >>> modulus, s = fmpq_poly([-2, 0, 1]), fmpq_poly([0, 1])
+        >>> OverRoot([-2, 0, 1], modulus).gcd(OverRoot([2, s], modulus)).coefficients
+        (x, 1)
+        """
+        a, b = self, other
+        while b:
+            a, b = b, divmod(a, b)[1]
+        return a * OverRoot([_inverse(a.coefficients[-1], self.modulus)], self.modulus) if a else a
+
+
+def _inverse(x: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
+    """1/x: the modulus is irreducible."""
+    divisor, inverse, _ = x.xgcd(modulus)
+    return inverse / divisor[0]
+
+
+def by_powers(polynomials: Sequence[OverRoot]) -> list[list[fmpz_poly]]:
+    """Each as polynomials in t with whole coefficients, one for each power of s below the degree of the modulus, all
+    times one positive number that leaves no common factor.
+    """
+    powers = range(polynomials[0].modulus.degree())
+    found = [[fmpq_poly([c[k] for c in p.coefficients]) for k in powers] for p in polynomials]
+    bottom = 1
+    for p in (p for row in found for p in row):
+        bottom = lcm(bottom, int(p.denom()))
+    whole = [[(p * bottom).numer() for p in row] for row in found]
+    shared = gcd(*[int(p.content()) for row in whole for p in row]) or 1
+    return [[p // shared for p in row] for row in whole]

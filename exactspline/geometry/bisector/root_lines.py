@@ -1,0 +1,94 @@
+"""Lines of solutions at an irrational parameter: control points in the field of the root."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import lcm
+
+from flint import arb, ctx, fmpz_mpoly, fmpz_poly
+
+from exactspline.errors import ShapeError
+from exactspline.exact import Number, mpq, rational, short_text, to_fmpq
+from exactspline.geometry.bisector.discriminants import resultant
+from exactspline.geometry.bisector.flats import Flat
+from exactspline.geometry.bisector.polynomials import (
+    Interval,
+    Parameter,
+    S,
+    T,
+    ball,
+    exactly,
+    lifted,
+    of_segment,
+    roots_in,
+    rows_of,
+    vanish_together,
+)
+from exactspline.roots.root import Root
+from exactspline.splines.bspline import BSpline
+
+#: A coordinate: the coefficients of 1, r, r², … for a root r.
+Coordinate = tuple[BSpline, ...]
+
+
+@dataclass(frozen=True)
+class RootLines:
+    """Lines as a ruled surface over a segment of one parameter (``of``: 0 is s, 1 is t) at an irrational value r of the
+    other one.
+
+    Every coordinate of the ``directrix`` (homogeneous: wx, wy, wz, w) and of the ``generator`` is a tuple of splines,
+    the coefficients of 1, r, r², … below the degree of r: exact numbers of the field of r.
+    """
+
+    of: int
+    other: Root
+    interval: Interval
+    directrix: tuple[Coordinate, ...]
+    generator: tuple[Coordinate, ...]
+
+    @property
+    def degree(self) -> int:
+        """The degree of the surface in its parameter."""
+        return max(self.directrix[0][0].degree, self.generator[0][0].degree)
+
+    @property
+    def poles(self) -> list[Parameter]:
+        """The parameters whose line is at infinity, decided exactly."""
+        return [exactly(t) for t in self._candidates() if vanish_together([self._weight()], self.other, exactly(t))]
+
+    def _weight(self) -> fmpz_mpoly:
+        """The weight of the directrix as a polynomial in r and the parameter, up to a constant."""
+        pairs = [of_segment(f, 0) for f in self.directrix[-1]]
+        common = lcm(*[bottom for _, bottom in pairs])
+        found = lifted(fmpz_poly([]), 0)
+        for k, (top, bottom) in enumerate(pairs):
+            found += lifted(top * (common // bottom), 1) * S**k
+        return found
+
+    def _candidates(self) -> list[Root]:
+        """The zeros of the product of the weights at all conjugates of r."""
+        minimal = [fmpz_poly([x]) for x in self.other.minimal_polynomial()]
+        return roots_in(resultant(minimal, rows_of(self._weight().compose(T, S))), *self.interval)
+
+    def line(self, parameter: Number, digits: int = 20) -> Flat[arb]:
+        """A point and the direction of a line, in balls that are not finite where it is at infinity; `ShapeError`
+        outside the segment.
+        """
+        u = rational(parameter)
+        if not self.interval[0] <= u <= self.interval[1]:
+            raise ShapeError(f"{short_text(u)} is outside this piece", remedy="stay inside the segment")
+        with ctx.workprec(8 * digits + 128):
+            root = ball(self.other, digits + 10)
+            *top, w = (_value(x, u, root) for x in self.directrix)
+            return Flat(tuple(x / w for x in top), tuple(_value(x, u, root) for x in self.generator))
+
+    def transposed(self) -> RootLines:
+        """The lines of the exchanged curves."""
+        return replace(self, of=1 - self.of)
+
+
+def _value(x: Coordinate, u: mpq, root: arb) -> arb:
+    total = arb(0)
+    for f in reversed(x):
+        total = total * root + arb(to_fmpq(f(u)))
+    return total

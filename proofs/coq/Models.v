@@ -1,0 +1,1 @@
+../../exactspline/verification/coq/theory/Models.v
