@@ -18,7 +18,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.services import Displayed
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
-from exactspline.readings.degree import DegreeReading, parse
+from exactspline.readings.degree import parse
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
@@ -27,6 +27,7 @@ from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names
+from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
     OUTSIDE,
     PROVED,
@@ -139,8 +140,6 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-#: The largest degree in a parameter to which formulas are multiplied out on single surfaces.
-LARGEST_ON_SURFACES = 100
 #: The largest count that a claim may state.
 LARGEST = 1000
 
@@ -328,7 +327,7 @@ class Claim(Displayed):
     def check(self, curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Finding:
         """The finding on one curve or surface (or on the `Evaluation` of one)."""
         own = evaluation(curve)
-        if isinstance(own.curve, NurbsSurface) and (told := self._too_long(own.curve)):
+        if isinstance(own.curve, NurbsSurface) and (told := too_long(map(self.find, self.named), own.curve)):
             return Finding(UNDECIDED, self.claims, witness=OUTSIDE + told)
         argument = own.handed(self.curve)
         gone = self.missing(argument)
@@ -336,17 +335,6 @@ class Claim(Displayed):
         if (finding.verdict == REFUTED or finding.is_vacuous) and (failing := own.failing(self.curve, self.assumes)):
             return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
         return finding
-
-    def _too_long(self, surface: NurbsSurface) -> str:
-        """The formula whose value as it stands has too high a degree on a surface; empty where there is none."""
-        for name in self.named:
-            formula = self.find(name)
-            for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):
-                reading = DegreeReading(parameter=parameter)
-                counted = formula(reading.argument(formula.kind, surface.dimension, polynomial=surface.polynomial))
-                if (n := counted.degree.at(dict.fromkeys(counted.degree.names, d))) > LARGEST_ON_SURFACES:
-                    return f"{name} as it stands has degree {n} in {parameter} there, too much to be multiplied out"
-        return ""
 
     @abstractmethod
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
