@@ -42,7 +42,7 @@ from exactspline.geometry.surface.inspection import _sided
 from exactspline.geometry.surface.isolation import isolate
 from exactspline.geometry.surface.multiple import _hull_of_neighbours
 from exactspline.geometry.surface.places import InnerZero, Place
-from exactspline.geometry.surface.planar_maps import _inside, _placed
+from exactspline.geometry.surface.planar_maps import _placed
 from exactspline.geometry.surface.singular import SingularPoints
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.roots.enclosure import Enclosure
@@ -472,7 +472,3 @@ def test_the_hull_of_neighbours_is_that_of_the_first_box():
 def test_points_of_a_patch_have_parameters_of_the_surface():
     sides = (mpq(0), mpq(4)), (mpq(-1), mpq(1))
     assert _placed((mpq(1, 4), mpq(3, 4)), sides) == (1, mpq(1, 2))
-    assert _inside((mpq(0), mpq(1)), 1, PatchForm.of_net([[1, 2], [3, 4]]), sides) == (0, 1)
-    # x (1 − y): positive inside, not at this corner
-    u, v = _inside((mpq(0), mpq(1)), 1, PatchForm.of_net([[0, 0], [1, 0]]), sides)
-    assert (0 < u < 4, -1 < v < 1) == (True, True)
