@@ -470,15 +470,13 @@ def contradict(claim: Claim, proof: Finding, example_finding: Finding) -> None:
 
 #: The fields of each kind of claims with what reads them; None for a text.
 _CHECKS: dict[type[Claim], tuple[tuple[str, Callable[[Claim, str, Any], object] | None], ...]] = {}
+_ENTRIES: dict[type[Claim], dict[str, Field[object]]] = {}
 
 
 def _checks(kind: type[Claim]) -> tuple[tuple[str, Callable[[Claim, str, Any], object] | None], ...]:
     if kind not in _CHECKS:
         _CHECKS[kind] = tuple((f.name, f.metadata.get("check")) for f in fields(kind))
     return _CHECKS[kind]
-
-
-_ENTRIES: dict[type[Claim], dict[str, Field[object]]] = {}
 
 
 def entries(kind: type[Claim]) -> dict[str, Field[object]]:
