@@ -59,6 +59,7 @@ def assert_whole(narrow, cells, width):
 #: What heads a block needs no heading of its own.
 HEADINGS = {
     "point",
+    "section",
     "claim",
     "construction",
     "curve",

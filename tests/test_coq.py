@@ -143,6 +143,27 @@ def test_the_theorem_about_a_curve_compiles(room: Path, name: str) -> None:
 
 
 @needs_coq
+def test_one_zero_is_not_told_twice_and_the_domain_is_that_of_the_curve(room: Path) -> None:
+    begin = (
+        "From ExactSpline Require Import Answers. Require Import QArith List. Import ListNotations. Open Scope Q_scope."
+    )
+    adjacent, twice = "[(0, 1); (1, 1); (1, 2)]", "[(0, 1); (1, 1); (1, 1)]"
+    for points, separated in ((adjacent, "true"), (twice, "false"), ("[(0, 2); (1, 3)]", "false")):
+        assert accepted(room, f"{begin} Goal separated {points} = {separated}. reflexivity. Qed.")
+    text = theorem_of(example("cubic_s"))
+    assert text.count("domain this_curve = (0, 1)") == 1
+    assert not accepted(room, text.replace("domain this_curve = (0, 1)", "domain this_curve = (0, 2)"))
+
+
+@needs_coq
+@pytest.mark.parametrize("points", [[(1, 2)] * 3, [(0, 0), (1, 1), (2, 2)], [(1, 2, 3)] * 3])
+def test_degenerate_curves_have_theorems(room: Path, points: list[tuple[int, ...]]) -> None:
+    text = theorem_of(Nurbs(2, [0] * 3 + [1] * 3, points))
+    assert "at exactly 1 point and 1 stretch" in text
+    assert accepted(room, text)
+
+
+@needs_coq
 def test_a_multiple_zero_has_a_witness(room: Path) -> None:
     heights = ["1/81", "-2/81", "4/81", "-8/81", "16/81"]  # (t − 1/3)⁴: y″ has a double zero that halving never meets
     curve = Nurbs(4, [0] * 5 + [1] * 5, list(enumerate(heights)))
@@ -196,6 +217,10 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     assert told.returncode == 0
     assert f"in {len(library().files)} files" in told.stdout
     assert (tmp_path / "all" / "Base.v").is_file()
+    for name, better in (("3dm_x.v", "curve_3dm_x.v"), ("a-b.v", "a_b.v"), ("x.txt", "x_txt.v")):
+        refused = run("inspect", "cubic_s", "--emit-coq", tmp_path / name)
+        assert refused.returncode == 2
+        assert f"{tmp_path / better} would do" in " ".join(refused.stderr.split())
     refused = run("inspect", "cubic_s", "circle", "--emit-coq", file)
     assert refused.returncode == 2
     assert "one file per curve" in refused.stderr

@@ -21,7 +21,7 @@ from exactspline.geometry.bisector.conditions import _cells as cells_between
 from exactspline.geometry.bisector.correspondence import _value, graph_intervals
 from exactspline.geometry.bisector.discriminants import discriminant
 from exactspline.geometry.bisector.lines import Path, along
-from exactspline.geometry.bisector.polynomials import S, T, _keeps_sign
+from exactspline.geometry.bisector.polynomials import S, T, _keeps_sign, vanish_together
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
 from exactspline.geometry.bisector.special_pairs import _runs_on
 from exactspline.geometry.bisector.system import System, piece
@@ -37,11 +37,13 @@ from exactspline.geometry.kinds import CurvePiece
 from exactspline.geometry.surface import critical, singular
 from exactspline.geometry.surface.borders import is_inside
 from exactspline.geometry.surface.degenerate import jumps
-from exactspline.geometry.surface.forms import SurfaceForms
+from exactspline.geometry.surface.forms import SurfaceForms, lowest
 from exactspline.geometry.surface.inspection import _sided
 from exactspline.geometry.surface.isolation import isolate
 from exactspline.geometry.surface.multiple import _hull_of_neighbours
 from exactspline.geometry.surface.places import InnerZero, Place
+from exactspline.geometry.surface.planar_maps import _inside, _placed
+from exactspline.geometry.surface.singular import SingularPoints
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.roots.enclosure import Enclosure
 from exactspline.splines.examples import example
@@ -241,6 +243,24 @@ def test_a_piece_has_no_factor_in_common():
     assert (more.p, more.w, more.tangent, more.cusps) == (plain.p, plain.w, plain.tangent, ())
 
 
+def test_tangents_of_a_piece_have_no_zero_and_its_cusps_are_told():
+    """Of (t², t³, 0)."""
+    half = Nurbs(3, [-1] * 4 + [1] * 4, [("1", -1, 0), ("-1/3", 1, 0), ("-1/3", -1, 0), (1, 1, 0)])
+    own = piece(half, 0)
+    assert [f.degree() for f in own.tangent] == [0, 1, -1]
+    assert own.cusps == (fmpz_poly([0, 1]),)
+    assert not own.stands_still
+
+
+def test_polynomials_of_one_of_two_irrational_parameters_vanish_at_that_one():
+    """At s = √½ and t = √⅓."""
+    (s,), (t,) = zeros(BSpline.bezier([-1, -1, 1])), zeros(BSpline.bezier([-1, -1, 2]))
+    for p, expected in ((2 * S * S - 1, True), (3 * T * T - 1, True), (3 * S * S - 1, False), (2 * T * T - 1, False)):
+        assert vanish_together([p], s, t) is expected
+    assert vanish_together([6 * S * S * T * T - 1, 2 * S * S - 3 * T * T], s, t) is True
+    assert vanish_together([6 * S * T - 1], s, t) is False
+
+
 def test_where_a_vector_vanishes_the_condition_beside_it_holds():
     """(A C, B D, 0) with the condition A B, whose zeros are not all: none with C = D = 0."""
     a, b, c, d = 4 * S - 1, 4 * T - 1, 4 * S - 3, 4 * T - 3
@@ -329,6 +349,27 @@ def test_a_cell_around_a_singular_point_lies_inside_the_patch():
     assert cells(2 * edge, 0) is not None
 
 
+def test_cells_hold_their_points_where_the_box_of_one_spans_that_of_another(monkeypatch):
+    monkeypatch.setattr(critical, "_kind", lambda form, box: critical.Crossing.POINT)
+
+    def zero(a, b, y):
+        box = (mpq(a), mpq(b)), (mpq(y), mpq(y))
+        return SimpleNamespace(refine=lambda n: box, box=box, region=UNIT)
+
+    zeros_at = [zero("2/5", "3/5", "1/5"), zero("1/2", "1/2", "4/5"), zero("1/8", "1/8", "1/2")]
+    cells = critical._cells(PatchForm.of_net([[1]]), zeros_at, critical.CELL_BITS[0])
+    assert len(cells) == len(zeros_at)
+    for cell, one in zip(cells, zeros_at, strict=True):
+        assert all(c < a and b < d for (a, b), (c, d) in zip(one.box, cell.box, strict=True))
+
+
+def test_a_patch_is_regular_where_its_normal_vanishes_along_edges_at_most():
+    edge, place = singular.EDGES[0], Place(((0, 0),), None, mpq(0), mpq(0))
+    assert SingularPoints(edges=(edge,)).regular
+    for told in ({"degenerate": True}, {"places": (place,)}, {"undecided": (UNIT,)}, {"along_curve": True}):
+        assert not SingularPoints(edges=(edge,), **told).regular
+
+
 def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_border():
     """y = ε (4x − 1)(7 − 8x) meets 2x² = 1 so near to the border that only its roots tell it apart from one of them,
     with others on both sides of it; for ε = 0 it is a root itself, and for ε < 0 not on the patch.
@@ -336,7 +377,7 @@ def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_bor
     ends = [0, 0, 1, 1]
     x, y = TensorSpline((1, 1), ends, ends, [[0, 0], [1, 1]]), TensorSpline((1, 1), ends, ends, [[0, 1], [0, 1]])
     sides = (x * 4 - 1) * (x * 8 - 7)
-    for near in (0, mpq(1, 2**20), mpq(-1, 2**20), mpq(1, 2**50)):
+    for near in (0, mpq(1, 2**20), mpq(-1, 2**20), *[mpq(1, 2**k) for k in (50, 100, 200, 300)]):
         line, other = y + sides * near, sides * (x * x * 2 - 1) + y * 0
         found = isolate(*together([line.elevated_to(other), other.elevated_to(line)], 0, 0)).zeros
         told = {tuple(round(float(a), 3) for a, _ in zero.refine(60)): is_inside(zero, UNIT) for zero in found}
@@ -374,15 +415,24 @@ def test_the_box_of_an_inner_zero_is_as_small_as_asked_for(digits):
     assert 2 * (c + 1) ** 2 <= 9 <= 2 * (d + 1) ** 2
 
 
-def test_a_surface_is_torn_at_its_own_knot():
-    """Of three strips in either direction the second and the third do not fit."""
+@pytest.mark.parametrize(("steps", "torn"), [((0, 0, 1), [False, True]), ((0, 1, 1), [True, False])])
+def test_a_surface_is_torn_at_its_own_knot(steps, torn):
+    """Of three strips in either direction two neighbours do not fit."""
     ends = [0, 0, 1, 1, 2, 2, 3, 3]
-    rows = [(0, 0), (1, 0), (1, 0), (2, 0), (2, 1), (3, 1)]
-    along = NurbsSurface((1, 1), ends, [0, 0, 1, 1], [[(x, y, z) for y in (0, 1)] for x, z in rows])
-    across = NurbsSurface((1, 1), [0, 0, 1, 1], ends, [[(x, y, z) for x, z in rows] for y in (0, 1)])
-    for surface, direction in ((along, "u"), (across, "v")):
+    rows = [(x, z) for k, z in enumerate(steps) for x in (k, k + 1)]
+    along_u = NurbsSurface((1, 1), ends, [0, 0, 1, 1], [[(x, y, z) for y in (0, 1)] for x, z in rows])
+    along_v = NurbsSurface((1, 1), [0, 0, 1, 1], ends, [[(x, y, z) for x, z in rows] for y in (0, 1)])
+    for surface, direction in ((along_u, "u"), (along_v, "v")):
         told = [(one.across.value, one.value, one.open) for one in jumps(surface)]
-        assert told == [(direction, 1, False), (direction, 2, True)]
+        assert told == [(direction, 1, torn[0]), (direction, 2, torn[1])]
+
+
+@pytest.mark.parametrize("rows", [[[0, 0], [1, 1], [2, 2]], [[3, 3], [3, 3], [3, 3]], [[0, 1], [0, 1], [0, 1]]])
+def test_lowest_degrees_are_the_true_ones(rows):
+    """u, a constant, and v, as forms of degree (2, 1)."""
+    f = TensorSpline((2, 1), [0, 0, 0, 2, 2, 2], [0, 0, 1, 1], rows)
+    assert lowest(f).degree == f.true_degree
+    assert lowest(f)(mpq(2, 3), mpq(1, 5)) == f(mpq(2, 3), mpq(1, 5))
 
 
 @pytest.mark.parametrize("parts", [1, 2, 3])
@@ -417,3 +467,12 @@ def test_the_hull_of_neighbours_is_that_of_the_first_box():
     assert _hull_of_neighbours([near[0], far[0], *near[1:], far[1]]) == ((0, 3), (0, 2))
     assert _hull_of_neighbours([far[1], *near, far[0]]) == ((7, 9), (7, 9))
     assert _hull_of_neighbours([near[0], *far]) == near[0]
+
+
+def test_points_of_a_patch_have_parameters_of_the_surface():
+    sides = (mpq(0), mpq(4)), (mpq(-1), mpq(1))
+    assert _placed((mpq(1, 4), mpq(3, 4)), sides) == (1, mpq(1, 2))
+    assert _inside((mpq(0), mpq(1)), 1, PatchForm.of_net([[1, 2], [3, 4]]), sides) == (0, 1)
+    # x (1 − y): positive inside, not at this corner
+    u, v = _inside((mpq(0), mpq(1)), 1, PatchForm.of_net([[0, 0], [1, 0]]), sides)
+    assert (0 < u < 4, -1 < v < 1) == (True, True)

@@ -230,7 +230,7 @@ def test_a_claim_for_all_d_fails_if_it_fails_for_one():
     assert verdict(replace(claim, relation="≥", claimed="3d − 4")) == PROVED
     reduced = degree("f0", "3d − 6", of="rational", measure="reduced")
     assert verdict(reduced) == REFUTED
-    assert "lower for d = 1" in reduced.prove()[1].computed
+    assert "(0 for d = 1)" in reduced.prove()[1].computed
     assert verdict(replace(reduced, least_d=2)) == PROVED
 
 
@@ -243,6 +243,26 @@ def test_where_a_value_vanishes_it_has_no_degree(also):
     assert verdict(replace(claim, relation="≥")) == REFUTED
     assert verdict(replace(claim, relation="≤")) == PROVED
     assert verdict(replace(claim, least_d=3)) == PROVED
+
+
+def test_zero_has_no_degree_that_a_formula_in_d_gives_it():
+    """[γ′ γ″] is 0 on lines: its degree is not 2 · 1 − 4."""
+    claim = degree("f2", "2d − 4", of="polynomial", measure="true")
+    assert claim.prove()[1].witness == "at d = 1: -1, not -2"
+    assert verdict(replace(claim, least_d=2)) == PROVED
+    assert verdict(replace(claim, claimed="max(2d − 4, d − 2)")) == PROVED
+    assert verdict(replace(claim, claimed="max(2d − 4, 0)")) == REFUTED
+    assert verdict(replace(claim, claimed="max(2d − 4, 2000 − d)")) == REFUTED
+
+
+def test_a_claim_says_nothing_of_curves_outside_its_assumptions():
+    """Neither that it is false on them, nor that it is 0 = 0."""
+    (claim,) = [c for c in claims_of("petrunin_zamora_barrera") if c.key == "PZ7c-off_the_osculating_circle"]
+    found = claim.check(example("straight_cubic"))
+    assert (found.is_outside, found.is_vacuous) == (True, False)
+    assert found.witness == f"{OUTSIDE}[γ′ γ″] vanishes on a whole patch"
+    without = replace(claim, assumes=()).check(example("straight_cubic"))
+    assert (without.is_outside, without.is_vacuous) == (False, True)
 
 
 def test_what_is_zero_has_no_coefficient_but_zero(also):

@@ -12,6 +12,7 @@ from exactspline.language.vector import Vector
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction
 from exactspline.programs.program import operands_of
+from exactspline.splines.bernstein import LONG, value
 from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.patch_forms import UNIT, PatchForm, Sized
@@ -226,3 +227,12 @@ def test_quotients_in_lowest_terms_are_the_same_functions():
     gone = lifted(BSpline(1, [0, 0, 1, 1, 2, 2], [1, 2, 0, 0]), meshes, 0)
     with pytest.raises(ReductionError, match=r"all of \[1, 2\] × \[0, 1\]"):
         in_lowest_terms(Rational(s, gone))
+
+
+@pytest.mark.parametrize("n", [LONG - 1, LONG, LONG + 1, 3 * LONG])
+@pytest.mark.parametrize("t", [mpq(0), mpq(1), mpq(1, 3), mpq(5, 2**40), mpq(-2, 7), mpq(9, 4)])
+def test_values_of_long_forms_are_those_of_the_powers(n, t):
+    c = fmpz_poly([(-1) ** i * (i * i % 11) for i in range(n - 1)])  # the last two coefficients vanish
+    powers = [int(c[i]) * t**i * (1 - t) ** (n - i) for i in range(n + 1)]
+    assert value((c, fmpz(6)), n, t) == sum(powers) / 6
+    assert value((fmpz_poly([]), fmpz(6)), n, t) == 0

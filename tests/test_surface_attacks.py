@@ -1,5 +1,7 @@
 """Surfaces that a hostile reader would inspect: true answers, or an open box, never a wrong one."""
 
+from fractions import Fraction
+
 import pytest
 from gmpy2 import mpq
 
@@ -8,6 +10,7 @@ from exactspline.display.surface_data import surface_inspection_data
 from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.inspection import PatchKind
 from exactspline.geometry.surface.planar_maps import MapKind
+from tests.surface_oracle import gaussian_curvature
 
 
 def parameters(low=-1, high=1):
@@ -41,6 +44,20 @@ def test_patches_of_a_planar_map_that_is_less_than_its_degree():
     assert jacobian_sign(shear).kind is MapKind.POSITIVE
 
 
+def test_places_of_both_signs_are_where_the_determinant_has_them():
+    """A folded patch, its negative corner at a knot behind which the map is the identity: at the knot itself the
+    determinant is the one from the right.
+    """
+    net = [[(0, 0), (0, 1), (0, 1), (0, 2)], [(1, 0), (-1, 1), (1, 1), (1, 2)]]
+    folded = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1, 2, 2], net)
+    for surface in (folded, folded.transposed()):
+        found = jacobian_sign(surface)
+        assert found.kind is MapKind.FOLDED
+        for place, sign in ((found.positive, 1), (found.negative, -1)):
+            (a, b), (c, d) = surface.partial(1, 0, *place), surface.partial(0, 1, *place)
+            assert (a * d - b * c) * sign > 0
+
+
 # ---- points and curves without a tangent plane
 
 
@@ -70,6 +87,27 @@ def test_a_branch_point_is_a_point_and_no_curve(height):
     assert [place.exact for place in found.singular_points] == [(mpq(1, 3), mpq(1, 5))]
     assert not surface_inspection_data(found, 5)["patches"][0]["singular_curve"]
     assert (found.umbilics, found.complete) == ((), True)
+
+
+@pytest.mark.parametrize(
+    ("bend", "kind", "corner"),
+    [(1, PatchKind.ELLIPTIC, True), (-1, PatchKind.HYPERBOLIC, True), (-1, PatchKind.HYPERBOLIC, False)],
+)
+def test_a_singular_point_is_no_parabolic_one(bend, kind, corner):
+    """(p, pq, q² ± p² + …) near p = q = 0: K has one sign wherever there is a tangent plane."""
+    u, v = parameters(0)
+    p, q = (u + v, u - v) if corner else (u - mpq(1, 2), v - mpq(1, 2))
+    found = inspect_surface(NurbsSurface.from_splines([p, p * q, q * q + p * p * bend + p * p * p * bend / 9]))
+    assert [place.exact for place in found.singular_points] == [(0, 0) if corner else (mpq(1, 2), mpq(1, 2))]
+    signs = {(x > 0) - (x < 0) for x in curvatures(found.surface)}
+    assert signs == {1 if kind is PatchKind.ELLIPTIC else -1}
+    assert (found.kinds, found.complete) == ((kind,), True)
+
+
+def curvatures(surface):
+    """K at some points with a tangent plane, by the oracle."""
+    places = [(Fraction(i, 7), Fraction(j, 7)) for i in range(8) for j in range(8)]
+    return [x for place in places if (x := gaussian_curvature(surface, *place)) is not None]
 
 
 # ---- umbilics

@@ -221,3 +221,22 @@ def test_a_broken_surface_on_standard_input_is_told():
     told = CliRunner().invoke(app, ["inspect", "-"], input='{"degree": [1, 1], "knots": [[0, 0, 1, 1]]}')
     assert told.exit_code == 2
     assert "standard input" in told.output
+
+
+# ---- singular points that are not simple
+
+
+@pytest.mark.parametrize("ends", [(-1, 1), (-1, 2), (mpq(-1, 3), mpq(3, 4))])
+def test_the_apex_of_a_cone_that_is_parametrized_by_squares(ends):
+    """(u², v², uv) lies on the cone xy = z²: its normal vanishes twice at the apex, and nowhere else."""
+    a, b = ends
+    squares, lines = (mpq(a) ** 2, mpq(a * b), mpq(b) ** 2), (mpq(a), mpq(a + b) / 2, mpq(b))
+    net = [[(x, y, u * v) for y, v in zip(squares, lines, strict=True)] for x, u in zip(squares, lines, strict=True)]
+    surface = NurbsSurface((2, 2), [a] * 3 + [b] * 3, [a] * 3 + [b] * 3, net)
+    x, y, z = surface(b, (a + b) / mpq(2))
+    assert x * y == z * z
+    found = inspect_surface(surface)
+    assert found.complete
+    assert found.curvature == 0
+    assert [place.exact for place in found.singular_points] == [(0, 0)]
+    assert not found.umbilics

@@ -87,6 +87,8 @@ def inspect(
         choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(curve) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
+    if emit_coq:
+        _see_that_coq_can_name(emit_coq)
     given, good = loaded(curve, standard)
     if emit_coq and given:
         _emit(given[0], emit_coq)
@@ -104,6 +106,21 @@ def inspect(
     )
     if not good:
         raise typer.Exit(2)
+
+
+def _see_that_coq_can_name(path: str) -> None:
+    """See that a file has a name that Coq accepts as that of a module."""
+    import re
+    from pathlib import Path
+
+    stem = Path(path).name.removesuffix(".v")
+    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
+    named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
+    if Path(path).name != f"{named}.v":
+        raise OptionsError(
+            f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
+            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
+        )
 
 
 def _emit(curve: Any, path: str) -> None:

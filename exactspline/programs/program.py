@@ -113,22 +113,21 @@ def operands_of(kind: Kind, argument: Evaluated) -> Given | None:
         named: Mapping[str, Any] = argument.operands()
         places, count = _places(kind, dimension, polynomial), _functions(kind, dimension, polynomial)
         splines = tuple([named[name] if i is None else named[name][i] for name, i in places])
-    mesh = splines[0].mesh
+    mesh, first, shared = splines[0].mesh, splines[0].denominators, True
     for f in splines:
         if type(f) is not BSpline or (f.mesh is not mesh and f.mesh.breaks != mesh.breaks):
             return None
+        shared = shared and f.denominators == first
     if isinstance(argument, Curve) and polynomial and not _is_one(argument.w):
         return None
     functions = [is_alone(f.provenance) for f in splines[:count]]
     if None in functions or len(set(functions)) < len(functions):
         return None
-    first = splines[0].denominators
-    if all(f.denominators == first for f in splines):
-        groups = [0] * len(splines)
-    else:
-        groups = [next(j for j, g in enumerate(splines) if g.denominators == f.denominators) for f in splines]
+    groups = (0,) * len(splines)
+    if not shared:
+        groups = tuple([next(j for j, g in enumerate(splines) if g.denominators == f.denominators) for f in splines])
     degrees = tuple([f.degree for f in splines])
-    return Given(argument, splines, mesh, Signature(kind, dimension, polynomial, degrees, tuple(groups), mesh.unit))
+    return Given(argument, splines, mesh, Signature(kind, dimension, polynomial, degrees, groups, mesh.unit))
 
 
 @lru_cache(None)
@@ -193,7 +192,8 @@ class Program:
 
     def on(self, given: Given) -> SplineValue:
         """The value from the splines of an argument."""
-        made: Any = rebuilt(self.value, iter(self.splines(given)))
+        splines = self.splines(given)
+        made: Any = splines[0] if isinstance(self.value, Term) else rebuilt(self.value, iter(splines))
         value: SplineValue = made
         return value
 
@@ -201,9 +201,9 @@ class Program:
         """The terms of the value on the segments of an argument."""
         operands = given.splines
         below = [operands[k].denominators for k in self.groups]
-        columns: Any = tuple(zip(*self.run([f.polynomials for f in operands], below, given.mesh.widths), strict=True))
-        inner, count = len(given.mesh) - 1, len(self.terms)
-        continuities = [f.continuity for f in operands]
+        columns: Any = tuple(zip(*self.run([f._polynomials for f in operands], below, given.mesh.widths), strict=True))
+        inner, count = len(given.mesh.widths) - 1, len(self.terms)
+        continuities = [f.continuity for f in operands] if inner else ()
         leaves = tuple(zip(self.leaves, [f.provenance for f in operands], strict=True))
         return [
             BSpline.from_parts(

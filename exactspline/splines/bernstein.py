@@ -94,9 +94,26 @@ def value(form: Form, n: int, t: mpq) -> mpq:
         return mpq(0)
     if t == 1:
         return ratio(c[n], m)
+    if n > LONG:
+        return _long_value(form, n, t)
     u = 1 - t
     at = c(to_fmpq(t / u))
     return mpq(int(at.p), int(at.q)) * u**n / int(m) if isinstance(at, fmpq) else mpq(int(at)) * u**n / int(m)
+
+
+#: From this degree on, whole numbers are cheaper than fractions in lowest terms on the way.
+LONG = 24
+
+
+def _long_value(form: Form, n: int, t: mpq) -> mpq:
+    """``Σ c_i bⁿ⁻ⁱ aⁱ / (m qⁿ)`` at ``t = a/q`` with ``b = q − a``: one fraction, made at the end."""
+    a, q = to_fmpz(t.numerator), to_fmpz(t.denominator)
+    b, power, c = q - a, ONE, form[0].coeffs()
+    c += [NOTHING] * (n + 1 - len(c))
+    for i in range(n - 1, -1, -1):
+        power = power * b
+        c[i] = c[i] * power
+    return ratio(fmpz_poly(c)(a), form[1] * q**n)
 
 
 def substituted(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:

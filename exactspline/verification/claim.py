@@ -333,8 +333,7 @@ class Claim(Displayed):
         argument = own.handed(self.curve)
         gone = self.missing(argument)
         finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)
-        silent = finding.verdict == REFUTED or finding.is_vacuous
-        if silent and (failing := own.failing(self.curve, self.assumes)):
+        if (finding.verdict == REFUTED or finding.is_vacuous) and (failing := own.failing(self.curve, self.assumes)):
             return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
         return finding
 

@@ -50,6 +50,9 @@ _BY_SIGN = {
 }
 
 
+_STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
+
+
 @dataclass(frozen=True)
 class ParabolicLine:
     """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`.
@@ -225,7 +228,11 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
     kind, signs, curve = _sign_of(own, singular, forms, patch)
-    return PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
+    found = PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
+    everything = curve is None or curve.complete
+    # what is left where its only zeros are points without a tangent plane
+    bare = kind in _STRICT and everything and not (found.parabolic or found.parabolic_points)
+    return replace(found, kind=_STRICT[kind]) if bare else found
 
 
 def _sign_of(

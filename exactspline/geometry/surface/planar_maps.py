@@ -68,7 +68,7 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
     found = _Found()
     rows, columns = surface.patches
     for patch in product(range(rows), range(columns)):
-        _add_patch(found, determinant, patch, sides_of(surface, patch))
+        _add_patch(found, determinant, patch, sides_of(surface, patch), surface.domain)
     return MapInspection(
         surface,
         found.kind,
@@ -104,16 +104,16 @@ class _Found:
         return MapKind.POSITIVE if self.positive else MapKind.NEGATIVE
 
 
-def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Box) -> None:
+def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Box, domain: Box) -> None:
     own = on_patch(determinant, patch)
     if own is None:
         found.degenerate = True
         return
     signs = sign_on_patch(own.form)
     if signs.positive:
-        found.positive = found.positive or _inside(signs.positive, 1, own.whole, sides)
+        found.positive = found.positive or _inside(signs.positive, 1, own.whole, sides, domain)
     if signs.negative:
-        found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides)
+        found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides, domain)
     found.zeros += [_placed(point, sides) for point in signs.zeros]
     found.undecided += [in_parameters(box, sides) for box in signs.undecided]
     found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
@@ -129,11 +129,15 @@ def _determinant(surface: NurbsSurface) -> TensorSpline:
     return lowest(value)
 
 
-def _inside(point: Point, sign: int, whole: PatchForm, sides: Box) -> Point:
-    """A point at or near another one at which the whole form has a sign: a factor may vanish on the border."""
+def _inside(point: Point, sign: int, whole: PatchForm, sides: Box, domain: Box) -> Point:
+    """A point at or near another one at which the determinant has a sign: a factor may vanish on the border, and at a
+    knot the determinant is the one of the patch behind.
+    """
     (x, y), half = point, mpq(1, 2)
     place, part = point, mpq(1, 4)
-    while whole.value(*place) * sign <= 0:
+    ends = zip(point, sides, domain, strict=True)
+    behind = any(t == 1 and side[1] != whole_side[1] for t, side, whole_side in ends)
+    while (behind and place == point) or whole.value(*place) * sign <= 0:
         place, part = (mpq(x + (half - x) * part), mpq(y + (half - y) * part)), part / 2
     return _placed(place, sides)
 

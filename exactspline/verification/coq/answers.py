@@ -86,13 +86,17 @@ def theorem_of(curve: Nurbs) -> str:
     own = {formulas.owner[answer.formula].name for answer in found}
     parts = [
         f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
-        "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. *)\n",
+        "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. It is compiled after the "
+        "files that\n    [exactspline prove --emit-coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
         "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
         *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",
         f"(** Knots, degree, coordinates of the control points times their weights, and the weights. *)\n"
         f"Definition this_curve : nurbs := {{|\n  knots := {_list(curve.knots)};\n  degree := {curve.degree};\n"
         f"  coordinates := [{coordinates}];\n  weights := {_list(rows[-1])}\n|}}.\n",
+        "(** The domain of the curve, on which the theorems speak of it. *)\n"
+        f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(number, curve.domain))}).\n"
+        "Proof. vm_cast_no_check (eq_refl (domain this_curve)). Qed.\n",
         "Lemma this_curve_sound : sound this_curve = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n",
         "(** Numerators and denominator between two knots are the B-splines by the recursion of Cox and de Boor. *)\n"
         "Theorem this_curve_is_in_pieces (j : nat) (t : R) :\n"

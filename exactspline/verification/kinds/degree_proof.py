@@ -90,14 +90,16 @@ def _true(formula: Formula, dimension: int, polynomial: bool, parameter: Paramet
 
 
 def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> dict[int, int]:
-    """The d at which the generic curve has a lower degree than the one for symbolic d, with what it is there."""
+    """The d at which the generic curve has another degree than the one for symbolic d, with what it is there: a lower
+    one, or −1 where everything is 0.
+    """
     if not jets:
         return {}
     generic = generic_degree(jets, parameter)
     parts = [part for jet in jets for part in graded(jet, parameter)]
     suspects = {d for part in parts for d, _ in true_degree(part, parameter).lower}
     found = {d: degree_at(jets, d, parameter) for d in sorted(suspects)}
-    return {d: n for d, n in found.items() if n < generic.at(dict.fromkeys(generic.names, d))}
+    return {d: n for d, n in found.items() if n != generic.at(dict.fromkeys(generic.names, d))}
 
 
 def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
@@ -112,7 +114,7 @@ def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
         cut = [jet for jet in (*tops, bottom) if not jet.is_zero]
         vanishes = all(jet.is_zero for jet in tops)
         n = -1 if vanishes else degree_at(without_content(cut), d, parameter)
-        if n < computed.at(dict.fromkeys(computed.names, d)):
+        if n != computed.at(dict.fromkeys(computed.names, d)):
             lower[d] = n
     return _held(claim, computed, lower, str(found.main.cancelled))
 
@@ -130,8 +132,10 @@ def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: s
     told = str(computed) + grading
     if start is not None and start > 1:
         told += f" (so from d = {start} on)"
-    if lower:
-        told += f" (lower for d = {', '.join(map(str, sorted(lower)))})"
+    gone = [d for d, n in lower.items() if n > _at(computed, d)]
+    for what, exceptions in (("lower", lower.keys() - gone), ("0", gone)):
+        if exceptions:
+            told += f" ({what} for d = {', '.join(map(str, sorted(exceptions)))})"
     names = computed.names | claimed.names
     vanishing_is_less = claim.relation == Relation.AT_MOST
     failing = [
@@ -141,12 +145,24 @@ def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: s
         and not (lower[d] < 0 and vanishing_is_less)
         and not claim.relation.holds(lower[d], _at(claimed, d))
     ]
-    if start is not None and start <= claim.least_d and not failing:
+    if start is not None and not failing and _agree_before(start, claim, computed, claimed, lower):
         return Finding(PROVED, computed=told, factor=factor)
     d = failing[0] if failing else _first_failure(claim, computed, claimed)
     n = lower.get(d, _at(computed, d))
     where = "at " + " and ".join(f"{name} = {d}" for name in sorted(names)) if names else "for every d"
     return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {_at(claimed, d)}")
+
+
+def _agree_before(
+    start: int, claim: DegreeClaim, computed: Degree, claimed: Degree, exceptions: dict[int, int]
+) -> bool:
+    """Whether the relation holds between the least d and the one from which on it always does, exceptions aside: the
+    last d before that must be an exception, so that it is a small one.
+    """
+    return all(
+        d in exceptions or claim.relation.holds(_at(computed, d), _at(claimed, d))
+        for d in range(start - 1, claim.least_d - 1, -1)
+    )
 
 
 def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int:

@@ -4,7 +4,7 @@
     opposite signs at the ends has one ([a_zero]), and one whose derivative has Bernstein coefficients of one sign has at
     most one ([at_most_one]). What a certificate says is checked by computation in binary integers ([answer]). *)
 
-Require Import ZArith QArith Qreals List Bool Lia Reals Lra.
+Require Import ZArith QArith Qreals List Sorted Bool Lia Reals Lra.
 From ExactSpline Require Import Base.
 Import ListNotations.
 Local Open Scope R_scope.
@@ -391,7 +391,9 @@ Fixpoint chained (from : Q) (cells : list cell) (to : Q) : bool :=
 Definition answer (a : polynomial) (from to : Q) (cells : list cell) : bool :=
   chained from cells to && forallb (cell_holds a) cells.
 
-Definition within (z : R) (i : Q * Q) : Prop := Q2R (fst i) <= z <= Q2R (snd i).
+(** A number is inside an interval, or the point that it is shrunk to. *)
+Definition within (z : R) (i : Q * Q) : Prop :=
+  Q2R (fst i) < z < Q2R (snd i) \/ (Q2R (fst i) = z /\ z = Q2R (snd i)).
 Definition inside (closed : bool) (from to : Q) (t : R) : Prop :=
   Q2R from <= t /\ (if closed then t <= Q2R to else t < Q2R to).
 
@@ -411,7 +413,7 @@ Lemma point a t : exists zs, Forall2 within zs (if zero_at a t then [(t, t)] els
   forall x, x = Q2R t -> (at_real a x = 0 <-> In x zs).
 Proof.
   destruct (zero_at a t) eqn:E.
-  - exists [Q2R t]. split; [constructor; [unfold within; simpl; lra | constructor]|].
+  - exists [Q2R t]. split; [constructor; [unfold within; simpl; first [left; lra | right; lra] | constructor]|].
     intros x ->. apply zero_at_sound in E. simpl. tauto.
   - exists []. split; [constructor|]. intros x ->. split; [|simpl; tauto].
     intro Z. apply zero_at_sound in Z. congruence.
@@ -428,13 +430,13 @@ Proof.
   intros H N. apply cell_sound in H. destruct c as [l h s|l h s|l h g s n r s'|l h]; simpl in *; try discriminate.
   - exists []. split; [constructor|]. split; [simpl; tauto|]. intros t Ht. split; [|simpl; tauto].
     intro Z. specialize (H t Ht). rewrite Z in H. lra.
-  - destruct H as [z [Hz [Z [Hl Hh]]]]. exists [z]. split; [constructor; [unfold within; simpl; lra | constructor]|].
+  - destruct H as [z [Hz [Z [Hl Hh]]]]. exists [z]. split; [constructor; [unfold within; simpl; first [left; lra | right; lra] | constructor]|].
     split; [intros y [<-|[]]; exact Hz|].
     intros t Ht. simpl. split; [|intros [<-|[]]; exact Z]. intro Y. left.
     destruct (Rtotal_order t z) as [L|[L|L]]; [|lra|].
     + specialize (Hl t). rewrite Y in Hl. lra.
     + specialize (Hh t). rewrite Y in Hh. lra.
-  - destruct H as [z [Hz [Z Hn]]]. exists [z]. split; [constructor; [unfold within; simpl; lra | constructor]|].
+  - destruct H as [z [Hz [Z Hn]]]. exists [z]. split; [constructor; [unfold within; simpl; first [left; lra | right; lra] | constructor]|].
     split; [intros y [<-|[]]; exact Hz|].
     intros t Ht. simpl. split; [|intros [<-|[]]; exact Z]. intro Y. left.
     destruct (Req_dec t z) as [->|D]; [reflexivity|]. exfalso. apply (Hn t); [lra | exact D | exact Y].
@@ -742,11 +744,35 @@ Fixpoint form_value (f : pieces) (t : R) : R :=
   | (b, a) :: f => if Rlt_dec t (Q2R b) then at_real a t else form_value f t
   end.
 
-(** A function vanishes, on an interval with its ends, at exactly so many points, one in each of the intervals (or at
-    the points) named, and on the stretches named. *)
+(** A function vanishes, on an interval with its ends, at exactly so many points, each after the one before, one in each
+    of the intervals (or at the points) named, and on the stretches named. *)
 Definition vanishes_exactly (f : R -> R) (from to : Q) (points stretches : list (Q * Q)) : Prop :=
-  exists zs, Forall2 within zs points /\ forall t, Q2R from <= t <= Q2R to ->
+  exists zs, Sorted Rlt zs /\ Forall2 within zs points /\ forall t, Q2R from <= t <= Q2R to ->
   (f t = 0 <-> In t zs \/ Exists (fun i => Q2R (fst i) <= t < Q2R (snd i)) stretches).
+
+(** Intervals of which each begins where the one before has ended; two are not one point. *)
+Fixpoint separated (points : list (Q * Q)) : bool :=
+  match points with
+  | i :: ((j :: _) as rest) => Qle_bool (snd i) (fst j) && negb (Qle_bool (snd j) (fst i)) && separated rest
+  | _ => true
+  end.
+
+Lemma separated_sorted points : separated points = true -> forall zs, Forall2 within zs points -> Sorted Rlt zs.
+Proof.
+  induction points as [|i points IH]; intros H zs W; inversion W; subst; [constructor|].
+  destruct points as [|j points].
+  - inversion H4; subst. repeat constructor.
+  - simpl in H. apply andb_prop in H. destruct H as [H Hrest]. apply andb_prop in H. destruct H as [Hij Hji].
+    constructor; [exact (IH Hrest _ H4)|]. inversion H4; subst. constructor.
+    apply Qle_bool_iff, Qle_Rle in Hij.
+    assert (L : Q2R (fst i) < Q2R (snd j)).
+    { apply Qlt_Rlt, Qnot_le_lt. intro L. apply Qle_bool_iff in L. rewrite L in Hji. discriminate. }
+    unfold within in *. lra.
+Qed.
+
+(** The domain of a curve: from the first to the last knot between which all B-splines are there. *)
+Definition domain (c : nurbs) : Q * Q :=
+  (nth (degree c) (knots c) 0%Q, nth (length (knots c) - degree c - 1) (knots c) 0%Q).
 
 Definition null_span (cells : list cell) : bool := match cells with [Null _ _] => true | _ => false end.
 
@@ -798,7 +824,7 @@ Proof.
     { apply Qlt_Rlt, Qnot_le_lt. intro L. apply Qle_bool_iff in L. rewrite L in Hl. discriminate. }
     split; [intros i [<-|[]]; simpl; lra|].
     exists (if closed then [Q2R h] else []). split; [|split].
-    + destruct closed; repeat constructor; unfold within; simpl; lra.
+    + destruct closed; repeat constructor; unfold within; simpl; first [left; lra | right; lra].
     + intros z I. destruct closed; [destruct I as [<-|[]]; unfold inside; lra | destruct I].
     + intros t [T1 T2]. rewrite (pzero_sound a t Hz). split; [intros _|reflexivity].
       destruct closed; simpl in T2.
@@ -851,10 +877,11 @@ Proof.
       apply Exists_exists in K. destruct K as [i [Ki Kt]]. destruct (S i Ki). lra.
 Qed.
 
-Theorem answers_sound f from cells : answers f from cells = true ->
+Theorem answers_sound f from cells : answers f from cells && separated (all_zeros f cells) = true ->
   vanishes_exactly (form_value f) from (right_end from f) (all_zeros f cells) (all_stretches cells).
 Proof.
-  intro H. destruct (answers_hold f from cells H) as [_ [_ [zs [W [_ P]]]]]. exists zs. now split.
+  intro H. apply andb_prop in H. destruct H as [H D]. destruct (answers_hold f from cells H) as [_ [_ [zs [W [_ P]]]]].
+  exists zs. split; [exact (separated_sorted _ D zs W) | now split].
 Qed.
 
 (** The same pieces, whether or not fractions are reduced. *)
@@ -893,14 +920,15 @@ Qed.
 Theorem curve_answers (form : curve polynomial -> polynomial) (c : nurbs) (from to : Q) (cells : list (list cell))
     (points stretches : list (Q * Q)) (f : pieces) :
   same_pieces f (form_pieces form c) = true ->
-  (answers f from cells, right_end from f, all_zeros f cells, all_stretches cells) = (true, to, points, stretches) ->
+  (answers f from cells && separated (all_zeros f cells), right_end from f, all_zeros f cells, all_stretches cells)
+    = (true, to, points, stretches) ->
   vanishes_exactly (form_value (form_pieces form c)) from to points stretches /\
   Forall2 (fun b own => Forall (says (at_real (snd b))) own) (form_pieces form c) cells.
 Proof.
   intros S H. injection H as H <- <- <-. split.
-  - destruct (answers_sound f from cells H) as [zs [W P]]. exists zs. split; [exact W|].
+  - destruct (answers_sound f from cells H) as [zs [D [W P]]]. exists zs. split; [exact D|]. split; [exact W|].
     intros t T. rewrite <- (same_value f _ t S). now apply P.
-  - revert S. generalize (form_pieces form c). revert from cells H.
+  - apply andb_prop in H. destruct H as [H _]. revert S. generalize (form_pieces form c). revert from cells H.
     induction f as [|[b a] f IH]; intros from cells H g S; [discriminate|].
     destruct g as [|[b' a'] g]; [discriminate|].
     simpl in S. apply andb_prop in S. destruct S as [S1 S2]. apply andb_prop in S1. destruct S1 as [_ S1].
