@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import count
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 from flint import fmpz_poly
@@ -21,27 +22,26 @@ from exactspline.verification.evaluation import between, segment
 
 def where_it_differs(difference: BSpline | TensorSpline) -> str:
     """A parameter (two, of a spline in two) at which a spline that is not zero does not vanish, and its value there."""
+    if difference.is_zero:
+        return "nowhere"
     if isinstance(difference, TensorSpline):
-        _, (c, d) = difference.domain
-        lines = ((t, difference.at_t(t)) for t in (c + (d - c) / mpq(j) for j in count(2)))
+        inside = _inside(difference.meshes[1].breaks, difference.degree.t)
+        lines = ((t, difference.at_t(t)) for t in inside)
         t, line = next((t, line) for t, line in lines if not line.is_zero)
         s, value = _not_zero(line)
         return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
-    if difference.is_zero:
-        return "nowhere"
     t, value = _not_zero(difference)
     return f"by {text(value)} at the parameter {text(t)}"
 
 
 def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
     """A parameter at which a spline that is not zero does not vanish, and its value there."""
-    return next(
-        (t, value)
-        for p, a, b in zip(f.polynomials, f.breakpoints, f.breakpoints[1:], strict=False)
-        if p
-        for t in (a + (b - a) * mpq(j, f.degree + 3) for j in range(1, f.degree + 3))
-        if (value := f(t))
-    )
+    return next((t, value) for t in _inside(f.breakpoints, f.degree) if (value := f(t)))
+
+
+def _inside(breaks: Sequence[mpq], degree: int) -> Iterator[mpq]:
+    """Parameters inside every segment, so many that a polynomial of the degree with these zeros is 0."""
+    return (a + (b - a) * mpq(j, degree + 2) for a, b in pairwise(breaks) for j in range(1, degree + 2))
 
 
 def printed_factor(factor: str, curve: Evaluated) -> str:
