@@ -151,10 +151,8 @@ def test_bounds_are_those_of_as_many_roundings_as_the_coefficients_went_through(
         operands = _operands(points, weights)
         found = filtered(3, operands)
         assert found is not None
-        farthest = max(
-            Fraction(x) / (3 * Fraction(p) * Fraction(w)) - 1
-            for x, p, w in zip(operands[0][:, 1].tolist(), points[:, 1, 0].tolist(), weights[:, 1].tolist(), strict=True)
-        )
+        rows = zip(operands[0][:, 1].tolist(), points[:, 1, 0].tolist(), weights[:, 1].tolist(), strict=True)
+        farthest = max(Fraction(x) / (3 * Fraction(p) * Fraction(w)) - 1 for x, p, w in rows)
         needed = ceil(farthest * 2**52)
         (form,) = in_doubles(_programs(3, True).curvature, operands, needed)
         bounds = ordinates(form.values, form.errors).errors

@@ -159,8 +159,7 @@ def test_there_are_no_lower_degrees_of_nothing():
 
 
 @pytest.mark.parametrize(
-    ("computed", "claimed", "verdict"),
-    [("max(d1 + d2, d2 + 2)", "d1 + d2", REFUTED), ("d1 + d2", "d1 + d2", PROVED)],
+    ("computed", "claimed", "verdict"), [("max(d1 + d2, d2 + 2)", "d1 + d2", REFUTED), ("d1 + d2", "d1 + d2", PROVED)]
 )
 def test_an_exception_for_equal_degrees_says_nothing_about_unequal_ones(computed, claimed, verdict):
     # at d1 = d2 = 1 the degree is lower than computed; at d1 = 1, d2 = 5 the first one is 7, not 6

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -25,9 +24,10 @@ def where_it_differs(difference: BSpline | TensorSpline) -> str:
     if difference.is_zero:
         return "nowhere"
     if isinstance(difference, TensorSpline):
-        inside = _inside(difference.meshes[1].breaks, difference.degree.t)
-        lines = ((t, difference.at_t(t)) for t in inside)
-        t, line = next((t, line) for t, line in lines if not line.is_zero)
+        n, segments = difference.degree.t, pairwise(difference.meshes[1].breaks)
+        # one line more in every segment than a polynomial of this degree has zeros
+        inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
+        t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
         s, value = _not_zero(line)
         return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
     t, value = _not_zero(difference)
@@ -36,12 +36,13 @@ def where_it_differs(difference: BSpline | TensorSpline) -> str:
 
 def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
     """A parameter at which a spline that is not zero does not vanish, and its value there."""
-    return next((t, value) for t in _inside(f.breakpoints, f.degree) if (value := f(t)))
-
-
-def _inside(breaks: Sequence[mpq], degree: int) -> Iterator[mpq]:
-    """Parameters inside every segment, so many that a polynomial of the degree with these zeros is 0."""
-    return (a + (b - a) * mpq(j, degree + 2) for a, b in pairwise(breaks) for j in range(1, degree + 2))
+    return next(
+        (t, value)
+        for p, (a, b) in zip(f.polynomials, pairwise(f.breakpoints), strict=True)
+        if p
+        for t in (a + (b - a) * mpq(j, f.degree + 3) for j in range(1, f.degree + 3))
+        if (value := f(t))
+    )
 
 
 def printed_factor(factor: str, curve: Evaluated) -> str:
