@@ -6,7 +6,7 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from fractions import Fraction
-from math import comb
+from math import ceil, comb
 
 import pytest
 
@@ -18,7 +18,8 @@ from exactspline.programs.program import Signature, program_of
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.many_curves import features_in_parts, features_of_many  # noqa: E402  # needs numpy
+from exactspline.geometry.filtered import _programs, filtered  # noqa: E402  # needs numpy
+from exactspline.geometry.many_curves import _operands, features_in_parts, features_of_many  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 from exactspline.roots.doubles import Rows, isolated, ordinates, values_at  # noqa: E402
 
@@ -141,6 +142,22 @@ def test_no_number_is_farther_from_the_exact_one_than_its_bound(name, degree, ra
             assert abs(Fraction(value) - true) <= Fraction(bound)
             certain += abs(value) > bound
     assert certain > 20
+
+
+def test_bounds_are_those_of_as_many_roundings_as_the_coefficients_went_through():
+    numbers = np.random.default_rng(7)
+    points, weights = numbers.uniform(0.5, 1, (400, 4, 2)), numbers.uniform(0.5, 1, (400, 4))
+    with rounding("up"):
+        operands = _operands(points, weights)
+        found = filtered(3, operands)
+        assert found is not None
+        rows = zip(operands[0][:, 1].tolist(), points[:, 1, 0].tolist(), weights[:, 1].tolist(), strict=True)
+        farthest = max(Fraction(x) / (3 * Fraction(p) * Fraction(w)) - 1 for x, p, w in rows)
+        needed = ceil(farthest * 2**52)
+        (form,) = in_doubles(_programs(3, True).curvature, operands, needed)
+        bounds = ordinates(form.values, form.errors).errors
+    assert needed == 2
+    assert (found.curvature.rows.errors >= bounds).all()
 
 
 @pytest.mark.parametrize("mode", MODES)

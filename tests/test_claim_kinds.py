@@ -8,15 +8,15 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ClaimError
 from exactspline.papers import find
-from exactspline.readings.degree import DegreeReading
+from exactspline.readings.degree import DegreeReading, parse
 from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.kinds.degree_proof import lower_degrees
+from exactspline.verification.kinds.degree_proof import _held, lower_degrees
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import _dimension, _size, sides
-from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED
 
 T = BSpline.identity(0, 1)
 
@@ -156,6 +156,16 @@ def test_sizes_are_degrees_at_three_and_sides_are_read_in_the_dimension_of_the_c
 
 def test_there_are_no_lower_degrees_of_nothing():
     assert lower_degrees([]) == {}
+
+
+@pytest.mark.parametrize(
+    ("computed", "claimed", "verdict"), [("max(d1 + d2, d2 + 2)", "d1 + d2", REFUTED), ("d1 + d2", "d1 + d2", PROVED)]
+)
+def test_an_exception_for_equal_degrees_says_nothing_about_unequal_ones(computed, claimed, verdict):
+    # at d1 = d2 = 1 the degree is lower than computed; at d1 = 1, d2 = 5 the first one is 7, not 6
+    one = replace(claim("T7-degree"), claimed=claimed)
+    assert one.least_d == 1
+    assert _held(one, parse(computed), {1: 2}, "").verdict == verdict
 
 
 def test_checks_are_python_that_runs(capsys):

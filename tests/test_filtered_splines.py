@@ -83,6 +83,26 @@ def test_a_zero_that_is_all_but_a_knot_stays_inside_its_interval():
     same_as_exact([Nurbs(3, [0] * 4 + [near] + [1 + near] * 4, points, [1, 1, 1, 3, 3])])
 
 
+@pytest.mark.parametrize(
+    ("size", "shift"), [(mpq(1, 2**1040), 0), (mpq(1, 2**1022), 0), (mpq(2) ** 1022, -3), (mpq(1, 2**890), 1)]
+)
+def test_breakpoints_of_any_size(size, shift):
+    # a width that is no double, zeros nearer to each other than doubles are, knots that are one double
+    curve = example("six_segment_cubic")
+    a, b = curve.domain
+    knots = [((t - a) * 6 / (b - a) + shift) * size for t in curve.knots]
+    moved = Nurbs(3, knots, curve.control_points)
+    found = features_of_curves([moved])
+    facts = analyse(moved)
+    true = [*facts.inflections, *facts.curvature_extrema]
+    assert len(true) == 10
+    assert sorted(found.kind.tolist()) == sorted(str(feature.kind) for feature in true)
+    bounds = zip(found.low.tolist(), found.high.tolist(), found.kind.tolist(), strict=True)
+    for low, high, kind in bounds:
+        inside = [feature for feature in true if Fraction(low) <= feature.root <= Fraction(high)]
+        assert kind in [str(feature.kind) for feature in inside]
+
+
 def test_the_jump_of_curvature_at_a_knot_decides():
     # κ′ changes its sign at the knot of all three, C¹; κ jumps on the first two, on the third it does not
     arcs = [[(0, 0), (1, 2), (3, 2), (5, -1)], [(0, 0), (1, 2), (3, 2), (4, 1)], [(0, 0), (1, 1), (3, 1), (4, 0)]]

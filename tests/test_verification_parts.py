@@ -110,6 +110,17 @@ def test_where_splines_differ_they_differ_by_what_is_said():
     assert product(mpq(told[2])) == mpq(told[1]) != 0
 
 
+def test_a_difference_of_two_parameters_is_found_wherever_it_is():
+    # zero where the second parameter is below 3/4
+    net = [[0, 0, 0, 0, 1], [0, 0, 0, 0, 1]]
+    f = TensorSpline((1, 2), [0, 0, 1, 1], [0, 0, 0, "1/2", "3/4", 1, 1, 1], net)
+    told = re.fullmatch(r"by (\S+) at the parameters (\S+) and (\S+)", where_it_differs(f))
+    value, s, t = map(mpq, told.groups())
+    assert f(s, t) == value != 0
+    assert t > mpq(3, 4)
+    assert where_it_differs(f - f) == "nowhere"
+
+
 def test_a_zero_that_the_other_does_not_have_is_found_with_its_place():
     assert extra_zero(T * (T - mpq(1, 2)), T) == "at the parameter 1/2"
     assert extra_zero(T, T * T) == ""

@@ -15,11 +15,11 @@ import numpy as np
 from flint import fmpz_poly
 from numpy.typing import NDArray
 
-from exactspline.errors import ExactSplineError, NumberError, ShapeError
+from exactspline.errors import ExactSplineError, ShapeError
 from exactspline.exact import mpq
 from exactspline.geometry.filtered import AT_ONCE, Filtered, Form, filtered
 from exactspline.geometry.many_curves import KINDS, Found, ManyFeatures, exactly, in_order, joined, outside
-from exactspline.programs.doubles import ROUNDING, UNDERFLOW
+from exactspline.programs.doubles import ROUNDING
 from exactspline.roots.doubles import Flags, Rows
 from exactspline.splines.nurbs import Nurbs
 
@@ -27,6 +27,12 @@ from exactspline.splines.nurbs import Nurbs
 WIDER = 16 * ROUNDING
 #: Widths of segments that are known less well than this say nothing.
 LITTLE = 1 / 1024
+#: Cubes of quotients of widths below this say nothing: a product with a larger one loses `UNDERFLOW` at most, and the
+#: bounds of both forms are larger than that.
+FLAT = 2.0**-300
+#: Breakpoints other than 0 whose sizes are outside are left to exact arithmetic: the width of a segment could overflow,
+#: and numbers below `UNDERFLOW` are farther from the nearest double than by a rounding.
+SIZES = mpq(1, 2**900), mpq(2**1000)
 #: Continuity at the seam of a closed curve: that of its points.
 SEAM = 0
 
@@ -122,7 +128,7 @@ class _Segments:
         owner: list[int] = []
         ends: list[tuple[float, float]] = []
         knots: list[tuple[int, int, int, float, float]] = []
-        #: Curves whose numbers are no doubles, or have a weight function that is not positive.
+        #: Curves whose breakpoints are too large or too small.
         self.unfit = np.zeros(len(curves), dtype=bool)
         for i, curve in enumerate(curves):
             first, count = len(owner), curve.segments
@@ -192,17 +198,15 @@ class _Segments:
             unsure = 4 * (error[self._behind] + error[self._before]) + 8 * ROUNDING
             left, right = rows.values[self._before, -1] * ratio, rows.values[self._behind, 0]
             bound = rows.errors[self._before, -1] * ratio * 2 + rows.errors[self._behind, 0] * 2
-            bound += 2 * np.abs(left) * unsure + UNDERFLOW * (1 + ratio)
-            found: Flags = (unsure < LITTLE) & (np.abs(left - right) > bound + 4 * ROUNDING * np.abs(right))
+            bound += 2 * np.abs(left) * unsure + 4 * ROUNDING * np.abs(right)
+            found: Flags = (unsure < LITTLE) & (ratio > FLAT) & (np.abs(left - right) > bound)
         return found
 
 
 def _places(breaks: Sequence[mpq]) -> list[tuple[float, float]] | None:
-    """Breakpoints between doubles, None beyond the largest."""
-    try:
-        return [outside(t, t) for t in breaks]
-    except NumberError:
-        return None
+    """Breakpoints between doubles, None where one is too large or too small."""
+    least, largest = SIZES
+    return [outside(t, t) for t in breaks] if all(t == 0 or least <= abs(t) <= largest for t in breaks) else None
 
 
 def _numbers(curve: Nurbs) -> Iterator[list[list[float]]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import count
+from itertools import pairwise
 from typing import Any
 
 from flint import fmpz_poly
@@ -21,14 +21,15 @@ from exactspline.verification.evaluation import between, segment
 
 def where_it_differs(difference: BSpline | TensorSpline) -> str:
     """A parameter (two, of a spline in two) at which a spline that is not zero does not vanish, and its value there."""
-    if isinstance(difference, TensorSpline):
-        _, (c, d) = difference.domain
-        lines = ((t, difference.at_t(t)) for t in (c + (d - c) / mpq(j) for j in count(2)))
-        t, line = next((t, line) for t, line in lines if not line.is_zero)
-        s, value = _not_zero(line)
-        return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
     if difference.is_zero:
         return "nowhere"
+    if isinstance(difference, TensorSpline):
+        n, segments = difference.degree.t, pairwise(difference.meshes[1].breaks)
+        # one line more in every segment than a polynomial of this degree has zeros
+        inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
+        t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
+        s, value = _not_zero(line)
+        return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
     t, value = _not_zero(difference)
     return f"by {text(value)} at the parameter {text(t)}"
 
@@ -37,7 +38,7 @@ def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
     """A parameter at which a spline that is not zero does not vanish, and its value there."""
     return next(
         (t, value)
-        for p, a, b in zip(f.polynomials, f.breakpoints, f.breakpoints[1:], strict=False)
+        for p, (a, b) in zip(f.polynomials, pairwise(f.breakpoints), strict=True)
         if p
         for t in (a + (b - a) * mpq(j, f.degree + 3) for j in range(1, f.degree + 3))
         if (value := f(t))

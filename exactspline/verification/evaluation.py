@@ -88,9 +88,10 @@ def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
     value = each.polynomial(handed)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
     for form, patch in ((PatchForm.of(value, *patch), patch) for patch in patches):
-        told = "" if form.is_zero or not each.everywhere else sign_on_patch(form).sign
-        if form.is_zero or (each.everywhere and told not in (Sign.POSITIVE, Sign.NEGATIVE)):
-            return f"on patch {patch[0]}, {patch[1]}" if each.everywhere else "on a whole patch"
+        sign = Sign.ZERO if form.is_zero or not each.everywhere else sign_on_patch(form).sign
+        if form.is_zero or (each.everywhere and sign not in (Sign.POSITIVE, Sign.NEGATIVE)):
+            perhaps = "perhaps " if sign is Sign.UNDECIDED else ""
+            return f"{perhaps}on patch {patch[0]}, {patch[1]}" if each.everywhere else "on a whole patch"
     return ""
 
 

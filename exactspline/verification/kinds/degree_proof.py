@@ -157,8 +157,11 @@ def _agree_before(
     start: int, claim: DegreeClaim, computed: Degree, claimed: Degree, exceptions: dict[int, int]
 ) -> bool:
     """Whether the relation holds between the least d and the one from which on it always does, exceptions aside: the
-    last d before that must be an exception, so that it is a small one.
+    last d before that must be an exception, so that it is a small one. Of operands of several degrees exceptions are
+    known only where these are equal, so that none is granted.
     """
+    if len(computed.names | claimed.names) > 1:
+        return start <= claim.least_d
     return all(
         d in exceptions or claim.relation.holds(_at(computed, d), _at(claimed, d))
         for d in range(start - 1, claim.least_d - 1, -1)
