@@ -400,6 +400,8 @@ class _Ledger:
             on_surface = isinstance(c, NurbsSurface)
             title = f"{c.name}: {described_surface(c) if isinstance(c, NurbsSurface) else described(c)}"
             own = [row for row in self.rows if row.curve == c.name]
+            if own and isinstance(c, NurbsSurface) and c.patches != (1, 1):
+                title += "; checked on the first patch"
             if not own:
                 console.lines(shown, title)
             elif listed:
