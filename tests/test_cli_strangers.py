@@ -125,3 +125,16 @@ def test_sums_without_a_symbol_are_in_parentheses_where_they_are_factors():
     assert len(factors) == 2
     for factor in factors:
         assert re.fullmatch(r"(144·)?\(-18 P2\[0\] P1\[1\] .* \+ 18 P2\[0\] P3\[1\]\)⁻²", factor)
+
+
+@pytest.mark.parametrize("words", [(), ("--markdown",), ("--csv",)], ids=" ".join)
+def test_no_name_steers_the_terminal(tmp_path, words):
+    data = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "name": "a\x1b[31m\x9b2Jb\u202e"}
+    path = tmp_path / "\x1b[2J.json"
+    path.write_text(json.dumps(data))
+    told = run("inspect", str(path), *words).output
+    told += run("derive", "evolute", str(path)).output
+    path.write_text("{")
+    told += run("inspect", str(path)).output
+    assert "\\x1b[31m" in told
+    assert not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e]", told)

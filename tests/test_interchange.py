@@ -65,6 +65,19 @@ def test_several_curves_keep_their_order(name):
     assert degrees == [2, 3, 2]
 
 
+HOSTILE_NAMES = st.text(
+    st.characters(codec="utf-8") | st.sampled_from("\x00\x07\x1b\x7f\x9b\u202e\ufffe'\"<&;]*)("), max_size=12
+)
+
+
+@pytest.mark.parametrize("name", WRITERS)
+@given(HOSTILE_NAMES)
+def test_whatever_a_curve_is_called_its_file_is_read(name, called):
+    segment = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)], name=called)
+    [found] = read(encoded([segment], name)[0], name).curves
+    assert found.curve.degree == 1
+
+
 @pytest.mark.parametrize("name", ["json", "g2", "itd", "gismo", "geomdl", "step", "brep"])
 @given(nurbs(dimension=3))
 def test_any_curve_with_finite_decimals_survives(name, curve):

@@ -390,15 +390,14 @@ class _Ledger:
     def _on_curves(self, shown: Console, listed: bool) -> None:
         from exactspline.display import console
         from exactspline.display.ledger import by_section, ledger, reasons
-        from exactspline.display.surface_data import described_surface
-        from exactspline.splines.surface import NurbsSurface
+        from exactspline.splines.nurbs import Nurbs
         from exactspline.verification.verdict import REFUTED
 
         for i, c in enumerate(self.curves or []):
             if i:
                 shown.print()
-            on_surface = isinstance(c, NurbsSurface)
-            title = f"{c.name}: {described_surface(c) if isinstance(c, NurbsSurface) else described(c)}"
+            on_surface = not isinstance(c, Nurbs)
+            title = f"{c.name}: {described(c) if isinstance(c, Nurbs) else _described_surface(c)}"
             own = [row for row in self.rows if row.curve == c.name]
             if own and isinstance(c, NurbsSurface) and c.patches != (1, 1):
                 title += "; checked on the first patch"
@@ -420,3 +419,9 @@ class _Ledger:
                 console.lines(
                     shown, f"{told} nothing of this {'surface' if on_surface else 'curve'}: {reasons(silent, c)}"
                 )
+
+
+def _described_surface(surface: NurbsSurface) -> str:
+    from exactspline.display.surface_data import described_surface  # brings the geometry of surfaces along
+
+    return described_surface(surface)

@@ -14,7 +14,7 @@ from rich.text import Text
 from exactspline.display.glossary import explained
 from exactspline.display.numbers import decimal, decimal_milliseconds, decimals
 from exactspline.display.sheet import PIPE, Sheet
-from exactspline.display.wrapping import hanging
+from exactspline.display.wrapping import hanging, visible
 
 __all__ = [
     "PIPE",
@@ -92,4 +92,4 @@ def plain(made: RenderableType, columns: int = 160) -> str:
 
 def show_error(error: object) -> None:
     """One line on standard error."""
-    Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(f"error: {error}", markup=False)
+    Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(visible(f"error: {error}"), markup=False)

@@ -12,7 +12,7 @@ from rich.cells import cell_len
 from rich.console import Console, ConsoleOptions
 from rich.text import Text
 
-from exactspline.display.wrapping import hanging, words_in
+from exactspline.display.wrapping import hanging, visible, words_in
 
 #: Wider than any terminal: output to a file or a pipe is neither broken nor padded at the end.
 PIPE = 1 << 20
@@ -53,13 +53,13 @@ class Sheet:
         prose: Iterable[str] = (),
         heads: int = 1,
     ) -> None:
-        self.columns, self.title, self.name, self.heads = columns, title, name, heads
+        self.columns, self.title, self.name, self.heads = columns, visible(title), visible(name), heads
         self.numbers, self.prose = frozenset(numbers), frozenset(prose)
         self.rows: list[tuple[str, ...]] = []
 
     def add_row(self, *cells: object) -> None:
         """A row, one cell per column; blanks and line breaks in a cell become single blanks."""
-        row = tuple(" ".join(str(cell).split()) for cell in cells)
+        row = tuple(visible(" ".join(str(cell).split())) for cell in cells)
         self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
 
     @property

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rich.cells import cell_len
+
+#: Control characters but tab and line break, and those that turn the direction of what follows.
+STEERING = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]:
@@ -17,7 +21,7 @@ def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]
     """
     lines, current = [], " " * first
     empty = True
-    for word in words_in(text):
+    for word in words_in(visible(text)):
         rest = word
         if not empty and cell_len(current) + 1 + cell_len(rest) > width:
             lines.append(current)
@@ -30,6 +34,15 @@ def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]
             current += rest if empty else f" {rest}"
             empty = False
     return lines if empty else [*lines, current]
+
+
+def visible(text: str) -> str:
+    """A text with its control characters spelled out: what a file is called does not steer the terminal.
+
+    >>> visible("red\\x1b[31m, κ′ ≡ 0")
+    'red\\\\x1b[31m, κ′ ≡ 0'
+    """
+    return STEERING.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
 
 
 def words_in(text: str) -> Iterator[str]:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.limits import Limits
+
+#: Characters that XML 1.0 leaves out, escaped or not (section 2.2).
+NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
 
 @dataclass
@@ -87,3 +91,14 @@ def parse(data: bytes, limits: Limits) -> Element:
             raise
         raise CurveFileError(f"is not well-formed XML ({error})", remedy="correct the text there") from None
     return roots[0]
+
+
+def attribute(value: str) -> str:
+    """A value as a quoted attribute, without the characters that no XML file can hold.
+
+    >>> attribute("a < b\\x1b")
+    '"a &lt; b"'
+    """
+    from xml.sax.saxutils import quoteattr  # the network modules come with it
+
+    return quoteattr(NOT_IN_XML.sub("", value))

@@ -10,7 +10,7 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.writing import cartesian
-from exactspline.interchange.xml_tree import Element, parse
+from exactspline.interchange.xml_tree import Element, attribute, parse
 
 CURVES = ("BSpline", "Nurbs")
 
@@ -69,8 +69,6 @@ def _numbers(found: Collector, element: Element) -> list[mpq]:
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     """The curves, one geometry each."""
-    from xml.sax.saxutils import quoteattr  # the network modules come with it
-
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
     for i, named in enumerate(curves):
         curve = named.curve
@@ -81,7 +79,7 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
             basis = [' <Basis type="NurbsBasis">', *basis, f"  <weights>{weights}</weights>", " </Basis>"]
         kind = "BSpline" if curve.polynomial else "Nurbs"
         lines += [
-            f'<Geometry type="{kind}" id="{i}" label={quoteattr(named.name)}>',
+            f'<Geometry type="{kind}" id="{i}" label={attribute(named.name)}>',
             *basis,
             f' <coefs geoDim="{curve.dimension}">',
             *(" ".join(map(numbers, point)) for point in cartesian(curve)),

@@ -23,7 +23,7 @@ from exactspline.interchange.segments import Segment, arc_around_origin, joined,
 from exactspline.interchange.svg_paths import Subpath, subpaths
 from exactspline.interchange.svg_transforms import transform
 from exactspline.interchange.writing import pen_segments
-from exactspline.interchange.xml_tree import Element, parse
+from exactspline.interchange.xml_tree import Element, attribute, parse
 
 DEFINITIONS = ("defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "font", "glyph")
 SKIPPED = {"use": "a placed copy is not followed", "text": "glyphs need a font", "image": "no curve"}
@@ -134,15 +134,13 @@ def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:
     """Polynomial plane curves of degree 1 to 3 as paths; SVG holds no knots: the segments are kept, their parameter
     intervals are not.
     """
-    from xml.sax.saxutils import quoteattr  # the network modules come with it
-
     paths = []
     for named in curves:
         segments = pen_segments(named.curve)
         letter = " LQC"[named.curve.degree]
         data = [f"M{_pair(numbers, segments[0][0])}"]
         data += [letter + " ".join(_pair(numbers, point) for point in points[1:]) for points in segments]
-        paths.append(f'<path id={quoteattr(named.name)} d="{" ".join(data)}" fill="none" stroke="black"/>')
+        paths.append(f'<path id={attribute(named.name)} d="{" ".join(data)}" fill="none" stroke="black"/>')
     return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg">', *paths, "</svg>", ""]).encode()
 
 
