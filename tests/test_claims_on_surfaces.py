@@ -88,9 +88,7 @@ def test_a_proof_that_fails_on_a_surface_is_a_contradiction(monkeypatch):
 def test_the_command(tmp_path):
     path = tmp_path / "own.json"
     save_surface(example_surface("biquadratic"), path)
-    told = CliRunner().invoke(
-        app, ["prove", "--paper", "surfaces", "--surface", str(path), "--surface", "cone", "--json"]
-    )
+    told = CliRunner().invoke(app, ["prove", "--surface", str(path), "--surface", "cone", "--json"])
     assert told.exit_code == 0
     rows = json.loads(told.output)["rows"]
     assert {row["curve"] for row in rows} == {"biquadratic", "cone"}

@@ -56,7 +56,8 @@ Surfaces = Annotated[
     typer.Option(
         "--surface",
         metavar="SURFACE",
-        help="A surface file (JSON) or an example surface, to check claims of surfaces on. May be repeated.",
+        help="A surface file (JSON) or an example surface, to check claims of surfaces on (of the paper surfaces, "
+        "unless --paper names others). May be repeated.",
     ),
 ]
 Judge = Annotated[
@@ -123,7 +124,7 @@ def prove(
         _emit(emit_coq)
         return
     wanted = [_word(each, WORDS) for each in verdict or []]
-    claims = _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or [])
+    claims = _of_sections(_named(claim or [], claims_of_papers(_papers(paper, curve, surface), trust)), section or [])
     given, good = loaded(curve or [])
     patches, all_read = _surfaces(surface or [])
     curves: list[Nurbs | NurbsSurface] | None = None
@@ -150,6 +151,11 @@ def prove(
         raise typer.Exit(2)
     if not all(row.as_recorded for row in found):
         raise typer.Exit(1)
+
+
+def _papers(named: list[str] | None, curves: Sequence[str] | None, surfaces: Sequence[str] | None) -> list[str] | None:
+    """The papers named; without one, that of surfaces where nothing but surfaces is to be checked."""
+    return ["surfaces"] if surfaces and not curves and not named else named
 
 
 def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
@@ -399,7 +405,7 @@ class _Ledger:
             on_surface = not isinstance(c, Nurbs)
             title = f"{c.name}: {described(c) if isinstance(c, Nurbs) else _described_surface(c)}"
             own = [row for row in self.rows if row.curve == c.name]
-            if own and isinstance(c, NurbsSurface) and c.patches != (1, 1):
+            if own and not isinstance(c, Nurbs) and c.patches != (1, 1):
                 title += "; checked on the first patch"
             if not own:
                 console.lines(shown, title)
