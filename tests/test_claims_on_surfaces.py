@@ -1,6 +1,7 @@
 """Claims checked on single surfaces: what holds, what is vacuous there, and statements that are false."""
 
 import json
+import re
 from dataclasses import replace
 
 import pytest
@@ -9,6 +10,7 @@ from typer.testing import CliRunner
 from exactspline import example_surface, paper, save_surface
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
+from exactspline.display.ledger import reasons, word
 from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, ContradictionError
@@ -37,6 +39,23 @@ def test_what_vanishes_on_a_plane_patch_is_vacuous():
     rows = {row.key: row for row in on("cone")}
     assert rows["S3-parabolic-parabolic_lifted"].witness.startswith("vacuous")
     assert rows["S1-E-E_reduced"].verdict == VERIFIED
+
+
+def test_what_is_not_multiplied_out_is_undecided_and_not_said_to_be_outside_of_the_claim():
+    rows = {row.key: row for row in on("torus")}
+    (long,) = (row for row in rows.values() if "brioschi" in row.witness)
+    assert (word(long), long.expected, long.as_recorded) == (UNDECIDED, UNDECIDED, True)
+    assert long.witness.startswith("left to the proof for all: brioschi as it stands has degree 208 in u")
+    assert not any("brioschi" in row.witness for row in on("bicubic"))
+
+
+def test_curves_are_named_by_what_they_are_where_claims_say_nothing_of_a_surface():
+    claims = claims_of(paper("chen_riesenfeld_cohen_2007"))
+    torus = example_surface("torus")
+    silent = [claim for claim in claims if not claim.speaks_of(3, False, surface=True)]
+    told = reasons(silent, torus)
+    assert "both" not in told
+    assert sum(map(int, re.findall(r"\d+(?= of)", told))) == len(claims)
 
 
 def test_claims_of_polynomial_surfaces_are_silent_of_rational_ones():
@@ -79,6 +98,7 @@ def test_the_command(tmp_path):
     text = CliRunner().invoke(app, ["prove", "--paper", "surfaces", "--surface", "torus", "-q"])
     assert "VACUOUS" in text.output
     assert text.output.splitlines()[0].startswith("torus: rational, degree 2 × 2")
+    assert "control points in R3; checked on the first patch" in " ".join(text.output.split())
 
 
 @pytest.mark.parametrize("arguments", [["--surface", "tours"], ["--surface", "circle"]])

@@ -221,6 +221,10 @@ def test_from_the_command_line(tmp_path: Path) -> None:
         refused = run("inspect", "cubic_s", "--emit-coq", tmp_path / name)
         assert refused.returncode == 2
         assert f"{tmp_path / better} would do" in " ".join(refused.stderr.split())
+    for folder in ("/", "."):
+        refused = run("inspect", "cubic_s", "--emit-coq", folder)
+        assert refused.returncode == 2
+        assert refused.stderr.startswith("error: ")
     refused = run("inspect", "cubic_s", "circle", "--emit-coq", file)
     assert refused.returncode == 2
     assert "one file per curve" in refused.stderr

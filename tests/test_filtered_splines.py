@@ -122,6 +122,16 @@ def test_the_examples_and_one_that_is_no_plane_curve():
     same_as_exact([curve for curve in curves if curve.dimension == 2])
 
 
+def test_what_is_no_curve_is_refused_like_a_bad_curve():
+    found = features_of_curves(["cubic_s", np.zeros((4, 2)), None, example("cubic_s")])
+    assert [str(found.refused[i]).split(";")[0] for i in range(3)] == [
+        "curves[0]: is of type str",
+        "curves[1]: is of type ndarray",
+        "curves[2]: is of type NoneType",
+    ]
+    assert set(found.curve.tolist()) == {3}
+
+
 def test_a_bad_curve_does_not_stop_the_others(monkeypatch):
     family = Family.parsed("degree=3 count=6")
     curves = [family.curve(i) for i in range(6)]

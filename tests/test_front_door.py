@@ -194,6 +194,7 @@ def test_the_plot_of_a_curve_hands_on_what_its_service_takes():
 IMPORT_BY_STRING = {
     "__init__.py",
     "batch/grade/adapters/__init__.py",
+    "cli/__init__.py",
     "cli/reduce.py",
     "display/__init__.py",
     "display/plot/canvas.py",

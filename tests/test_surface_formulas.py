@@ -315,6 +315,7 @@ def test_derive_writes_the_value_on_a_surface():
         ["derive", "surfaces:jacobian", "sphere"],
         ["derive", "surfaces:gaussian_curvature", "ellipse"],
         ["degrees", "--patch", "3,3"],
+        ["degrees", "--paper", "surfaces"],
         ["degrees", "--paper", "surfaces", "--patch", "3"],
         ["degrees", "--paper", "surfaces", "--patch", "0,2", "parabolic"],
     ],

@@ -193,12 +193,12 @@ def test_no_curve_is_kept_when_its_line_is_done(tmp_path):
         return sum(isinstance(each, xs.Nurbs) and each.source.startswith("d.svg") for each in gc.get_objects())
 
     lines, left = xs.sweep([str(drawing)], find=["inflections"]), []
-    for line in lines:
+    for i, line in enumerate(lines):
         assert line.error is None
-        left.append(alive())
-    assert len(left) == 30
+        if i % 10 == 9:  # a collection of garbage takes long where the whole suite runs
+            left.append(alive())
     # one may still be held by the generators
-    assert all(count <= 30 - i for i, count in enumerate(left))
+    assert all(count <= 30 - i for i, count in zip((9, 19, 29), left, strict=True))
     assert left[-1] <= 1
 
 

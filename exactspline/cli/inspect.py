@@ -113,6 +113,8 @@ def _see_that_coq_can_name(path: str) -> None:
     import re
     from pathlib import Path
 
+    if not Path(path).name:
+        raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
     stem = Path(path).name.removesuffix(".v")
     named = re.sub(r"\W", "_", stem, flags=re.ASCII)
     named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"

@@ -167,6 +167,7 @@ OF_DIMENSION = {2: ArgumentKind.PLANE, 3: ArgumentKind.SPACE}
 
 #: The arguments of claims of these kinds; those of other kinds are curves of that kind.
 ARGUMENTS = {
+    "curve": "curves",
     "pair": "two space curves",
     "point": "a point and a space curve",
     "plane point": "a point and a plane curve",
@@ -188,12 +189,13 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
     '2 of Table 1, 3 of plane curves'
     """
     counts: Counter[str] = Counter()
+    own = () if isinstance(curve, NurbsSurface) else (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension))
     for claim in claims:
         if claim.curve == ArgumentKind.TABLE:
             counts["of Table 1"] += 1
         elif isinstance(curve, NurbsSurface) and kind_of(claim.curve).made_of_a_surface:
             counts["of other surfaces"] += 1
-        elif claim.curve not in (ArgumentKind.CURVE, OF_DIMENSION.get(curve.dimension)):
+        elif claim.curve not in own:
             counts[f"of {ARGUMENTS.get(claim.curve, f'{claim.curve} curves')}"] += 1
         else:
             counts[f"of {claim.of} curves"] += 1

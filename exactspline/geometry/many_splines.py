@@ -64,7 +64,10 @@ def _features(curves: Sequence[Nurbs]) -> ManyFeatures:
     groups: dict[tuple[int, bool], list[int]] = {}
     refused: dict[int, ExactSplineError] = {}
     for i, curve in enumerate(curves):
-        if curve.dimension != 2:
+        if not isinstance(curve, Nurbs):
+            told = f"is of type {type(curve).__name__}"
+            refused[i] = ShapeError(told, where=f"curves[{i}]", remedy="a `Nurbs` curve; for arrays `features_of_many`")
+        elif curve.dimension != 2:
             refused[i] = ShapeError(f"a curve in {curve.dimension} dimensions", where=f"curves[{i}]", remedy="in 2")
         else:
             groups.setdefault((curve.degree, curve.polynomial), []).append(i)

@@ -29,6 +29,7 @@ from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names
 from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
+    LEFT,
     OUTSIDE,
     PROVED,
     REFUTED,
@@ -328,7 +329,7 @@ class Claim(Displayed):
         """The finding on one curve or surface (or on the `Evaluation` of one)."""
         own = evaluation(curve)
         if isinstance(own.curve, NurbsSurface) and (told := too_long(map(self.find, self.named), own.curve)):
-            return Finding(UNDECIDED, self.claims, witness=OUTSIDE + told)
+            return Finding(UNDECIDED, self.claims, witness=LEFT + told)
         argument = own.handed(self.curve)
         gone = self.missing(argument)
         finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)

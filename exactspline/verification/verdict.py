@@ -17,8 +17,10 @@ PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict
 VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
 #: How `witness` begins where the claim does not apply to a curve.
 OUTSIDE = "the claim says nothing of this curve: "
+#: How `witness` begins where a claim is decided for all alone.
+LEFT = "left to the proof for all: "
 #: Why a curve of lower degree decides nothing about the generic one.
-LOWER_HERE = "the degree is lower on it, as it may be on special curves"
+LOWER_HERE = "the degree is lower on it, as it may be on special ones"
 #: Why a count says nothing of a patch of low degree.
 NO_DERIVATIVES = "its degree is lower than the order of a derivative"
 
@@ -51,6 +53,11 @@ class Finding:
     def is_outside(self) -> bool:
         """Whether nothing was decided because the claim does not speak of the curve."""
         return self.verdict == UNDECIDED and self.witness.startswith(OUTSIDE)
+
+    @property
+    def is_left(self) -> bool:
+        """Whether it was not tried to decide anything here."""
+        return self.verdict == UNDECIDED and self.witness.startswith(LEFT)
 
 
 def undecided(claimed: str, error: ExactSplineError) -> Finding:
@@ -132,6 +139,7 @@ def _statement(claim: Claim) -> str:
 
 
 def _expected(claim: Claim, curve: str, finding: Finding, is_example: bool) -> str:
-    if finding.is_outside or (finding.is_vacuous and not is_example) or (is_example and curve in claim.vacuous):
+    undecided_here = finding.is_outside or finding.is_left
+    if undecided_here or (finding.is_vacuous and not is_example) or (is_example and curve in claim.vacuous):
         return UNDECIDED
     return VERIFIED if claim.expected in (PROVED, VERIFIED) else f"{REFUTED} or {VERIFIED}"

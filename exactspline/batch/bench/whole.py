@@ -52,7 +52,7 @@ def _command_rows() -> Iterator[Row]:
     yield bounded(COMMANDS, "prove, whole and cold", took, "s", 5)
     loaded = imported_by(["prove", "--curve", "rational_cubic", "-q"])
     whole, _ = processor_time(["-m", "exactspline", "prove", "--curve", "rational_cubic", "-q"])
-    imports, _ = processor_time(["-c", IMPORTS, *loaded])
+    imports, _ = processor_time(["-c", "".join(f"import {name}\n" for name in loaded)])
     packages = dict.fromkeys(name.split(".")[0] for name in loaded)
     above, note = whole - imports, f"{whole:.2f} s less {imports:.2f} s of {', '.join(packages)}"
     yield bounded(COMMANDS, "prove on one curve, above its imports", above, "s", Fraction(15, 100), note)
@@ -91,19 +91,16 @@ known = packages_distributions()
 print("\\nloaded", *[name for name in sys.modules if name.split(".")[0] in known])
 """
 
-IMPORTS = """
-import sys
-from importlib import import_module
-for name in sys.argv[1:]:
-    import_module(name)
-"""
-
 
 def imported_by(arguments: Sequence[str]) -> list[str]:
-    """The modules of installed packages that a command loads, in their order, ours left out."""
+    """The modules of installed packages that a command loads, in their order; ours are left out, and those that no
+    statement can import.
+    """
     _, printed = processor_time(["-c", LOADED, *arguments], runs=1)
     names = printed.rsplit("loaded", 1)[-1].split()
-    return [name for name in names if name.split(".")[0] != "exactspline" and not name.startswith("_")]
+    return [
+        name for name in names if all(map(str.isidentifier, parts := name.split("."))) and parts[0] != "exactspline"
+    ]
 
 
 def _files(folder: str) -> Iterator[Row]:

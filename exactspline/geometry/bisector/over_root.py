@@ -17,9 +17,9 @@ class OverRoot:
     """A polynomial in t with coefficients in ``Q[s]/(minimal)``, constant term first, none of them zero at the end.
 
     >>> modulus = fmpq_poly([-2, 0, 1])
-    >>> product = OverRoot([fmpq_poly([0, 1]), 1], modulus) * OverRoot([fmpq_poly([0, -1]), 1], modulus)
-    >>> product.coefficients  # (t + √2)(t − √2)
-    (-2, 0, 1)
+    >>> product = OverRoot([fmpq_poly([0, 1]), 1], modulus) * OverRoot([fmpq_poly([0, 1]), 1], modulus)
+    >>> product.coefficients  # (t + √2)²
+    (2, 2*x, 1)
     """
 
     __slots__ = ("coefficients", "modulus")
