@@ -29,7 +29,7 @@ WIDER = 16 * ROUNDING
 LITTLE = 1 / 1024
 #: Cubes of quotients of widths below this say nothing: a product with a larger one loses `UNDERFLOW` at most, and the
 #: bounds of both forms are larger than that.
-FLAT = 2.0**-300
+FLAT = 1 / 2**300
 #: Breakpoints other than 0 whose sizes are outside are left to exact arithmetic: the width of a segment could overflow,
 #: and numbers below `UNDERFLOW` are farther from the nearest double than by a rounding.
 SIZES = mpq(1, 2**900), mpq(2**1000)
