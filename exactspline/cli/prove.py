@@ -399,7 +399,7 @@ class _Ledger:
             on_surface = not isinstance(c, Nurbs)
             title = f"{c.name}: {described(c) if isinstance(c, Nurbs) else _described_surface(c)}"
             own = [row for row in self.rows if row.curve == c.name]
-            if own and isinstance(c, NurbsSurface) and c.patches != (1, 1):
+            if own and not isinstance(c, Nurbs) and c.patches != (1, 1):
                 title += "; checked on the first patch"
             if not own:
                 console.lines(shown, title)
