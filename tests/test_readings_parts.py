@@ -382,7 +382,7 @@ def test_derivatives_by_the_parameters_of_a_surface_are_subscripts():
     x = TreeReading().argument(SURFACE, 3).p[0]
     assert print_text(x.d(1, by="u")) == "p[0]_u"
     assert print_text(x.d(2, by="u").d(1, by="v")) == "p[0]_uuv"
-    assert print_text((x.d(1, by="u") * 2).d(1, by="v")) == "(p[0]_u 2)_v"
+    assert print_text((x.d(1, by="u") * 2).d(1, by="v")) == "(2 p[0]_u)_v"
     curve = TreeReading().argument(PAIR, 3).first
     assert print_text(curve.w.d(1, by="s")) == "∂_s w"
     assert print_text(curve.w.d(1)) == "w′"

@@ -29,7 +29,7 @@ class LatexPrinter(Printer):
 
     def quotient(self, a: Node, b: Node) -> tuple[str, int]:
         """A fraction."""
-        return rf"\frac{{{self(a)}}}{{{self(b)}}}", PRODUCT
+        return rf"\frac{{{self.inner(a)}}}{{{self.inner(b)}}}", PRODUCT
 
     def power(self, base: str, exponent: int) -> str:
         """A power."""

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 
 from exactspline.exact import Number
 from exactspline.language.choices import Parameter
+from exactspline.readings.printing.units import without_units
 from exactspline.readings.tree import ATOMS, Node, Operation
 
 #: The parameters of surfaces: derivatives by them are written as subscripts.
@@ -20,6 +21,10 @@ class Printer(ABC):
 
     def __call__(self, node: Node) -> str:
         """The text of a tree."""
+        return self.inner(without_units(node))
+
+    def inner(self, node: Node) -> str:
+        """The text of a part of a tree."""
         return self.show(node)[0]
 
     def show(self, n: Node) -> tuple[str, int]:
@@ -32,9 +37,9 @@ class Printer(ABC):
         if n.op in (Operation.PLUS, Operation.MINUS):
             left, right = n.args
             sign, least = (self.minus, PRODUCT) if n.op is Operation.MINUS else ("+", SUM)
-            return f"{self(left)} {sign} {self.at(right, least)}", SUM
+            return f"{self.inner(left)} {sign} {self.at(right, least)}", SUM
         if n.op is Operation.RULED:
-            return f"{self(n.args[0])} + {self.ruling}{self.between}{self.at(n.args[1], PRODUCT)}", SUM
+            return f"{self.inner(n.args[0])} + {self.ruling}{self.between}{self.at(n.args[1], PRODUCT)}", SUM
         if n.op is Operation.NEGATIVE:
             return f"{self.minus}{self.at(n.args[0], PRODUCT)}", SUM
         if n.op is Operation.TIMES:
@@ -53,7 +58,7 @@ class Printer(ABC):
         if n.op is Operation.COMPONENT:
             return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
         if n.op is Operation.JOIN:
-            return self.parentheses(", ".join(map(self, n.args))), ATOM
+            return self.parentheses(", ".join(map(self.inner, n.args))), ATOM
         return self.product(n)
 
     def at(self, n: Node, least: int) -> str:
@@ -77,14 +82,14 @@ class Printer(ABC):
         """A product of vectors."""
         parts = [self.at(a, POWER) for a in n.args]
         if n.op is Operation.DOT and n.args[0] is n.args[1]:
-            return self.norm2(self(n.args[0])), POWER
+            return self.norm2(self.inner(n.args[0])), POWER
         if n.op is Operation.DET:
             return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
         if n.op is Operation.PERP:
             (turned,) = n.args
             return self.perp(self.at(turned, ATOM)), ATOM
         if n.op is Operation.GENERALIZED_CROSS:
-            return self.wedge([self(a) for a in n.args]), ATOM
+            return self.wedge([self.inner(a) for a in n.args]), ATOM
         return (f" {self.cross} " if n.op is Operation.CROSS else f" {self.dot} ").join(parts), PRODUCT
 
     minus: str

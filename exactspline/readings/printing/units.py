@@ -1,0 +1,100 @@
+"""Formulas without the zeros and ones that adjoined roots bring along: ``0 + M (−1)`` is written ``−M``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from exactspline.exact import Number
+from exactspline.readings.tree import ATOMS, Node, Operation
+
+
+def without_units(n: Node) -> Node:
+    """A tree of the same value: nothing is added to 0 or multiplied by 0, 1 or −1, and products have their sign in
+    front; shared nodes stay shared.
+
+    >>> from exactspline.readings.printing.text import print_text
+    >>> x, y = Node(Operation.LEAF, value="x"), Node(Operation.LEAF, value="y")
+    >>> print_text((0 + x * (-1)) * (1 + 0 * y) + y * (-1)), print_text(2 * x - 0 * y)
+    ('−x − y', '2 x')
+    """
+    return _Cleaned()(n)
+
+
+class _Cleaned:
+    """The trees made so far, by the nodes that they are made of."""
+
+    def __init__(self) -> None:
+        self.made: dict[int, Node] = {}
+
+    def __call__(self, n: Node) -> Node:
+        if n.op in ATOMS:
+            return n
+        found = self.made.get(id(n))
+        if found is None:
+            args = tuple(map(self, n.args))
+            same = all(a is b for a, b in zip(args, n.args, strict=True))
+            found = n if same else Node(n.op, args, n.value, vector=n.is_vector)
+            if n.op in _RULES:
+                found = _RULES[n.op](found, *args)
+            self.made[id(n)] = found
+        return found
+
+
+def _is(n: Node, value: int) -> bool:
+    return n.op is Operation.NUMBER and n.value == value
+
+
+def _is_integer(n: Node) -> bool:
+    return n.op is Operation.NUMBER and n.value == int(n.value)
+
+
+def _number(value: Number) -> Node:
+    return Node(Operation.NUMBER, value=value)
+
+
+def _negative(n: Node) -> Node:
+    if n.op is Operation.NUMBER:
+        return _number(-n.value)
+    return n.args[0] if n.op is Operation.NEGATIVE else -n
+
+
+def _sum(n: Node, a: Node, b: Node) -> Node:
+    if _is(a, 0) or _is(b, 0):
+        return b if _is(a, 0) else a
+    if b.op is Operation.PLUS and b.args[0].op is Operation.NEGATIVE:
+        return a - b.args[0].args[0] + b.args[1]
+    return a - b.args[0] if b.op is Operation.NEGATIVE else n
+
+
+def _difference(n: Node, a: Node, b: Node) -> Node:
+    if _is(a, 0) or _is(b, 0):
+        return _negative(b) if _is(a, 0) else a
+    return n
+
+
+def _product(n: Node, a: Node, b: Node) -> Node:
+    if _is(a, 0) or _is(b, 0):
+        return n if n.is_vector else _number(0)
+    for unit, other in ((a, b), (b, a)):
+        if _is(unit, 1):
+            return other
+        if _is(unit, -1):
+            return _negative(other)
+        if unit.op is Operation.NEGATIVE and other.op is not Operation.NUMBER:
+            return _negative(_product(n, unit.args[0], other) if unit is a else _product(n, other, unit.args[0]))
+    if _is_integer(b) and a.op is not Operation.NUMBER and not a.is_vector:
+        return _in_front(b, a)
+    return n if a is n.args[0] and b is n.args[1] else a * b
+
+
+def _in_front(factor: Node, n: Node) -> Node:
+    """A product with a number before its first factor."""
+    return _in_front(factor, n.args[0]) * n.args[1] if n.op is Operation.TIMES else factor * n
+
+
+_RULES: dict[Operation, Callable[..., Node]] = {
+    Operation.PLUS: _sum,
+    Operation.MINUS: _difference,
+    Operation.TIMES: _product,
+    Operation.NEGATIVE: lambda n, a: _negative(a) if a.op in (Operation.NUMBER, Operation.NEGATIVE) else n,
+}
