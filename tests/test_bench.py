@@ -121,7 +121,7 @@ def test_what_takes_too_long_is_ended_and_missed():
     took = alone.run("inspect", 10**5, 1)
     assert (took.seconds, took.note) == (None, "more than 1 s")
     quick = alone.run("inspect", 10, 30)
-    assert quick.seconds > 0
+    assert quick.seconds is not None  # two milliseconds, which is nothing where the clock ticks slowly
     assert not quick.note
 
 
