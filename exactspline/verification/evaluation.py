@@ -7,7 +7,6 @@ from itertools import product
 from typing import Any
 
 from exactspline.exact import mpq, text
-from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.splines.bernstein import zero_on_segment
@@ -85,6 +84,8 @@ def _fails(each: Assumption, handed: object) -> str:
 
 def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
     """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
+    from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
+
     value = each.polynomial(handed)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
     for form, patch in ((PatchForm.of(value, *patch), patch) for patch in patches):

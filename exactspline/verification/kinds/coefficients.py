@@ -21,7 +21,7 @@ GENERIC_DEGREES = range(2, 7)
 NONE = "none vanishes"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Coefficients(Claim):
     """No B-spline coefficient of ``formula`` vanishes (of a vector: none is the zero vector), on every curve or on the
     generic Bézier curve.

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 BETTER = "better at every common zero"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Condition(ExampleClaim):
     """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
     condition number: a relative change of its Bernstein coefficients moves the zero less.

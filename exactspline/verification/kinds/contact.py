@@ -37,7 +37,7 @@ def order_of_contact(claim: Claim, name: str, value: object) -> int:
     return order
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Contact(Claim):
     """The object attached to the curve at the parameter s has contact of ``order`` n with it there. The ``formula``
     vanishes where the point at s̄ lies on the object attached at s (in the osculating circle: its squared distance from

@@ -40,7 +40,7 @@ def counted(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
 

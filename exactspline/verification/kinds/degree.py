@@ -49,7 +49,7 @@ MEASURES = {
 RELATIONS = {Relation.EQUAL: ("=", ""), Relation.AT_MOST: (r"\le", "≤ "), Relation.AT_LEAST: (r"\ge", "≥ ")}
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class DegreeClaim(Claim):
     """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d from ``least_d`` on.
 

@@ -14,7 +14,7 @@ from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding
 NOT = "not rational"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Existence(Claim):
     """The value of ``formula`` is not rational: refuted by the formula itself, a quotient of polynomials in the curve,
     together with the proof of its meaning.

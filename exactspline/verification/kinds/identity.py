@@ -34,7 +34,7 @@ def stated_factor(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Identity(Claim):
     """``left = factor · right``."""
 
@@ -166,7 +166,7 @@ def _over(ring: Any, polynomial: Any) -> Any:
     return ring.context.from_dict(terms)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Vanishing(Claim):
     """``left`` is identically zero."""
 

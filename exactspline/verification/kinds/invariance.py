@@ -89,7 +89,7 @@ def whole_number(claim: Claim, name: str, value: object) -> int:
     return value
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Invariance(Claim):
     """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of the unit of the
     group, and moves along where its ``nature`` is that of a vector or of a point. The group ``under`` consists of

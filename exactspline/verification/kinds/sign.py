@@ -49,7 +49,7 @@ def positive_factor(claim: Claim, name: str, value: str) -> str:
     return stated_factor(claim, name, value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class SignClaim(Claim):
     """The value of ``formula`` has a ``sign`` wherever it exists: on all curves because, up to that sign, it is
     ``factor`` times the sum of the ``squares`` (of a vector the squared length).

@@ -18,7 +18,7 @@ from exactspline.verification.vocabulary import ArgumentKind
 SAME = "the same"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class SquareClass(Claim):
     """``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is."""
 

@@ -25,7 +25,7 @@ ONE = "one surface"
 ZETA = "the curve ζ = 0"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class SameSurface(Claim):
     """The ruled surfaces ``left`` and ``right`` are one: parallel generators, directrices that differ along them."""
 
@@ -106,7 +106,7 @@ def _poles(factor: Factor) -> Factor:
     return Factor(factor.constant, factor.powers.below, factor.ring)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class IsoCurve(Claim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 

@@ -20,7 +20,7 @@ from exactspline.verification.vocabulary import ArgumentKind, ZeroSetOf
 ONE = "one zero set"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ZeroSet(Claim):
     """All of ``formulas`` have one zero set: of their numerators, with nothing cancelled, or of their values in lowest
     terms.
