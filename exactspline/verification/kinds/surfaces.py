@@ -18,7 +18,7 @@ from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import harmful
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, ContradictionError, Finding, vacuous
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
 ONE = "one surface"
@@ -62,13 +62,12 @@ class SameSurface(Claim):
             if all(x.is_zero for x in split(surface.generator)[0]):
                 return Finding(UNDECIDED, ONE, "no surface", witness=f"the generator of {name} vanishes on every curve")
         offset = b.directrix - a.directrix
-        if not all(part.is_zero for part in differences(a, b)):
+        # no generator vanishes: vectors of quotients are parallel exactly if they are proportional
+        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
+        if scale is None or shift is None:
             witness = self.refuted_on_examples().witness
             told = "the generators are not parallel, or the directrices differ across them"
             return Finding(REFUTED, ONE, "two surfaces", witness=witness or told)
-        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
-        if scale is None or shift is None:
-            raise ContradictionError("parallel vectors are not proportional", remedy="report this")
         moved = "" if offset.is_zero else f"{shift} + "
         bad, used = harmful(scale, self.assumes)
         also, others = ([], ()) if offset.is_zero else harmful(_poles(shift), self.assumes)
