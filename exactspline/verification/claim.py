@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import cache
 from typing import ClassVar, TypeVar
@@ -13,6 +13,7 @@ from typing import ClassVar, TypeVar
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
+from exactspline.language.immutable import Immutable
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -25,7 +26,7 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim_factor import WEIGHTS
-from exactspline.verification.claim_fields import declared
+from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names
@@ -175,8 +176,8 @@ def identifier(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Claim(Displayed):
+@claim_kind
+class Claim(Immutable, Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
@@ -212,13 +213,18 @@ class Claim(Displayed):
     vacuous: tuple[str, ...] = field(default=(), metadata=read(example_list))
     note: str = field(default="", compare=False)
 
-    def __post_init__(self) -> None:
-        for name, check, default in declared(self.__class__).checks:
-            value = getattr(self, name)
+    def __init__(self, **values: object) -> None:
+        own, given = declared(type(self)), vars(self)
+        if wrong := [*(values.keys() - own.entries.keys() - {"paper"}), *({"paper", *own.needed} - values.keys())]:
+            raise TypeError(f"{type(self).__name__}: {', '.join(sorted(wrong))} unknown or missing")
+        given |= own.defaults
+        given |= values
+        for name, check, default in own.checks:
+            value = given[name]
             if value is default:
                 continue
             if check is not None:
-                object.__setattr__(self, name, check(self, name, value))
+                given[name] = check(self, name, value)
             elif not isinstance(value, str):
                 raise ClaimError(f"{value!r} is not a text", where=name, remedy="write a text")
             elif not value.replace("\n", "").isprintable():
@@ -396,7 +402,7 @@ class Claim(Displayed):
         return Finding(UNDECIDED, self.claims)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+@claim_kind
 class ExampleClaim(Claim):
     """A claim about one example curve alone."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
@@ -15,6 +15,7 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import harmful
@@ -25,7 +26,7 @@ ONE = "one surface"
 ZETA = "the curve ζ = 0"
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+@claim_kind
 class SameSurface(Claim):
     """The ruled surfaces ``left`` and ``right`` are one: parallel generators, directrices that differ along them."""
 
@@ -105,7 +106,7 @@ def _poles(factor: Factor) -> Factor:
     return Factor(factor.constant, factor.powers.below, factor.ring)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+@claim_kind
 class IsoCurve(Claim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 
