@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -41,8 +42,14 @@ class Evaluation:
     def _argument(self, kind: str) -> tuple[Evaluated, str]:
         if kind not in self._handed:
             made, beside = argument(kind, self.curve)
-            self._handed[kind] = made.remembering(), beside
+            self._handed[kind] = self._bare if made is self.curve else made.remembering(), beside
         return self._handed[kind]
+
+    @cached_property
+    def _bare(self) -> Evaluated:
+        """The curve itself, for all kinds that add nothing to it."""
+        bare: Evaluated = self.curve.remembering()
+        return bare
 
     def handed(self, kind: str) -> Handed:
         """The argument of formulas of a kind; it remembers their values."""
