@@ -9,6 +9,7 @@ from exactspline.batch.lines import Found
 from exactspline.errors import FormulaError, nearest
 from exactspline.exact import mpq, mpz
 from exactspline.geometry import features
+from exactspline.geometry.corners import Corner, corner_places
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature
 from exactspline.roots.root import Root
@@ -17,12 +18,12 @@ from exactspline.splines.nurbs import Nurbs
 if TYPE_CHECKING:
     from exactspline.geometry.many_roots import Irrational, Point, Settled
 
-Points: TypeAlias = "Sequence[Point] | Sequence[Feature] | Sequence[Joint] | Sequence[CurvePiece]"
+Points: TypeAlias = "Sequence[Point] | Sequence[Corner] | Sequence[Feature] | Sequence[Joint] | Sequence[CurvePiece]"
 #: Name → the function that finds it.
 INSPECTIONS: dict[str, Callable[[Nurbs], Points]] = {
     "inflections": features.inflections,
     "extrema": features.curvature_extrema,
-    "corners": features.corners,
+    "corners": corner_places,
     "critical_points": features.critical_points,
     "singular_points": features.singular_points,
     "joints": features.joints,
@@ -90,15 +91,15 @@ def _points(curve: Nurbs, name: str, settled: Settled | None) -> Points:
     return () if smooth else INSPECTIONS[name](curve)
 
 
-def _told(each: Point | Feature | Joint | CurvePiece, digits: int) -> Found:
-    if isinstance(each, (Joint, CurvePiece)):
+def _told(each: Point | Corner | Feature | Joint | CurvePiece, digits: int) -> Found:
+    if isinstance(each, (Corner, Joint, CurvePiece)):
         return _told_exactly(each)
     low, high = enclosed(each.place if isinstance(each, tuple) else each.root, digits)
     return Found(str(each.kind), low if low == high else None, low, high)
 
 
-def _told_exactly(each: Joint | CurvePiece) -> Found:
-    if isinstance(each, Joint):
+def _told_exactly(each: Corner | Joint | CurvePiece) -> Found:
+    if isinstance(each, (Corner, Joint)):
         return Found(str(each.kind), str(each.parameter), str(each.parameter), str(each.parameter))
     return Found("piece across the seam" if each.across_seam else "piece", None, str(each.start), str(each.end))
 
