@@ -15,7 +15,8 @@ from time import perf_counter
 from typing import Any, Generic, TypeVar, cast, overload
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
+from exactspline.exact import mpq, ratio
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
@@ -25,6 +26,7 @@ from exactspline.geometry.joints import (
     bend_of,
     curvature_of,
     distance,
+    end_direction,
     geometric_order,
     limit_direction,
     turned,
@@ -40,7 +42,7 @@ from exactspline.programs.invariants import INVARIANTS, bending, invariants, tan
 from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
-from exactspline.splines.bernstein import variations
+from exactspline.splines.bernstein import ONE, variations
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import certainly_coprime, common_factor
 from exactspline.splines.nurbs import Nurbs
@@ -265,6 +267,8 @@ class Facts:
     def _met(self, before: int, behind: int) -> Joint:
         """The joint of two segments."""
         t, seam = self.breaks[behind], before < 0
+        if (angle := self._turned(before, behind)) is not None:
+            return Joint(t, JointKind.CORNER, 0, seam, angle)
         left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
             return Joint(t, JointKind.GAP, -1, seam, gap=distance(left[0], right[0]))
@@ -278,6 +282,16 @@ class Facts:
             return Joint(t, JointKind.CORNER, 0, seam, turned(left[1], right[1]))
         curvatures = (curvature_of(left), curvature_of(right)) if order == 1 else None
         return Joint(t, self._smooth_kind(t, left, right, order), order, seam, curvatures=curvatures)
+
+    def _turned(self, before: int, behind: int) -> Angle | None:
+        """The angle by which the tangent turns where two segments surely meet and γ′ ≠ 0 on both sides; None proves
+        nothing.
+        """
+        if before >= 0 and self.curve.p[0].continuity[before] < 0:
+            return None
+        ends = (before, Side.LEFT), (behind, Side.RIGHT)
+        left, right = (tuple([ratio(x, ONE) for x in end_direction(self.operands, i, side)]) for i, side in ends)
+        return turned(left, right)
 
     def _smooth_kind(self, t: mpq, left: Jet, right: Jet, order: int) -> JointKind:
         """The kind of a joint with a common tangent."""
