@@ -186,6 +186,7 @@ def main() -> None:
         try:
             app_of(_asked())(prog_name="exactspline")
         finally:
+            gc.freeze()  # the process ends: looking through a million objects for circles would only delay it
             sys.stdout.flush()
     except ExactSplineError as error:
         from exactspline.display.console import show_error

@@ -192,6 +192,8 @@ def tell_how_surfaces_are_drawn() -> None:
 
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     """The curves, each space curve in a coordinate plane followed by itself as a plane curve."""
+    if all(c.dimension != 3 for c in curves):
+        return list(curves)
     from exactspline.geometry.planarity import with_plane_curves
 
     return with_plane_curves(curves)

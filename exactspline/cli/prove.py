@@ -115,7 +115,6 @@ def prove(
         _identity(out, identity, trust)
         return
     from exactspline.display.ledger import WORDS, word
-    from exactspline.display.ledger_page import write_page
     from exactspline.verification.ledger import tasks
 
     if emit_coq:
@@ -137,6 +136,8 @@ def prove(
     kernel = _kernel(claims) if judge == "coq" else None
     chosen = [row for row in found if not wanted or word(row) in wanted]
     if html:
+        from exactspline.display.ledger_page import write_page
+
         write_page(html, chosen)
     if report:
         from exactspline.display.report import write_report

@@ -11,7 +11,6 @@ from typing import IO
 from rich.console import Console, RenderableType
 from rich.text import Text
 
-from exactspline.display.glossary import explained
 from exactspline.display.numbers import decimal, decimal_milliseconds, decimals
 from exactspline.display.sheet import PIPE, Sheet
 from exactspline.display.wrapping import hanging, visible
@@ -76,6 +75,8 @@ def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int 
 
 def legend(out: Console, words: Iterable[str]) -> None:
     """The meanings of the words in the glossary, one line each."""
+    from exactspline.display.glossary import explained  # its texts are read where they are shown
+
     told = explained(words)
     if told:
         out.print()

@@ -268,6 +268,8 @@ def kind_of(name: str) -> Kind:
 
     Raises `FormulaError` naming those that exist.
     """
+    if name in KINDS:
+        return KINDS[name]
     plain, beside, constants = name.partition(" with ")
     if plain not in KINDS:
         raise FormulaError(f"there is no kind of argument called {name!r}", remedy=nearest(plain, KINDS))

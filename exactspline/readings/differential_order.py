@@ -100,4 +100,10 @@ def _highest(value: Any) -> int:
 @lru_cache(4096)
 def _orders(formula: Formula, dimension: int) -> Any:
     kind = formula.kind if isinstance(formula, Formula) else CURVE
-    return joined(formula(OrderReading().argument(kind, dimension)))
+    return joined(formula(_argument(kind, dimension)))
+
+
+@lru_cache(64)
+def _argument(kind: Kind, dimension: int) -> Evaluated:
+    """One argument for all formulas of a kind, so that what they share is found once."""
+    return OrderReading().argument(kind, dimension).remembering()

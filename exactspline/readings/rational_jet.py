@@ -7,6 +7,7 @@ after every operation: a way to prove an identity between large naive expression
 from __future__ import annotations
 
 from flint import fmpq, fmpq_mpoly
+from flint.utils.flint_exceptions import DomainError
 
 from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
@@ -144,8 +145,17 @@ def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fm
 
 def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     """The monic greatest common divisor (of 0 and b: b made monic)."""
-    common = a.gcd(b)
+    common = b if len(a) >= len(b) and _divides(b, a) else a.gcd(b)
     return common / common.leading_coefficient() if common else common
+
+
+def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
+    """Whether b divides a. Mostly the first terms say no, so that this costs nothing beside a common divisor."""
+    try:
+        a / b
+    except (DomainError, ZeroDivisionError):
+        return False
+    return True
 
 
 class RationalJetReading(Reading):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -52,13 +52,18 @@ class Assumption:
 
     def speaks_of(self, kind: Kind) -> bool:
         """Whether its polynomial exists on arguments of a kind."""
-        return any(kind.takes(kind_of(name), n) for name in self.kinds for n in kind.dimensions)
+        return _one_taken(kind, self.kinds)
 
     def __str__(self) -> str:
         return self.name
 
     def __reduce__(self) -> tuple[object, ...]:
         return assumption, (self.name,)
+
+
+@lru_cache(1024)
+def _one_taken(kind: Kind, names: tuple[str, ...]) -> bool:
+    return any(kind.takes(kind_of(name), n) for name in names for n in kind.dimensions)
 
 
 def _first(c: Any) -> Any:

@@ -161,7 +161,7 @@ def find_factor(left: Value, right: Value) -> Factor | None:
     if len(ps) != len(qs):
         return None
     quotient = ps[pivot] / qs[pivot]
-    if any(p != quotient * q for p, q in zip(ps, qs, strict=True)):
+    if any(p != quotient * q for i, (p, q) in enumerate(zip(ps, qs, strict=True)) if i != pivot):
         return None
     return factored(quotient.ring, quotient.top, quotient.bottom)
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import Field, dataclass, field, fields
+from dataclasses import field
 from enum import StrEnum
-from typing import Any, ClassVar, TypeVar
+from functools import cache
+from typing import ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
+from exactspline.language.immutable import Immutable
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -24,6 +26,7 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claim_factor import WEIGHTS
+from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names
@@ -129,9 +132,7 @@ def _assumed(claim: Claim, text: str) -> Assumption:
 
 def degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
-    kind = kind_of(claim.curve)
-    symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
-    names = set().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
+    names = _degree_names(kind_of(claim.curve))
     if unknown := parse(value).names - names:
         raise ClaimError(
             f"the degree {value!r} speaks of {sorted(unknown)[0]!r}",
@@ -139,6 +140,13 @@ def degree_text(claim: Claim, name: str, value: str) -> str:
             remedy=f"write it in {' and '.join(sorted(names))}",
         )
     return str(value)
+
+
+@cache
+def _degree_names(kind: Kind) -> frozenset[str]:
+    """The names of the degrees of operands."""
+    symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
+    return frozenset().union(*[parse(s.degree_in(p)).names for s in symbols for p in s.parameters])
 
 
 #: The largest count that a claim may state.
@@ -168,8 +176,8 @@ def identifier(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Claim(Displayed):
+@claim_kind
+class Claim(Immutable, Displayed):
     """One checkable statement.
 
     ``key`` is its name, unique in its paper; ``id`` that of the claim to which it belongs. ``words`` are the verbatim
@@ -205,17 +213,37 @@ class Claim(Displayed):
     vacuous: tuple[str, ...] = field(default=(), metadata=read(example_list))
     note: str = field(default="", compare=False)
 
-    def __post_init__(self) -> None:
-        for name, check in _checks(self.__class__):
-            value = getattr(self, name)
+    def __init__(self, **values: object) -> None:
+        own, given = declared(type(self)), vars(self)
+        if wrong := [*(values.keys() - own.entries.keys() - {"paper"}), *({"paper", *own.needed} - values.keys())]:
+            raise TypeError(f"{type(self).__name__}: {', '.join(sorted(wrong))} unknown or missing")
+        given |= own.defaults
+        given |= values
+        for name, check, default in own.checks:
+            value = given[name]
+            if value is default:
+                continue
             if check is not None:
-                object.__setattr__(self, name, check(self, name, value))
+                given[name] = check(self, name, value)
             elif not isinstance(value, str):
                 raise ClaimError(f"{value!r} is not a text", where=name, remedy="write a text")
             elif not value.replace("\n", "").isprintable():
                 raise ClaimError("a text that cannot be printed", where=name, remedy="leave control characters out")
         self._validate_common()
         self.validate()
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all fields are equal but notes."""
+        return self is other or (
+            type(other) is type(self)
+            and all(getattr(self, name) == getattr(other, name) for name in declared(type(self)).compared)
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.paper, self.key))
+
+    def __repr__(self) -> str:
+        return f"<claim {self.key} of {self.paper}>"
 
     def _validate_common(self) -> None:
         if self.status == Status.PRINTED and not (self.words or re.search(r"eq|Table|[(]\d|\d", self.place)):
@@ -250,7 +278,7 @@ class Claim(Displayed):
     def named(self) -> tuple[str, ...]:
         """The names of the formulas it speaks of."""
         chosen: list[str] = []
-        for name, check in _checks(self.__class__):
+        for name, check, _ in declared(self.__class__).checks:
             if check in (formula_name, formula_names):
                 value = getattr(self, name)
                 chosen += [value] if isinstance(value, str) else value
@@ -374,7 +402,7 @@ class Claim(Displayed):
         return Finding(UNDECIDED, self.claims)
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class ExampleClaim(Claim):
     """A claim about one example curve alone."""
 
@@ -467,21 +495,3 @@ def contradict(claim: Claim, proof: Finding, example_finding: Finding) -> None:
             remedy="one of the readings is wrong: report this",
             claim=claim.key,
         )
-
-
-#: The fields of each kind of claims with what reads them; None for a text.
-_CHECKS: dict[type[Claim], tuple[tuple[str, Callable[[Claim, str, Any], object] | None], ...]] = {}
-_ENTRIES: dict[type[Claim], dict[str, Field[object]]] = {}
-
-
-def _checks(kind: type[Claim]) -> tuple[tuple[str, Callable[[Claim, str, Any], object] | None], ...]:
-    if kind not in _CHECKS:
-        _CHECKS[kind] = tuple((f.name, f.metadata.get("check")) for f in fields(kind))
-    return _CHECKS[kind]
-
-
-def entries(kind: type[Claim]) -> dict[str, Field[object]]:
-    """The fields that an entry of a kind of claims may have."""
-    if kind not in _ENTRIES:
-        _ENTRIES[kind] = {f.name: f for f in fields(kind) if f.name != "paper"}
-    return _ENTRIES[kind]

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import MISSING, fields
 from enum import StrEnum
 from functools import cache
 from typing import Any
@@ -18,7 +17,8 @@ from typing import Any
 from exactspline.errors import ClaimError, ExactSplineError, nearest, shown
 from exactspline.papers import Paper, Table, default_papers, paper
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claim import Claim, entries
+from exactspline.verification.claim import Claim
+from exactspline.verification.claim_fields import declared
 from exactspline.verification.kinds import KINDS
 
 #: The largest length of a text of a claim.
@@ -60,7 +60,7 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     if not isinstance(name, str) or name not in KINDS:
         raise ClaimError(f"the kind {name!r} is unknown", where="kind", remedy=nearest(str(name), list(KINDS)))
     kind = KINDS[name]
-    known = entries(kind)
+    known = declared(kind).entries
     for field in told:
         if field not in known:
             raise ClaimError(
@@ -69,8 +69,8 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     for field, value in told.items():
         if problem := _shape(str(known[field].type), value):
             raise ClaimError(f"{shown(value)} is {problem}", where=field, remedy="look at the table of kinds of claims")
-    for field, declared in known.items():
-        if field not in told and declared.default is MISSING:
+    for field in declared(kind).needed:
+        if field not in told:
             raise ClaimError(f"the field {field!r} is missing", where=field, remedy="add it")
     values: dict[str, Any] = {f: tuple(v) if isinstance(v, list) else v for f, v in told.items()}
     claim = kind(paper=source.name, **values)
@@ -96,11 +96,11 @@ def _check_words_of_key(claim: Claim) -> None:
     """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is noticed."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
     known = set(claim.kind.split())
-    for f in reversed(fields(claim)):  # those of its own kind first: mostly they are all it takes
+    for field in reversed(declared(type(claim)).entries):  # those of its own kind first: mostly they are all it takes
         if words.keys() <= known:
             return
-        if f.name not in ("id", "key", "paper", "words", "context", "note"):
-            known |= key_words(getattr(claim, f.name))
+        if field not in ("id", "key", "words", "context", "note"):
+            known |= key_words(getattr(claim, field))
     for each in words:
         if each not in known:
             raise ClaimError(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 from itertools import product
 from typing import Any
 
 from exactspline.exact import mpq, text
-from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.splines.bernstein import zero_on_segment
@@ -42,8 +42,14 @@ class Evaluation:
     def _argument(self, kind: str) -> tuple[Evaluated, str]:
         if kind not in self._handed:
             made, beside = argument(kind, self.curve)
-            self._handed[kind] = made.remembering(), beside
+            self._handed[kind] = self._bare if made is self.curve else made.remembering(), beside
         return self._handed[kind]
+
+    @cached_property
+    def _bare(self) -> Evaluated:
+        """The curve itself, for all kinds that add nothing to it."""
+        bare: Evaluated = self.curve.remembering()
+        return bare
 
     def handed(self, kind: str) -> Handed:
         """The argument of formulas of a kind; it remembers their values."""
@@ -85,6 +91,8 @@ def _fails(each: Assumption, handed: object) -> str:
 
 def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
     """The same where the parameters are those of a surface; what could not be decided counts as a zero."""
+    from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
+
     value = each.polynomial(handed)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
     for form, patch in ((PatchForm.of(value, *patch), patch) for patch in patches):

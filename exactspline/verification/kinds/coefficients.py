@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
@@ -12,6 +12,7 @@ from exactspline.readings.bernstein_term import BernsteinTermReading, every_coef
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Curves
@@ -21,7 +22,7 @@ GENERIC_DEGREES = range(2, 7)
 NONE = "none vanishes"
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Coefficients(Claim):
     """No B-spline coefficient of ``formula`` vanishes (of a vector: none is the zero vector), on every curve or on the
     generic Bézier curve.

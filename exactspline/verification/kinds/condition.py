@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, ClassVar
 
 from exactspline.errors import ClaimError
@@ -12,6 +12,7 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.verification.claim import ExampleClaim, formula_name, only_component, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 BETTER = "better at every common zero"
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Condition(ExampleClaim):
     """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
     condition number: a relative change of its Bernstein coefficients moves the zero less.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
@@ -15,6 +15,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.verification.check_arguments import beginning
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Relation
@@ -37,7 +38,7 @@ def order_of_contact(claim: Claim, name: str, value: object) -> int:
     return order
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Contact(Claim):
     """The object attached to the curve at the parameter s has contact of ``order`` n with it there. The ``formula``
     vanishes where the point at s̄ lies on the object attached at s (in the osculating circle: its squared distance from

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 from exactspline.errors import ClaimError
@@ -12,6 +12,7 @@ from exactspline.language.parts import joined, split
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claim import Claim, ExampleClaim, formula_name, only_component, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Counter, word
@@ -40,7 +41,7 @@ def counted(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
 

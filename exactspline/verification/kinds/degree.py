@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
@@ -21,6 +21,7 @@ from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lines import Degrees
 from exactspline.verification.claim import Claim, count_from, degree_text, formula_name, one_of, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
 from exactspline.verification.kinds.degree_proof import decide
@@ -49,7 +50,7 @@ MEASURES = {
 RELATIONS = {Relation.EQUAL: ("=", ""), Relation.AT_MOST: (r"\le", "≤ "), Relation.AT_LEAST: (r"\ge", "≥ ")}
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class DegreeClaim(Claim):
     """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d from ``least_d`` on.
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 from exactspline.language.parts import split
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding
 
 NOT = "not rational"
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Existence(Claim):
     """The value of ``formula`` is not rational: refuted by the formula itself, a quotient of polynomials in the curve,
     together with the proof of its meaning.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
@@ -14,6 +14,7 @@ from exactspline.readings.rational_jet import JetFraction
 from exactspline.symbolic.factorization import jets_for, jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import printed_factor, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
@@ -34,7 +35,7 @@ def stated_factor(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Identity(Claim):
     """``left = factor · right``."""
 
@@ -166,7 +167,7 @@ def _over(ring: Any, polynomial: Any) -> Any:
     return ring.context.from_dict(terms)
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Vanishing(Claim):
     """``left`` is identically zero."""
 

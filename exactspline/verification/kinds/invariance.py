@@ -5,7 +5,7 @@ moved.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import cache
 from typing import Any, ClassVar
@@ -30,6 +30,7 @@ from exactspline.splines.composition import composed
 from exactspline.symbolic.factorization import find_factor
 from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
@@ -89,7 +90,7 @@ def whole_number(claim: Claim, name: str, value: object) -> int:
     return value
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class Invariance(Claim):
     """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of the unit of the
     group, and moves along where its ``nature`` is that of a vector or of a point. The group ``under`` consists of

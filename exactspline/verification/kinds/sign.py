@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from typing import Any, ClassVar
 
@@ -16,6 +16,7 @@ from exactspline.symbolic.assumptions import zero_free
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
 from exactspline.verification.claim_factor import factor_of_text, factor_parts
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed, zero_of
 from exactspline.verification.kinds.identity import stated_factor
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -49,7 +50,7 @@ def positive_factor(claim: Claim, name: str, value: str) -> str:
     return stated_factor(claim, name, value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class SignClaim(Claim):
     """The value of ``formula`` has a ``sign`` wherever it exists: on all curves because, up to that sign, it is
     ``factor`` times the sum of the ``squares`` (of a vector the squared length).

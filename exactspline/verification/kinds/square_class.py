@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 from exactspline.errors import ClaimError
@@ -10,6 +10,7 @@ from exactspline.language.parts import split
 from exactspline.splines.bernstein import is_square_class
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, only_component, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -18,7 +19,7 @@ from exactspline.verification.vocabulary import ArgumentKind
 SAME = "the same"
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class SquareClass(Claim):
     """``formula`` is a square up to constants, on whatever curve, exactly where ``right`` is."""
 

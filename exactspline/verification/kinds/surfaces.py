@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
@@ -15,17 +15,18 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import harmful
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, ContradictionError, Finding, vacuous
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
 ONE = "one surface"
 ZETA = "the curve ζ = 0"
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class SameSurface(Claim):
     """The ruled surfaces ``left`` and ``right`` are one: parallel generators, directrices that differ along them."""
 
@@ -62,13 +63,12 @@ class SameSurface(Claim):
             if all(x.is_zero for x in split(surface.generator)[0]):
                 return Finding(UNDECIDED, ONE, "no surface", witness=f"the generator of {name} vanishes on every curve")
         offset = b.directrix - a.directrix
-        if not all(part.is_zero for part in differences(a, b)):
+        # no generator vanishes: vectors of quotients are parallel exactly if they are proportional
+        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
+        if scale is None or shift is None:
             witness = self.refuted_on_examples().witness
             told = "the generators are not parallel, or the directrices differ across them"
             return Finding(REFUTED, ONE, "two surfaces", witness=witness or told)
-        scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
-        if scale is None or shift is None:
-            raise ContradictionError("parallel vectors are not proportional", remedy="report this")
         moved = "" if offset.is_zero else f"{shift} + "
         bad, used = harmful(scale, self.assumes)
         also, others = ([], ()) if offset.is_zero else harmful(_poles(shift), self.assumes)
@@ -106,7 +106,7 @@ def _poles(factor: Factor) -> Factor:
     return Factor(factor.constant, factor.powers.below, factor.ring)
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class IsoCurve(Claim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 

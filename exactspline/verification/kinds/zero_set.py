@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
@@ -11,6 +11,7 @@ from exactspline.language.rational import Rational
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_names, one_of, read
+from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of, factor_of_numerators, harmful
@@ -20,7 +21,7 @@ from exactspline.verification.vocabulary import ArgumentKind, ZeroSetOf
 ONE = "one zero set"
 
 
-@dataclass(frozen=True, kw_only=True)
+@claim_kind
 class ZeroSet(Claim):
     """All of ``formulas`` have one zero set: of their numerators, with nothing cancelled, or of their values in lowest
     terms.

@@ -1,0 +1,55 @@
+"""The fields of a kind of claims, sorted out once per kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import MISSING, Field, dataclass, field, fields
+from typing import NamedTuple, TypeVar, dataclass_transform
+
+K = TypeVar("K")
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True, eq_default=False, field_specifiers=(field,))
+def claim_kind(kind: type[K]) -> type[K]:
+    """Declare a kind of claims: a dataclass with named fields, whose methods are those of `Claim` for all kinds (making
+    them for each kind anew takes longer than reading all its claims).
+    """
+    return dataclass(init=False, repr=False, eq=False, kw_only=True)(kind)
+
+
+class Declared(NamedTuple):
+    """Of the dataclass of a kind of claims: what reads each field (None for a text) and its default; the fields that
+    make two claims equal; those that an entry may have; those that it must have; and the values of the others.
+    """
+
+    checks: tuple[tuple[str, Callable[..., object] | None, object], ...]
+    compared: tuple[str, ...]
+    entries: dict[str, Field[object]]
+    needed: tuple[str, ...]
+    defaults: dict[str, object]
+
+
+_DECLARED: dict[type, Declared] = {}
+
+
+def declared(kind: type) -> Declared:
+    """The fields of a kind of claims.
+
+    >>> from exactspline.verification.kinds import Vanishing
+    >>> declared(Vanishing).needed
+    ('id', 'source', 'statement', 'status', 'key', 'left')
+    """
+    if kind not in _DECLARED:
+        _DECLARED[kind] = _sorted_out(fields(kind))
+    return _DECLARED[kind]
+
+
+def _sorted_out(own: tuple[Field[object], ...]) -> Declared:
+    entries = {f.name: f for f in own if f.name != "paper"}
+    return Declared(
+        checks=tuple((f.name, f.metadata.get("check"), f.default) for f in own),
+        compared=tuple(f.name for f in own if f.compare),
+        entries=entries,
+        needed=tuple(name for name, f in entries.items() if f.default is MISSING),
+        defaults={f.name: f.default for f in own if f.default is not MISSING},
+    )
