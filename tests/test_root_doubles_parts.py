@@ -46,7 +46,7 @@ def test_values_take_the_rows_that_are_named_and_their_errors():
     given = Rows(np.array([[1.0, 1.0], [5.0, 7.0]]), np.array([[0.25, 0.5], [0.0, 0.0]]))
     found, bound = values_at(given, np.array([1, 0, 1]), np.array([0.5, 0.0, 1.0]))
     assert found.tolist() == [6, 1, 7]
-    assert 0.5 <= bound[1] <= 0.5 + 1e-12
+    assert 0.25 <= bound[1] <= 0.25 + 1e-12
     assert max(bound[0], bound[2]) <= 1e-13
 
 

@@ -9,10 +9,9 @@ from __future__ import annotations
 import signal
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
-from itertools import chain, islice
 from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, nearest
@@ -22,11 +21,12 @@ V = TypeVar("V")
 
 #: Name → the package that it needs besides joblib; the extra of the same name installs it.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
-#: How many curves are sent together: few enough for slow ones, enough to outweigh the cost of sending.
-CHUNK = 16
-#: Chunks of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
-WINDOW = 64
-#: Chunks of a process that are sent before a result is awaited.
+#: How many curves are computed together: a few at first, so that the first results come soon and all processes have
+#: work, then as many as all processes have had before, at most so many and of so much weight.
+FIRST, MOST, HEAVY = 16, 512, 1 << 18
+#: Curves of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
+WINDOW = 4096
+#: Groups of a process that are sent before a result is awaited.
 PENDING = 3
 
 
@@ -46,31 +46,33 @@ def check_backend(name: str) -> None:
 
 
 def mapped(
-    call: Callable[[Sequence[T]], list[V]],
+    call: Callable[[list[T]], Iterable[V]],
     given: Iterable[T],
     backend: str = "serial",
     jobs: int = 1,
     scheduler: str = "",
+    weight: Callable[[T], int] = lambda _: 0,
 ) -> Iterator[V]:
-    """The results of `call` for the chunks of the input, in order.
+    """The results of `call` for groups of the input, in order.
 
-    At most `CHUNK` · `WINDOW` a process are held at a time, however many there are and however slowly the results are
-    taken. Closing the generator ends the work when the chunks in progress are finished.
+    A list that `call` is given is its own. At most `WINDOW` and a group a process are held at a time, however many
+    there are and however slowly the results are taken; in this process the results of a group are taken one by one.
+    Closing the generator ends the work when the groups in progress are finished.
 
-    >>> list(mapped(lambda chunk: [2 * x for x in chunk], [3, 1, 2]))
+    >>> list(mapped(lambda group: [2 * x for x in group], [3, 1, 2]))
     [6, 2, 4]
 
     Raises `BackendError`.
     """
     check_backend(backend)
-    if backend == "serial" or (backend == "processes" and jobs == 1):
-        for each in given:
-            yield from call([each])
-        return
     closed = threading.Event()
-    chunks = _chunks(given, closed)
+    if backend == "serial" or (backend == "processes" and jobs == 1):
+        for group in _groups(given, weight, 1, closed):
+            yield from call(group)
+        return
+    groups = _groups(given, weight, jobs, closed)
     if backend == "ray":
-        yield from _through_ray(call, chunks, jobs, scheduler)
+        yield from _through_ray(call, groups, jobs, scheduler)
         return
     from joblib import Parallel, delayed
 
@@ -82,9 +84,35 @@ def mapped(
             started = parallel(delayed(int)() for _ in range(jobs))
         for _ in started:
             pass
-        for first in chunks:
-            window = chain([first], islice(chunks, WINDOW * jobs - 1))
-            yield from _taken(parallel(delayed(call)(chunk) for chunk in window), closed)
+        for first in groups:
+            window = _window(first, groups, WINDOW * jobs)
+            yield from _taken(parallel(delayed(_called)(call, group) for group in window), closed)
+
+
+def _groups(given: Iterable[T], weight: Callable[[T], int], jobs: int, closed: threading.Event) -> Iterator[list[T]]:
+    """The input in groups (see `FIRST`); none begins when `closed` is set."""
+    group: list[T] = []
+    before, heavy = 0, 0
+    for each in given:
+        group.append(each)
+        heavy += weight(each)
+        if len(group) >= min(max(FIRST, before // jobs), MOST) or heavy >= HEAVY:
+            before, heavy = before + len(group), 0
+            yield group
+            group = []
+            if closed.is_set():
+                return
+    if group:
+        yield group
+
+
+def _window(first: list[T], groups: Iterator[list[T]], most: int) -> Iterator[list[T]]:
+    """A group and those that follow it, until they hold so many."""
+    count = len(first)
+    yield first
+    while count < most and (group := next(groups, None)) is not None:
+        count += len(group)
+        yield group
 
 
 @contextmanager
@@ -103,23 +131,17 @@ def _interrupts_ignored() -> Iterator[None]:
 
 
 def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
-    """The results in the chunks. When the consumer stops, chunks in progress are awaited, since killed processes
+    """The results of groups. When the consumer stops, groups in progress are awaited, since killed processes
     complain.
     """
     try:
-        for chunk in results:
-            yield from chunk
+        for found in results:
+            yield from found
     except GeneratorExit:
         closed.set()
         for _ in results:
             pass
         raise
-
-
-def _chunks(given: Iterable[T], closed: threading.Event) -> Iterator[list[T]]:
-    source = iter(given)
-    while not closed.is_set() and (chunk := list(islice(source, CHUNK))):
-        yield chunk
 
 
 def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManager[object]:
@@ -150,7 +172,7 @@ def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
 
 
 def _through_ray(
-    call: Callable[[Sequence[T]], list[V]], chunks: Iterator[list[T]], jobs: int, scheduler: str
+    call: Callable[[list[T]], Iterable[V]], groups: Iterator[list[T]], jobs: int, scheduler: str
 ) -> Iterator[V]:
     """The results of a running Ray cluster, or of a local one for as long as the sweep lasts."""
     import ray
@@ -168,8 +190,8 @@ def _through_ray(
     try:
         task = ray.remote(_called)
         function = ray.put(call)
-        for chunk in chunks:
-            pending.append(task.remote(function, chunk))
+        for group in groups:
+            pending.append(task.remote(function, group))
             if len(pending) >= PENDING * jobs:
                 yield from ray.get(pending.popleft())
         while pending:
@@ -178,5 +200,5 @@ def _through_ray(
         ray.shutdown()
 
 
-def _called(call: Callable[[Sequence[T]], list[V]], chunk: Sequence[T]) -> list[V]:
-    return call(chunk)
+def _called(call: Callable[[list[T]], Iterable[V]], group: list[T]) -> list[V]:
+    return list(call(group))

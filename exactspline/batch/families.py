@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, fields
+from functools import lru_cache
 from random import Random
 
 from exactspline.errors import CurveFileError, nearest
+from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
 Range = tuple[int, int]
@@ -62,12 +64,17 @@ class Family:
         points = [tuple(chance.randint(-most, most) for _ in range(self.dimension)) for _ in range(degree + segments)]
         rational = self.rational == "yes" or (self.rational == "half" and number % 2 == 1)
         weights = [chance.randint(1, 20) for _ in points] if rational else None
-        knots = [0] * degree + list(range(segments + 1)) + [segments] * degree
-        return Nurbs(degree, knots, points, weights, name=str(number))
+        return Nurbs(degree, _knots(degree, segments), points, weights, name=str(number))
 
     def __str__(self) -> str:
         """The words that describe it."""
         return "random " + " ".join(f"{name}={_shown(value)}" for name, value in asdict(self).items())
+
+
+@lru_cache(256)
+def _knots(degree: int, segments: int) -> KnotVector:
+    """Simple knots 0, 1, 2, …, clamped."""
+    return KnotVector([0] * degree + list(range(segments + 1)) + [segments] * degree)
 
 
 def names() -> tuple[str, ...]:

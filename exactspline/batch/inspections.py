@@ -3,27 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, TypeAlias
 
 from exactspline.batch.lines import Found
 from exactspline.errors import FormulaError, nearest
+from exactspline.exact import mpq, mpz
 from exactspline.geometry import features
+from exactspline.geometry.corners import Corner, corner_places
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import CurvePiece, Feature
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
-Points = Sequence[Feature] | Sequence[Joint] | Sequence[CurvePiece]
+if TYPE_CHECKING:
+    from exactspline.geometry.many_roots import Irrational, Point, Settled
+
+Points: TypeAlias = "Sequence[Point] | Sequence[Corner] | Sequence[Feature] | Sequence[Joint] | Sequence[CurvePiece]"
 #: Name → the function that finds it.
 INSPECTIONS: dict[str, Callable[[Nurbs], Points]] = {
     "inflections": features.inflections,
     "extrema": features.curvature_extrema,
-    "corners": features.corners,
+    "corners": corner_places,
     "critical_points": features.critical_points,
     "singular_points": features.singular_points,
     "joints": features.joints,
     "straight_pieces": features.straight_pieces,
     "constant_pieces": features.constant_pieces,
     "torsion_zeros": features.torsion_zeros,
+}
+#: Name → what the filter, where it is certain, knows of it: a critical point is then an extremum.
+FROM_THE_FILTER: dict[str, Callable[[Settled], Sequence[Point]]] = {
+    "inflections": lambda settled: settled.inflections,
+    "extrema": lambda settled: settled.extrema,
+    "critical_points": lambda settled: settled.extrema,
+    "singular_points": lambda _: (),
+    "straight_pieces": lambda _: (),
+    "constant_pieces": lambda _: (),
 }
 #: The default inspections.
 USUAL = ("inflections", "extrema", "corners")
@@ -48,8 +63,11 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
     return tuple(chosen)
 
 
-def inspected(curve: Nurbs, names: Iterable[str], digits: int) -> dict[str, tuple[Found, ...]]:
-    """The features of a curve, by name; those that its dimension cannot have are skipped.
+def inspected(
+    curve: Nurbs, names: Iterable[str], digits: int, settled: Settled | None = None
+) -> dict[str, tuple[Found, ...]]:
+    """The features of a curve, by name; those that its dimension cannot have are skipped. `settled` is what the
+    certified filter knows of it.
 
     >>> from exactspline import example
     >>> for each in inspected(example("six_segment_cubic"), ["inflections"], 3)["inflections"]:
@@ -60,19 +78,33 @@ def inspected(curve: Nurbs, names: Iterable[str], digits: int) -> dict[str, tupl
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
     wanted = [name for name in names if curve.dimension == 3 or name not in IN_SPACE]
-    return {name: tuple(_told(each, digits) for each in INSPECTIONS[name](curve)) for name in wanted}
+    return {name: tuple(_told(each, digits) for each in _points(curve, name, settled)) for name in wanted}
 
 
-def _told(each: Feature | Joint | CurvePiece, digits: int) -> Found:
-    if isinstance(each, Feature):
-        low, high = enclosed(each.root, digits)
-        return Found(str(each.kind), low if low == high else None, low, high)
-    if isinstance(each, Joint):
+def _points(curve: Nurbs, name: str, settled: Settled | None) -> Points:
+    if settled is None:
+        return INSPECTIONS[name](curve)
+    if name in FROM_THE_FILTER:
+        return FROM_THE_FILTER[name](settled)
+    # γ′ vanishes nowhere and is continuous
+    smooth = name == "corners" and not curve.closed and all(order > 0 for order in curve.p[0].continuity)
+    return () if smooth else INSPECTIONS[name](curve)
+
+
+def _told(each: Point | Corner | Feature | Joint | CurvePiece, digits: int) -> Found:
+    if isinstance(each, (Corner, Joint, CurvePiece)):
+        return _told_exactly(each)
+    low, high = enclosed(each.place if isinstance(each, tuple) else each.root, digits)
+    return Found(str(each.kind), low if low == high else None, low, high)
+
+
+def _told_exactly(each: Corner | Joint | CurvePiece) -> Found:
+    if isinstance(each, (Corner, Joint)):
         return Found(str(each.kind), str(each.parameter), str(each.parameter), str(each.parameter))
     return Found("piece across the seam" if each.across_seam else "piece", None, str(each.start), str(each.end))
 
 
-def enclosed(root: Root, digits: int) -> tuple[str, str]:
+def enclosed(place: Root | Irrational, digits: int) -> tuple[str, str]:
     """Where a root lies, in a way that does not depend on what was asked of it before: a rational one exactly, an
     irrational one between two neighbouring decimals.
 
@@ -81,15 +113,23 @@ def enclosed(root: Root, digits: int) -> tuple[str, str]:
     >>> [enclosed(root, 4) for root in zeros((3 * t - 1) * (2 * t * t - 1))]
     [('1/3', '1/3'), ('0.7071', '0.7072')]
     """
-    if root.exact is not None:
-        return str(root.exact), str(root.exact)
-    scale, more = 10**digits, digits + BEYOND
-    while True:
-        low, high = root.refine(more)
-        below = int((low * scale).numerator // (low * scale).denominator)
-        if high * scale < below + 1:
+    scale = mpz(10) ** digits
+    if not isinstance(place, Root):
+        if (below := _neighbour(place.low, place.high, scale)) is not None:
             return _decimal(below, digits), _decimal(below + 1, digits)
+        place = place.root
+    if place.exact is not None:
+        return str(place.exact), str(place.exact)
+    more = digits + BEYOND
+    while (below := _neighbour(*place.refine(more), scale)) is None:
         more += 10
+    return _decimal(below, digits), _decimal(below + 1, digits)
+
+
+def _neighbour(low: mpq, high: mpq, scale: mpz) -> int | None:
+    """The integer k where [low, high] is inside of [k, k + 1] over a scale; None where there is none."""
+    below = low.numerator * scale // low.denominator
+    return int(below) if high.numerator * scale <= (below + 1) * high.denominator else None
 
 
 def _decimal(scaled: int, digits: int) -> str:

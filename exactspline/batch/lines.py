@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field, fields
+from enum import StrEnum
 
 from exactspline.batch.corpus import Problem
 
@@ -26,6 +27,15 @@ class Found:
     high: str
 
 
+class Way(StrEnum):
+    """What the certified filter said of a curve of which it was asked."""
+
+    DECIDED = "decided in doubles"
+    EXACT = "left to exact arithmetic"
+    MISSING = "numpy is not installed"
+    FAILED = "failed"
+
+
 @dataclass(frozen=True)
 class Judged:
     """A claim on this curve: its verdict, whether it is the one on record, and the witness where there is one."""
@@ -39,7 +49,7 @@ class Judged:
 @dataclass(frozen=True)
 class Line:
     """Everything about one curve. Lines are equal when their results are: the processor time of a line is part of its
-    data, but not compared.
+    data, but not compared; the way to the results is not part of it.
     """
 
     index: int
@@ -53,12 +63,16 @@ class Line:
     claims: tuple[Judged, ...] = ()
     error: Problem | None = None
     seconds: float = field(default=0, compare=False)
+    #: What the certified filter said; None where it was not asked, and of lines that were read.
+    way: Way | None = field(default=None, compare=False)
 
     def data(self) -> dict[str, object]:
         """The line as data, as `line_schema` describes it."""
-        return asdict(self) | {
-            "found": {name: [asdict(each) for each in points] for name, points in self.found.items()},
-            "claims": [asdict(each) for each in self.claims],
+        own = {name: getattr(self, name) for name in DATA}
+        return own | {
+            "found": {name: [dict(vars(each)) for each in points] for name, points in self.found.items()},
+            "claims": [dict(vars(each)) for each in self.claims],
+            "error": None if self.error is None else dict(vars(self.error)),
         }
 
     @classmethod
@@ -79,6 +93,10 @@ class Line:
         given["claims"] = tuple(Judged(**each) for each in claims)
         given["error"] = Problem(**error) if isinstance(error, dict) else None
         return cls(**given)  # type: ignore[arg-type]  # data just parsed, whose contents the schema checks
+
+
+#: The fields of a line that are its data.
+DATA = tuple(each.name for each in fields(Line) if each.name != "way")
 
 
 def line_schema() -> dict[str, object]:

@@ -8,7 +8,7 @@ from itertools import takewhile
 from pathlib import Path
 
 from exactspline.batch.backends import mapped
-from exactspline.batch.corpus import Item, Source, items
+from exactspline.batch.corpus import Item, Source, items, weight
 from exactspline.batch.lines import VERSION, Line
 from exactspline.batch.parquet import Parquet
 from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
@@ -70,7 +70,7 @@ def recorded(
                     where=output,
                     remedy="the corpus has changed: write to another file",
                 )
-            summary.add(line)
+            summary.add(line, known=True)
             tick(item.share, line, True)
         _compute(given, work, where, results, summary, tick)
 
@@ -100,7 +100,7 @@ def _compute(
             shares[item.index] = item.share
             yield item
 
-    for line in mapped(work.lines, noted(), where.backend, where.jobs, where.scheduler):
+    for line in mapped(work.lines, noted(), where.backend, where.jobs, where.scheduler, weight):
         if results is not None:
             results.add(line)
         summary.add(line)

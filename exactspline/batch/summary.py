@@ -11,6 +11,8 @@ from exactspline.batch.lines import Line
 
 #: The kind of problem for contents of a file that are not curves.
 SKIPPED = "Skipped"
+#: Instead of what the certified filter said: lines of a sweep that is continued, and curves of which it was not asked.
+BEFORE, NOT_ASKED = "computed before", "not asked"
 #: How many of the slowest curves, and of the verdicts that are not on record, are named.
 NAMED = 5
 
@@ -44,14 +46,18 @@ class Summary:
     errors: Counter[str] = field(default_factory=Counter)
     found: Counter[tuple[str, str]] = field(default_factory=Counter)
     verdicts: Counter[tuple[str, str]] = field(default_factory=Counter)
+    #: What the certified filter said of the curves computed now.
+    filter: Counter[str] = field(default_factory=Counter)
     differing: int = 0
     #: Failures on good input: defects of this program.
     alarms: int = 0
     examples: list[str] = field(default_factory=list)
     _slowest: list[tuple[float, int, str]] = field(default_factory=list)
 
-    def add(self, line: Line) -> None:
-        """Count one line."""
+    def add(self, line: Line, *, known: bool = False) -> None:
+        """Count one line; `known` of one that was computed by an earlier sweep, of which the way is not known."""
+        if known or line.error is None:
+            self.filter[BEFORE if known else line.way or NOT_ASKED] += 1
         self.lines += 1
         self.segments += line.segments or 0
         self.seconds += line.seconds
@@ -95,6 +101,7 @@ class Summary:
         yield from (Entry(claim, verdict, count) for (claim, verdict), count in sorted(self.verdicts.items()))
         yield from (Entry("error", kind, count) for kind, count in sorted(self.errors.items()))
         yield from (Entry("not as expected", text) for text in self.examples)
+        yield from (Entry("filter", way, count) for way, count in sorted(self.filter.items()))
         yield Entry("processor time", "", None, self.seconds)
         yield from (Entry("slowest", name, None, seconds) for seconds, _, name in sorted(self._slowest, reverse=True))
 

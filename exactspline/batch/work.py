@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from time import process_time
 from typing import TYPE_CHECKING
 
+from exactspline.batch.asked import Asked, ask
 from exactspline.batch.corpus import Item, Problem
-from exactspline.batch.inspections import USUAL, checked_names, inspected
-from exactspline.batch.lines import Judged, Line
+from exactspline.batch.inspections import FROM_THE_FILTER, USUAL, checked_names, inspected
+from exactspline.batch.lines import Found, Judged, Line
 from exactspline.errors import FormulaError
 from exactspline.splines.nurbs import Nurbs
 
@@ -20,6 +22,8 @@ if TYPE_CHECKING:
 
 #: The default and the largest number of digits of irrational parameters.
 DIGITS, MOST_DIGITS = 10, 10_000
+#: With more digits than this the intervals of the certified filter hold a decimal too often.
+FILTERED_DIGITS = 12
 
 
 @dataclass(frozen=True)
@@ -51,26 +55,36 @@ class Work:
         return cls(checked_names(usual if find is None else find), located, digits)
 
     def line(self, item: Item) -> Line:
-        """The line of one curve. Its line holds any error, so that the others are not affected."""
+        """The line of one curve, in exact arithmetic. Its line holds any error, so that the others are not affected."""
+        return self._line(Asked.of(item))
+
+    def lines(self, group: list[Item]) -> Iterator[Line]:
+        """The lines of several curves, which are taken out of the list so that none is kept when its line is done. They
+        are those of `line`: what the certified filter knows of the curves together only need not be computed again.
+        """
+        rest = deque(map(Asked.of, group))
+        group.clear()
+        if any(name in FROM_THE_FILTER for name in self.find) and self.digits <= FILTERED_DIGITS:
+            ask([made for made in rest if made.curve is not None])
+        while rest:
+            yield self._line(rest.popleft())
+
+    def _line(self, made: Asked) -> Line:
+        item, curve, error = made.item, made.curve, made.error
+        if curve is None:
+            return Line(item.index, item.source, item.name, error=error, seconds=made.seconds)
+        shape = curve.degree, curve.dimension, curve.segments, curve.polynomial
         start = process_time()
-        if isinstance(item.given, Problem):
-            return Line(item.index, item.source, item.name, error=item.given)
-        shape: tuple[int | None, int | None, int | None, bool | None] = (None, None, None, None)
+        found: dict[str, tuple[Found, ...]] = {}
+        judged: tuple[Judged, ...] = ()
         try:
-            curve = item.curve()
-            shape = (curve.degree, curve.dimension, curve.segments, curve.polynomial)
-            found = inspected(curve, self.find, self.digits)
+            found = inspected(curve, self.find, self.digits, made.settled)
             judged = self._judged(curve)
         # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
-        except Exception as error:
-            told = Problem.of(error)
-            return Line(item.index, item.source, item.name, *shape, error=told, seconds=process_time() - start)
-        seconds = process_time() - start
-        return Line(item.index, item.source, item.name, *shape, found, judged, None, seconds)
-
-    def lines(self, chunk: Sequence[Item]) -> list[Line]:
-        """The lines of several curves."""
-        return [self.line(item) for item in chunk]
+        except Exception as failure:
+            found, error = {}, Problem.of(failure)
+        seconds = made.seconds + process_time() - start
+        return Line(item.index, item.source, item.name, *shape, found, judged, error, seconds, made.way)
 
     def _judged(self, curve: Nurbs) -> tuple[Judged, ...]:
         if not self.claims:

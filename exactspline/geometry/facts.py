@@ -14,8 +14,11 @@ from threading import RLock
 from time import perf_counter
 from typing import Any, Generic, TypeVar, cast, overload
 
+from flint import fmpz
+
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
+from exactspline.exact import mpq, ratio
+from exactspline.geometry.angles import angle_between
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
@@ -25,8 +28,10 @@ from exactspline.geometry.joints import (
     bend_of,
     curvature_of,
     distance,
+    end_direction,
     geometric_order,
     limit_direction,
+    same_direction,
     turned,
 )
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
@@ -40,7 +45,7 @@ from exactspline.programs.invariants import INVARIANTS, bending, invariants, tan
 from exactspline.programs.program import Given, operands_of
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
-from exactspline.splines.bernstein import variations
+from exactspline.splines.bernstein import ONE, variations
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import certainly_coprime, common_factor
 from exactspline.splines.nurbs import Nurbs
@@ -250,13 +255,21 @@ class Facts:
 
     def joint(self, t: mpq) -> Joint | None:
         """The joint at a parameter, None where there is none."""
+        i = self._joint_at(t)
+        return None if i is None else self._joint(i)
+
+    def has_corner(self, t: mpq) -> bool:
+        """Whether there is a corner at a parameter, without its angle; False proves nothing."""
+        i = self._joint_at(t)
+        return i is not None and self._tangents(i - 1, i) is not None
+
+    def _joint_at(self, t: mpq) -> int | None:
         i = bisect_left(self.breaks, t)
         if self.breaks[i] != t:
             return None
-        count = len(self.breaks) - 1
-        if i in (0, count):
-            return self._joint(0) if self.closed else None
-        return self._joint(i)
+        if i in (0, len(self.breaks) - 1):
+            return 0 if self.closed else None
+        return i
 
     def _joint(self, i: int) -> Joint:
         """The joint at the i-th breakpoint, 0 the seam."""
@@ -265,6 +278,9 @@ class Facts:
     def _met(self, before: int, behind: int) -> Joint:
         """The joint of two segments."""
         t, seam = self.breaks[behind], before < 0
+        if (tangents := self._tangents(before, behind)) is not None:
+            first, second = ([ratio(x, ONE) for x in tangent] for tangent in tangents)
+            return Joint(t, JointKind.CORNER, 0, seam, angle_between(first, second))
         left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
             return Joint(t, JointKind.GAP, -1, seam, gap=distance(left[0], right[0]))
@@ -278,6 +294,16 @@ class Facts:
             return Joint(t, JointKind.CORNER, 0, seam, turned(left[1], right[1]))
         curvatures = (curvature_of(left), curvature_of(right)) if order == 1 else None
         return Joint(t, self._smooth_kind(t, left, right, order), order, seam, curvatures=curvatures)
+
+    def _tangents(self, before: int, behind: int) -> tuple[tuple[fmpz, ...], tuple[fmpz, ...]] | None:
+        """The directions of two segments that surely meet, where they differ and γ′ ≠ 0 on both sides; None proves
+        nothing.
+        """
+        if before >= 0 and self.curve.p[0].continuity[before]:
+            return None
+        left = end_direction(self.operands, before, Side.LEFT)
+        right = end_direction(self.operands, behind, Side.RIGHT)
+        return (left, right) if any(left) and any(right) and not same_direction(left, right) else None
 
     def _smooth_kind(self, t: mpq, left: Jet, right: Jet, order: int) -> JointKind:
         """The kind of a joint with a common tangent."""

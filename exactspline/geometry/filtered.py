@@ -17,6 +17,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE
 from exactspline.papers import find
 from exactspline.programs.doubles import Floats, in_doubles
+from exactspline.programs.invariants import slope, turning
 from exactspline.programs.program import Program, Signature, program_of
 from exactspline.programs.wronskian import wronskian_of
 from exactspline.roots.doubles import Flags, Isolated, Rows, isolated, narrowed, ordinates
@@ -50,13 +51,16 @@ class _Programs(NamedTuple):
     speed: Program
 
 
+def _signature(degree: int, rational: bool) -> Signature:
+    """What programs of segments of width 1 over common denominators depend on."""
+    count = 3 if rational else 2
+    return Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True)
+
+
 @cache
 def _programs(degree: int, rational: bool) -> _Programs:
-    count = 3 if rational else 2
-    signature = Signature(PLANE, 2, not rational, (degree,) * count, (0,) * count, unit_widths=True)
-
     def made(formula: Formula) -> Program:
-        return program_of(formula, signature)
+        return program_of(formula, _signature(degree, rational))
 
     inflections, critical = construction("zero_curvature"), construction("critical_curvature")
     if rational:
@@ -65,10 +69,16 @@ def _programs(degree: int, rational: bool) -> _Programs:
     return _Programs(made(inflections.formula("paper")), made(critical.formula("paper")), made(find("D1_squared")))
 
 
-def filtered(degree: int, operands: list[Floats]) -> Filtered | None:
+@cache
+def programs_at_true_degree(degree: int, rational: bool) -> tuple[Program, Program]:
+    """The programs of the forms of κ and κ′ without factors that vanish nowhere, which `analyse` solves."""
+    return tuple([program_of(each, _signature(degree, rational)) for each in (turning, slope)])  # type: ignore[return-value]  # two
+
+
+def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
     """What is certain of segments of one degree, from the scaled coefficients of their components and, for rational
-    ones, of their weight functions, that were rounded twice at most; no Bézier ordinate is larger than 1. None where
-    doubles cannot hold the forms.
+    ones, of their weight functions, that were rounded twice at most; no Bézier ordinate is larger than 1. The intervals
+    of zeros are made narrow on request. None where doubles cannot hold the forms.
 
     >>> done = filtered(3, [np.array([[0.0, 1, 2, 1]]) / 4, np.array([[0.0, 3, -3, 1]]) / 4])
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()
@@ -83,7 +93,9 @@ def filtered(degree: int, operands: list[Floats]) -> Filtered | None:
     except FormulaError:
         return None
     left[solved[2].zeros.row] = True
-    curvature, critical = (Form(rows, narrowed(rows, zeros.where(~left[zeros.row]))) for rows, zeros in solved[:2])
+    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved[:2])
+    if narrow:
+        curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
     return Filtered(curvature, critical, left)
 
 

@@ -13,6 +13,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
+from typing import TypeVar
+
+from flint import fmpz
 
 from exactspline.exact import mpq, ratio
 from exactspline.geometry.angles import Angle, angle_between
@@ -23,6 +26,7 @@ from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surd import Surd, square_root
 
+N = TypeVar("N", mpq, fmpz)
 Point = tuple[mpq, ...]
 #: A point of the curve and its first three derivatives by the parameter, from one side.
 Jet = tuple[Point, Point, Point, Point]
@@ -80,6 +84,27 @@ class Ends:
         return first, second, third, fourth
 
 
+def end_direction(curve: Curve[BSpline], segment: int, side: Side | str) -> tuple[fmpz, ...]:
+    """A positive multiple of γ′ at the right end of a segment (``left``: on the left of a knot) or at its left end,
+    without derivatives: by the two Bézier points P, Q there and their weights, ``w_P (w_Q Q) − w_Q (w_P P)``. The
+    components of the curve have the same degree and denominators.
+    """
+    n = fmpz(curve.p[0].degree)
+    if not n:
+        return (n,) * len(curve.p)
+    rows = [_last_two(x, segment, n, side) for x in curve.p]
+    if curve.polynomial:
+        return tuple([q - p for p, q in rows])
+    v, w = _last_two(curve.w, segment, n, side)
+    return tuple([v * q - w * p for p, q in rows])
+
+
+def _last_two(x: BSpline, segment: int, n: fmpz, side: Side | str) -> tuple[fmpz, fmpz]:
+    """The last (or first) two Bézier ordinates of a form, n times over its denominator."""
+    c, degree = x._polynomials[segment], x.degree
+    return (c[degree - 1], n * c[degree]) if side == Side.LEFT else (n * c[0], c[1])
+
+
 def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
     """The value of a spline at an end of a segment."""
     if f.degree < 0:
@@ -100,14 +125,14 @@ def _quotient(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
     return found
 
 
-def same_direction(a: Sequence[mpq], b: Sequence[mpq]) -> bool:
+def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:
     """Whether two vectors that are not zero point the same way (exactly: a·b > 0 and (a·b)² = ‖a‖²‖b‖²).
 
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
     """
-    product = dot(Vector(*a), Vector(*b))
-    return bool(product > 0 and product**2 == dot(Vector(*a), Vector(*a)) * dot(Vector(*b), Vector(*b)))
+    product = sum([x * y for x, y in zip(a, b, strict=True)])
+    return bool(product > 0 and product * product == sum([x * x for x in a]) * sum([x * x for x in b]))
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:

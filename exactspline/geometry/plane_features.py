@@ -19,6 +19,8 @@ def inflections(facts: Facts, variant: Variant | str = Variant.MINIMAL) -> list[
     """The zeros of the curvature at regular points."""
     features = []
     for root, by_jump in facts.regular(facts.zero_form("zero_curvature", variant).zeros):
+        if root.at_knot and facts.has_corner(root.low):
+            continue
         joint = facts.joint(root.low) if root.at_knot else None
         if joint is None or joint.tangent_continuous:
             features.append(Feature(_flat(root), root, variant, by_jump))
@@ -43,6 +45,8 @@ def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
         found = located(zero_set)
     features = []
     for root, by_jump in facts.regular_pairs(found):
+        if root.at_knot and facts.has_corner(root.low):
+            continue
         joint = facts.joint(root.low) if root.at_knot else None
         if joint is None or joint.same_curvature:
             features.append(_extremum(facts, root, variant, by_jump=by_jump))

@@ -4,7 +4,7 @@ Every form is a row of coefficients in the scaled Bernstein basis with bounds of
 coefficient is larger than its bound; Descartes' rule is asked for the largest number of sign changes that the certain
 signs allow. Rows for which that never says 0 or 1 are left to exact arithmetic. Derivation: docs/certified-filter.md.
 
-This is the only module of `roots` that loads numpy.
+This module and `exactspline.roots.modular` are the only ones of `roots` that load numpy.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ Flags = NDArray[np.bool_]
 ROUNDING, UNDERFLOW = 2.0**-52, 2.0**-1022
 #: Where pieces are split: not in the middle, where the zeros of symmetric curves are; ten times it is exact.
 SPLIT, DEPTH = 15 / 32, 9
-#: Steps towards a zero, without proof.
-STEPS = 12
+#: The most steps towards a zero, without proof, and the length of one that is the last.
+STEPS, REACHED = 40, 2.0**-48
 #: Half widths in which a zero is looked for, after Newton's method, the narrowest first.
-WIDTHS = (2.0**-44, 2.0**-38, 2.0**-30, 2.0**-20, 2.0**-10)
+WIDTHS = (2.0**-46, 2.0**-42, 2.0**-37, 2.0**-30, 2.0**-20, 2.0**-10)
 
 
 class Rows(NamedTuple):
@@ -126,12 +126,12 @@ def values_at(rows: Rows, index: Integers, t: Floats) -> tuple[Floats, Floats]:
     b = rows.values[index]
     n = b.shape[1] - 1
     with np.errstate(all="ignore"):
-        largest, error = np.abs(b).max(axis=1), rows.errors[index].max(axis=1)
+        bound = rows.errors[index] + 4 * (n + 1) * ROUNDING * np.abs(b)
         u, v = (1 - t)[:, None], t[:, None]
         for _ in range(n):
             b = u * b[:, :-1] + v * b[:, 1:]
-        bound = error * (1 + 8 * n * ROUNDING) + 4 * (n + 1) * ROUNDING * largest + 8 * (n + 1) * UNDERFLOW
-    return b[:, 0], bound
+            bound = u * bound[:, :-1] + v * bound[:, 1:]
+    return b[:, 0], bound[:, 0] * (1 + 8 * (n + 1) * ROUNDING) + 16 * (n + 1) * UNDERFLOW
 
 
 def narrowed(rows: Rows, found: Isolated) -> Isolated:
@@ -155,21 +155,32 @@ def narrowed(rows: Rows, found: Isolated) -> Isolated:
 
 
 def _approximated(rows: Rows, found: Isolated) -> Floats:
-    """Numbers near the zeros, without proof, by the Illinois method: secants between ends that move in; the value at an
-    end that stays the same twice is halved.
+    """Numbers near the zeros, without proof, by Newton's method between ends that move in, and by bisection where it
+    leads outside or is slow. Zeros that have been reached are not looked at again.
     """
-    index, low, high, before = found
-    (at_low, _), (at_high, _) = (values_at(rows, index, t) for t in (low, high))
-    x, was_left = (low + high) / 2, np.zeros(len(index), dtype=bool)
+    x = (found.low + found.high) / 2
+    low, high, last = found.low.copy(), found.high.copy(), found.high - found.low
+    todo = np.arange(len(x))
     with np.errstate(all="ignore"):
-        for step in range(STEPS):
-            secant = low + (high - low) * (at_low / (at_low - at_high))
-            x = np.where((secant > low) & (secant < high), secant, (low + high) / 2)
-            value, _ = values_at(rows, index, x)
-            left = value * before > 0
-            again = (left == was_left) & (step > 0)
-            at_high = np.where(left, np.where(again, at_high / 2, at_high), value)
-            at_low = np.where(left, value, np.where(again, at_low / 2, at_low))
-            # both ends where the value is 0
-            low, high, was_left = np.where(value * before >= 0, x, low), np.where(left, high, x), left
+        for _ in range(STEPS):
+            value, slope = _value_and_slope(rows.values[found.row[todo]], x[todo])
+            left = value * found.before[todo] > 0
+            low[todo], high[todo] = np.where(left, x[todo], low[todo]), np.where(left, high[todo], x[todo])
+            step = value / slope
+            near = x[todo] - step
+            good = (near >= low[todo]) & (near <= high[todo]) & (2 * np.abs(step) <= last[todo])
+            last[todo] = np.where(good, np.abs(step), (high[todo] - low[todo]) / 2)
+            x[todo] = np.where(good, near, (low[todo] + high[todo]) / 2)
+            todo = todo[last[todo] > REACHED]
+            if not len(todo):
+                break
     return x
+
+
+def _value_and_slope(b: Floats, t: Floats) -> tuple[Floats, Floats]:
+    """The values of forms at parameters, and their derivatives there."""
+    u, v, n = (1 - t)[:, None], t[:, None], b.shape[1] - 1
+    for _ in range(n - 1):
+        b = u * b[:, :-1] + v * b[:, 1:]
+    first, second = b[:, 0], b[:, -1]
+    return u[:, 0] * first + v[:, 0] * second, n * (second - first)

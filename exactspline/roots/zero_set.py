@@ -202,7 +202,7 @@ class _Found:
     def _limit(self, i: int, side: str) -> mpq:
         """The value at the right end of a segment, its limit from the left, or at its left end."""
         f = self.spline
-        c = f.polynomials[i]
+        c = f._polynomials[i]
         return ratio(c[f.degree if side == "left" else 0], f.denominators[i]) if c else mpq(0)
 
 

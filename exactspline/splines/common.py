@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
+from exactspline.exact import mpq
+from exactspline.language.immutable import fill
+from exactspline.language.provenance import leaf
 from exactspline.splines.bernstein import rescaled
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import KnotVector, mesh_of
+from exactspline.splines.spans import common_forms
 from exactspline.splines.tensor import TensorSpline, make
 
 S = TypeVar("S", BSpline, TensorSpline)
@@ -30,6 +35,27 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
     for f in splines[1:]:
         common = common + f * 0
     return [f + common for f in splines]
+
+
+def splines_over(degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ...]]) -> list[BSpline]:
+    """The components of one curve by their control points over knots that carry that degree, segment by segment over
+    one denominator, so that sums stay cheap; they share one mesh.
+
+    >>> x, y = splines_over(1, KnotVector([0, 0, 1, 1]), [(mpq(0), mpq(1)), (mpq(1, 2), mpq(1))])
+    >>> int(x.denominators[0]), y.denominators == x.denominators, y.control_points
+    (2, True, (mpq(1,2), mpq(1,1)))
+    """
+    mesh, continuity, spans = mesh_of(knots, degree)
+    forms = common_forms(knots.knots, degree, columns, spans)
+    if forms is None:
+        return with_common_denominators([BSpline(degree, knots, column) for column in columns])
+    found, below = [], tuple([m for _, m in forms])
+    for k, column in enumerate(columns):
+        polynomials = tuple([own[k] for own, _ in forms])
+        made = BSpline.from_parts(degree, mesh, continuity, polynomials, below, leaf())
+        fill(made, _knots=knots, _points=column)
+        found.append(made)
+    return found
 
 
 def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:

@@ -35,8 +35,10 @@ class KnotVector(Immutable):
     Raises `KnotError` when knots decrease and `NumberError` when one is not an exact number.
     """
 
-    __slots__ = ("knots",)
+    __slots__ = ("_known", "knots")
     knots: tuple[mpq, ...]
+    #: The degrees that these knots carry, with the mesh of each once it has been made (see `mesh_of`).
+    _known: dict[int, MeshOf | None]
 
     def __init__(self, knots: Iterable[Number]) -> None:
         exact = []
@@ -53,7 +55,7 @@ class KnotVector(Immutable):
                     remedy="knots must not decrease",
                     knot=b,
                 )
-        fill(self, knots=tuple(exact))
+        fill(self, knots=tuple(exact), _known={})
 
     def __reduce__(self) -> tuple[object, ...]:
         return KnotVector, (self.knots,)
@@ -107,6 +109,8 @@ class KnotVector(Immutable):
         """Raise `KnotError` unless these knots carry splines of the given degree (multiplicity ≤ degree+1, non-empty
         domain).
         """
+        if degree in self._known:
+            return
         need = 2 * degree + 2
         if len(self.knots) < need:
             raise KnotError(
@@ -134,6 +138,7 @@ class KnotVector(Immutable):
                 remedy=f"knots[{degree}] must be below knots[{len(self) - 1 - degree}]",
                 domain=(a, b),
             )
+        self._known[degree] = None
 
 
 class Mesh(Immutable):
@@ -206,10 +211,21 @@ class Mesh(Immutable):
         return Mesh(sorted({*self.breaks, *other.breaks}))
 
 
-def mesh_of(knots: KnotVector, degree: int) -> tuple[Mesh, tuple[int, ...], list[int]]:
+#: The mesh of a domain, the continuity at its interior breakpoints, and the index of the left end of each segment.
+MeshOf = tuple[Mesh, tuple[int, ...], list[int]]
+
+
+def mesh_of(knots: KnotVector, degree: int) -> MeshOf:
     """The mesh of the domain, the continuity at its interior breakpoints, and for each segment the index j with t_j its
-    left end.
+    left end; made once.
     """
+    known = knots._known.get(degree)
+    if known is None:
+        known = knots._known[degree] = _mesh_of(knots, degree)
+    return known
+
+
+def _mesh_of(knots: KnotVector, degree: int) -> MeshOf:
     first, last = degree, len(knots) - 1 - degree
     spans = [j for j in range(first, last) if knots[j] < knots[j + 1]]
     breaks = [knots[j] for j in spans] + [knots[last]]

@@ -16,7 +16,7 @@ from exactspline.language.vector import Vector
 from exactspline.splines import nurbs_operations as operations
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.common import with_common_denominators, with_common_knots
+from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
@@ -285,9 +285,10 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
             remedy=f"there must be {len(knots) - degree - 1} (knots − degree − 1)",
         )
     rows = points if polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
-    splines = with_common_denominators([BSpline(degree, knots, column) for column in zip(*rows, strict=True)])
+    splines = splines_over(degree, knots, list(zip(*rows, strict=True)))
     w = splines[0].constant(1) if polynomial else splines.pop()
-    _check_weight(w)
+    if not polynomial:
+        _check_weight(w)
     operands = Curve(Vector(*splines), w, polynomial=polynomial)
     return vars(operands) | {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
 

@@ -65,10 +65,7 @@ def _curves_of(source: Paper) -> list[Nurbs]:
 
 
 def _on_curves(
-    claims: Iterable[Claim],
-    curves: Iterable[Nurbs | NurbsSurface],
-    proofs: Proofs,
-    evaluations: dict[int, Evaluation],
+    claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface], proofs: Proofs, evaluations: dict[int, Evaluation]
 ) -> list[Task]:
     """Curve by curve, the claims that apply to it; formulas are evaluated once per curve, for all papers."""
     calls: list[Task] = []

@@ -18,6 +18,8 @@ def exact(value: object) -> mpq:
 
     Raises `NumberError` for NaN, infinities, complex numbers and what is not a number.
     """
+    if type(value) is int:
+        return mpq(value)
     if isinstance(value, type(mpq())):
         return value
     if is_float(value):

@@ -1,0 +1,94 @@
+"""The curves of a group of a sweep, and what the certified filter knows of them together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.util import find_spec
+from time import process_time
+from typing import TYPE_CHECKING
+
+from exactspline.batch.corpus import Item, Problem
+from exactspline.batch.lines import Way
+from exactspline.splines.nurbs import Nurbs
+
+if TYPE_CHECKING:
+    from exactspline.geometry.many_roots import Settled
+
+#: The filter is asked about curves that have so many segments of one degree together: with fewer it takes longer than
+#: exact arithmetic.
+TOGETHER = 32
+
+
+@dataclass
+class Asked:
+    """A curve of a corpus, or why there is none; the processor time spent on it; what the filter knows of it."""
+
+    item: Item
+    curve: Nurbs | None
+    error: Problem | None
+    seconds: float
+    way: Way | None = None
+    settled: Settled | None = None
+
+    @classmethod
+    def of(cls, item: Item) -> Asked:
+        """The curve of an item, made where it has to be."""
+        if isinstance(item.given, Problem):
+            return cls(item, None, item.given, 0)
+        start = process_time()
+        try:
+            return cls(item, item.curve(), None, process_time() - start)
+        # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
+        except Exception as error:
+            return cls(item, None, Problem.of(error), process_time() - start)
+
+
+def ask(curves: Sequence[Asked]) -> None:
+    """Ask the filter about the plane curves among these. The processor time that curves take together is shared by
+    their segments.
+    """
+    kinds: dict[tuple[int, bool], list[Asked]] = {}
+    for each in curves:
+        if each.curve is not None and _spoken_of(each.curve):
+            kinds.setdefault((each.curve.degree, each.curve.polynomial), []).append(each)
+    for alike in kinds.values():
+        if sum(_segments(each) for each in alike) < TOGETHER:
+            continue
+        if find_spec("numpy") is None:
+            for each in alike:
+                each.way = Way.MISSING
+            continue
+        _ask(alike)
+
+
+def _spoken_of(curve: Nurbs) -> bool:
+    """Whether the filter is worth asking: of a curve in the plane; but quadratics that are no spline of simple knots
+    have straight pieces and corners, and vertices at rational parameters only.
+    """
+    if curve.dimension != 2 or curve.degree < 2:
+        return False
+    return curve.degree > 2 or not curve.polynomial or all(smooth == 1 for smooth in curve.p[0].continuity)
+
+
+def _segments(each: Asked) -> int:
+    return 0 if each.curve is None else each.curve.segments
+
+
+def _ask(alike: Sequence[Asked]) -> None:
+    from exactspline.geometry.many_roots import settled
+
+    start = process_time()
+    answers = settled([each.curve for each in alike if each.curve is not None])
+    try:
+        for numbers, found in answers:
+            own = [alike[i] for i in numbers]
+            seconds, start = process_time() - start, process_time()
+            total = sum(map(_segments, own))
+            for each, known in zip(own, found, strict=True):
+                each.settled, each.way = known, Way.EXACT if known is None else Way.DECIDED
+                each.seconds += seconds * _segments(each) / total
+    # what the filter cannot say is computed exactly, and the failure counted
+    except Exception:
+        for each in alike:
+            each.way = each.way or Way.FAILED

@@ -1,0 +1,171 @@
+"""The parameters of inflections and curvature extrema of many plane curves through the certified filter: exactly where
+they are rational, and proved to be irrational elsewhere.
+
+The filter decides how many zeros there are, and on which segments. On these alone the forms are computed in integers,
+by the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
+modulo some small prime has no rational one (`exactspline.roots.modular`). Derivation: docs/certified-filter.md. This
+module loads numpy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from flint import fmpz_poly
+
+from exactspline.exact import mpq
+from exactspline.geometry.filtered import programs_at_true_degree
+from exactspline.geometry.many_curves import KINDS
+from exactspline.geometry.many_segments import Jumps, Segments, components, rounded, whole
+from exactspline.geometry.many_splines import of_few_segments
+from exactspline.programs.program import Program
+from exactspline.roots.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
+from exactspline.roots.modular import without_rational_zero
+from exactspline.roots.root import Root, knot_root
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bernstein import ONE
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
+from exactspline.splines.nurbs import Nurbs
+
+
+@dataclass
+class OnSegment:
+    """A form on one segment of a curve, in exact arithmetic."""
+
+    degree: int
+    polynomial: fmpz_poly
+    ends: tuple[mpq, mpq]
+
+    @cached_property
+    def roots(self) -> tuple[Root, ...]:
+        """Its zeros."""
+        return zeros(BSpline.from_forms(self.degree, Mesh(self.ends), (), [(self.polynomial, ONE)])).roots
+
+    def irrational(self, number: int, low: float, high: float) -> Irrational:
+        """The zero with this number, irrational, between two places on the segment, from 0 to 1."""
+        a, b = self.ends
+        return Irrational(a + (b - a) * mpq(low), a + (b - a) * mpq(high), self, number)
+
+
+class Irrational(NamedTuple):
+    """An irrational zero strictly between two numbers, and where it is computed to any number of digits: on a segment,
+    the zero with this number there.
+    """
+
+    low: mpq
+    high: mpq
+    on: OnSegment
+    number: int
+
+    @property
+    def root(self) -> Root:
+        """The zero in exact arithmetic."""
+        return self.on.roots[self.number]
+
+
+class Point(NamedTuple):
+    """An inflection or an extremum: its kind (the value of a `FeatureKind`) and its parameter."""
+
+    kind: str
+    place: Root | Irrational
+
+    @property
+    def order(self) -> tuple[mpq, mpq]:
+        """Points are in the order of these pairs: a knot before what follows it."""
+        return self.place.low, self.place.high
+
+
+class Settled(NamedTuple):
+    """The inflections and the extrema of a curve of which everything is certain, in the order of the parameter. It has
+    no other zeros of κ and κ′ and no singular points, and is neither straight nor an arc of a circle on any segment.
+    """
+
+    inflections: list[Point]
+    extrema: list[Point]
+
+
+def settled(curves: Sequence[Nurbs]) -> Iterator[tuple[list[int], list[Settled | None]]]:
+    """What is certain of plane curves, group by group: their numbers, and for each what is known, None where it is left
+    to exact arithmetic.
+
+    >>> from exactspline import example
+    >>> [(numbers, [found])] = settled([example("six_segment_cubic")])
+    >>> [(point.kind, round(float(point.place.low), 8)) for point in found.inflections]
+    [('inflection', 2.80476011), ('inflection', 3.27088178)]
+    """
+    groups: dict[tuple[int, bool], list[int]] = {}
+    for i, curve in enumerate(curves):
+        groups.setdefault((curve.degree, curve.polynomial), []).append(i)
+    for members in groups.values():
+        for part in of_few_segments(curves, members):
+            yield part, _settled([curves[i] for i in part])
+
+
+def _settled(curves: Sequence[Nurbs]) -> list[Settled | None]:
+    """The same of curves of one degree, all polynomial or all rational."""
+    segments = Segments(curves)
+    done, left = segments.filtered(narrow=False)
+    if done is None:
+        return [None] * len(curves)
+    at_knots = segments.jumps(done, left)
+    found: list[Settled | None] = [None if open_ else Settled([], []) for open_ in left.tolist()]
+    programs = programs_at_true_degree(curves[0].degree, not curves[0].polynomial)
+    for which, (form, program) in enumerate(zip((done.curvature, done.critical), programs, strict=True)):
+        for i, point in (*_inside(segments, form.zeros, which, program, left), *_at_knots(segments, at_knots[which])):
+            if (own := found[i]) is not None:
+                own[which].append(point)
+    for each in found:
+        for points in each or ():
+            points.sort(key=lambda point: point.order)
+    return found
+
+
+def _inside(
+    segments: Segments, found: Isolated, which: int, program: Program, left: Flags
+) -> Iterator[tuple[int, Point]]:
+    """The zeros of a form inside segments of curves that are not left, each with the number of its curve."""
+    found = found.where(~left[segments.owner[found.row]])
+    if not len(found.row):
+        return
+    rows, first, place = np.unique(found.row, return_index=True, return_inverse=True)
+    owner = segments.owner[rows].tolist()
+    where = [(segments.curves[i], r - segments.first[i]) for r, i in zip(rows.tolist(), owner, strict=True)]
+    degree, forms = program.terms[0].degree, _exactly(program, where)
+    on = [OnSegment(degree, c, curve.breakpoints[k : k + 2]) for c, (curve, k) in zip(forms, where, strict=True)]
+    numbers = [whole(c, degree) for c in forms]
+    irrational = without_rational_zero(numbers)
+    near = narrowed(_in_doubles(numbers), found._replace(row=place))
+    kinds = np.where(found.before > 0, *KINDS[1:]) if which else np.full(len(place), KINDS[0])
+    columns = (place, np.arange(len(place)) - first[place], irrational[place], near.low, near.high, kinds)
+    for j, number, proved, a, b, kind in zip(*(column.tolist() for column in columns), strict=True):
+        one = on[j]
+        yield owner[j], Point(kind, one.irrational(number, a, b) if proved else one.roots[number])
+
+
+def _exactly(program: Program, where: Sequence[tuple[Nurbs, int]]) -> list[fmpz_poly]:
+    """The integers of the output of a program on segments of curves, over some denominators."""
+    splines = [components(curve) for curve, _ in where]
+    operands = [
+        [own[k]._polynomials[j] for own, (_, j) in zip(splines, where, strict=True)] for k in range(len(splines[0]))
+    ]
+    below = [own[0].denominators[j] for own, (_, j) in zip(splines, where, strict=True)]
+    return [fmpz_poly(found[0]) for found in program.run(operands, [below], [(ONE, ONE)] * len(where))]
+
+
+def _in_doubles(forms: Sequence[list[int]]) -> Rows:
+    """Forms in doubles, each over a power of two so that no coefficient is larger than 1, and rounded once."""
+    values = np.array([rounded(form, 1, max(map(abs, form)).bit_length()) for form in forms])
+    return ordinates(values, ROUNDING * np.abs(values) + UNDERFLOW)
+
+
+def _at_knots(segments: Segments, jumps: Jumps) -> Iterator[tuple[int, Point]]:
+    """The changes of sign by a jump, each with the number of its curve."""
+    rows = segments.behind[jumps.knot].tolist()
+    for row, kind in zip(rows, jumps.kind.tolist(), strict=True):
+        i = int(segments.owner[row])
+        yield i, Point(kind, knot_root(segments.curves[i].breakpoints[row - segments.first[i]]))
