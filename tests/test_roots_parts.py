@@ -13,6 +13,7 @@ from exactspline.roots import cells, checker
 from exactspline.roots.enclosure import Bounds, Enclosure, narrowed, rounded_outwards, sign_at, value_at, values_between
 from exactspline.roots.isolation import LocalPolynomial
 from exactspline.roots.real import Real
+from exactspline.roots.refinement import enclosures
 from exactspline.roots.root import between, knot_root
 
 T = BSpline.identity(0, 1)
@@ -303,3 +304,14 @@ def test_a_polynomial_with_a_rational_zero_is_never_said_to_have_none():
         assert not LocalPolynomial(fmpz_poly([-p, q]) * other).without_rational_zero
         said += LocalPolynomial(other).without_rational_zero
     assert said > 150
+
+
+@pytest.mark.parametrize("power", [5, 40, 114])
+@pytest.mark.parametrize("bits", [0, 3, 7, 40])
+def test_a_zero_next_to_one_end_in_an_interval_from_the_other(power, bits):
+    far = 1 << power
+    factor = fmpz_poly([-3 * far, 2]) * fmpz_poly([5 * far * far, far, 9]) * fmpz_poly([7, 1])
+    zero = mpq(3 * far, 3 * far + 2)
+    for low, high in enclosures(LocalPolynomial(factor), mpq(0), 1 - mpq(1, 4 * far), -1, bits):
+        assert low == high == zero or low < zero < high
+    assert high - low <= mpq(1, 1 << bits)

@@ -63,7 +63,7 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
     (True, False, True)
     """
     half = mpq(1, 2)
-    if low == 0 and high == 1:
+    if low < half < high:  # each half has a chart of its own, in which z is at most 1
         at_half = factor.polynomial(1) * sign
         if at_half == 0:
             yield half, half
@@ -80,7 +80,7 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
 
 
 class _Chart:
-    """One zero of g(z) in the interval of z that belongs to [low, high], below 3 or so."""
+    """One zero of g(z) in the interval of z that belongs to [low, high], at most 1."""
 
     def __init__(self, g: fmpz_poly, slope: fmpz_poly, low: mpq, high: mpq, sign: int) -> None:
         self.g, self.slope, self.low, self.high, self.sign = g, slope, low, high, sign
