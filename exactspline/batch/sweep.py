@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from exactspline.batch.backends import check_backend, mapped
-from exactspline.batch.corpus import Source, items, weight
+from exactspline.batch.corpus import Source, items
 from exactspline.batch.lines import Line
 from exactspline.batch.work import DIGITS, Work
 from exactspline.errors import ShapeError
@@ -42,4 +42,4 @@ def sweep(
     work = Work.of(find, claims, digits)
     check_backend(backend)
     given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves
-    return mapped(work.lines, items(given), backend, jobs, scheduler, weight)
+    return mapped(work.lines, items(given), backend, jobs, scheduler, work.weight)
