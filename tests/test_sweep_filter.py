@@ -260,7 +260,7 @@ def test_groups_grow_and_are_bounded_by_the_work_in_them():
         list(backends.mapped(lambda group: seen.append(len(group)) or group, range(count), "serial", jobs, "", each))
         return seen
 
-    assert sizes(2000, lambda _: 1) == [16, 16, 32, 64, 128, 256, 512, 512, 464]
+    assert sizes(2000, lambda _: 1) == [16, 48, 192, 512, 512, 512, 208]
     assert sizes(40, lambda _: backends.HEAVY) == [1] * 40
     assert set(sizes(40, lambda _: backends.HEAVY // 3)[:-1]) == {4}
 

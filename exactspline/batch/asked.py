@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 #: The filter is asked about curves that have so many segments of one degree together: with fewer it takes longer than
 #: exact arithmetic.
-TOGETHER = 32
+TOGETHER = 24
 
 
 @dataclass

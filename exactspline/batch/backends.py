@@ -22,8 +22,8 @@ V = TypeVar("V")
 #: Name → the package that it needs besides joblib; the extra of the same name installs it.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 #: How many curves are computed together: a few at first, so that the first results come soon and all processes have
-#: work, then as many as all processes have had before, at most so many and of so much weight.
-FIRST, MOST, HEAVY = 16, 512, 1 << 18
+#: work, then so many times what each process has had before, at most so many and of so much weight.
+FIRST, GROWTH, MOST, HEAVY = 16, 3, 512, 1 << 18
 #: Curves of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
 WINDOW = 4096
 #: Groups of a process that are sent before a result is awaited.
@@ -96,7 +96,7 @@ def _groups(given: Iterable[T], weight: Callable[[T], int], jobs: int, closed: t
     for each in given:
         group.append(each)
         heavy += weight(each)
-        if len(group) >= min(max(FIRST, before // jobs), MOST) or heavy >= HEAVY:
+        if len(group) >= min(max(FIRST, GROWTH * before // jobs), MOST) or heavy >= HEAVY:
             before, heavy = before + len(group), 0
             yield group
             group = []
