@@ -56,7 +56,9 @@ F = TypeVar("F", bound="Facts")
 
 
 class Fact(Generic[F, T]):
-    """A property that is computed once for its object, under the object's lock, and kept."""
+    """A property that is computed once for its object, under the object's lock, and kept: among the object's own
+    attributes, where Python looks first.
+    """
 
     def __init__(self, compute: Callable[[F], T]) -> None:
         self.compute, self.__doc__ = compute, compute.__doc__
@@ -73,7 +75,9 @@ class Fact(Generic[F, T]):
     def __get__(self, facts: Facts | None, owner: type) -> T | Fact[F, T]:
         if facts is None:
             return self
-        return facts.once(self.name, lambda: self.compute(cast(F, facts)))
+        found: T = facts.once(self.name, lambda: self.compute(cast(F, facts)))
+        vars(facts)[self.name] = found
+        return found
 
 
 @dataclass(frozen=True)

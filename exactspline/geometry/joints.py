@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
+from operator import mul
 from typing import TypeVar
 
 from flint import fmpz
@@ -22,7 +23,7 @@ from exactspline.geometry.angles import Angle, angle_between
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
-from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.language.vector import Vector, cross, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surd import Surd, square_root
 
@@ -131,8 +132,19 @@ def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
     """
-    product = sum([x * y for x, y in zip(a, b, strict=True)])
-    return bool(product > 0 and product * product == sum([x * x for x in a]) * sum([x * x for x in b]))
+    product = inner(a, b)
+    return bool(product > 0 and product * product == inner(a, a) * inner(b, b))
+
+
+def inner(a: Sequence[N], b: Sequence[N]) -> N:
+    """The scalar product of two tuples of numbers.
+
+    >>> inner((1, 2), (3, 4))
+    11
+    """
+    first, *rest = map(mul, a, b)
+    product: N = sum(rest, first)
+    return product
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:
@@ -161,23 +173,23 @@ def geometric_order(left: Jet, right: Jet) -> int:
         return -1
     if not same_direction(a[1], b[1]):
         return 0
-    length = dot(Vector(*a[1]), Vector(*a[1]))
-    first = mpq(dot(Vector(*a[1]), Vector(*b[1]))) / length
+    length = inner(a[1], a[1])
+    first = mpq(inner(a[1], b[1])) / length
     rest = [y - first * first * x for x, y in zip(a[2], b[2], strict=True)]
-    second = dot(Vector(*rest), Vector(*a[1])) / length
+    second = inner(rest, a[1]) / length
     if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
         return 1
     rest = [
         z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
     ]
-    third = dot(Vector(*rest), Vector(*a[1])) / length
+    third = inner(rest, a[1]) / length
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
 
 def distance(a: Point, b: Point) -> mpq | Surd:
     """The distance of two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
-    return square_root(dot(Vector(*difference), Vector(*difference)))
+    return square_root(inner(difference, difference))
 
 
 def curvature_of(jet: Jet) -> mpq | Surd:
@@ -187,7 +199,7 @@ def curvature_of(jet: Jet) -> mpq | Surd:
     √2/4
     """
     v, a = jet[1], jet[2]
-    speed = mpq(dot(Vector(*v), Vector(*v)))
+    speed = mpq(inner(v, v))
     if len(v) == 2:
         turning = v[0] * a[1] - v[1] * a[0]
         signed: mpq | Surd = square_root(speed) * (turning / (speed * speed))

@@ -7,16 +7,17 @@ points of (p, w), found by elimination over the rationals.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import gcd, lcm
 
-from flint import fmpq_mat
+from flint import fmpz, fmpz_mat
 
-from exactspline.exact import mpq, text, to_fmpq
+from exactspline.exact import mpq, ratio, text
 from exactspline.geometry.domain import space
 from exactspline.geometry.kinds import CurvePiece
 from exactspline.geometry.pieces import pieces
+from exactspline.splines.bernstein import Form
 from exactspline.splines.nurbs import Nurbs
 
 AXES = "xyz"
@@ -101,7 +102,7 @@ def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
     return [(piece, _plane(_relations(span)[0])) for piece, (_, _, span) in zip(shown, planar, strict=True)]
 
 
-Rows = list[tuple[mpq, ...]]
+Rows = list[tuple[fmpz, ...]]
 
 
 def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
@@ -129,15 +130,34 @@ def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
 
 
 def _rows(curve: Nurbs) -> list[Rows]:
-    """The homogeneous Bézier points (p, w) segment by segment."""
-    columns = [s.elevated_to(curve.p[0]).segments for s in (*curve.p, curve.w)]
-    return [list(zip(*parts, strict=True)) for parts in zip(*columns, strict=True)]
+    """Multiples of the homogeneous Bézier points (p, w) in whole numbers, segment by segment."""
+    n = curve.degree
+    columns = [s.elevated_to(curve.p[0]).forms for s in (*curve.p, curve.w)]
+    return [_whole(n, parts) for parts in zip(*columns, strict=True)]
+
+
+def _whole(n: int, forms: Sequence[Form]) -> Rows:
+    """The coefficients of forms of degree n side by side, over one denominator."""
+    first = forms[0][1]
+    if any(m != first for _, m in forms):
+        scale = fmpz(lcm(*[int(m) for _, m in forms]))
+        forms = [(c * (scale // m), scale) for c, m in forms]
+    return [tuple([c[i] for c, _ in forms]) for i in range(n + 1)]
 
 
 def _span(rows: Rows) -> Rows:
-    """A basis of the span of the rows, in reduced echelon form."""
-    reduced, rank = fmpq_mat([[to_fmpq(x) for x in row] for row in rows]).rref()
-    return [tuple(mpq(int(x.p), int(x.q)) for x in row) for row in reduced.tolist()[:rank]]
+    """A basis of the span of the rows, in echelon form: whole numbers without a common divisor, the columns of the
+    pivots empty but for these.
+    """
+    matrix, _, rank = fmpz_mat(rows).rref()
+    return [_primitive(row) for row in matrix.tolist()[:rank]]
+
+
+def _primitive(row: Sequence[fmpz]) -> tuple[fmpz, ...]:
+    divisor = fmpz(0)
+    for x in row:
+        divisor = divisor.gcd(x)
+    return tuple([x // divisor for x in row])
 
 
 def _relations(rows: Rows) -> list[list[mpq]]:
@@ -148,7 +168,7 @@ def _relations(rows: Rows) -> list[list[mpq]]:
     for free in (j for j in range(width) if j not in pivots):
         relation = [mpq(j == free) for j in range(width)]
         for row, j in zip(reduced, pivots, strict=True):
-            relation[j] = -row[free]
+            relation[j] = ratio(-row[free], row[j])
         basis.append(relation)
     return basis
 

@@ -7,7 +7,7 @@ point and nothing else. On a closed curve the seam is a knot like any other and 
 from __future__ import annotations
 
 from exactspline.geometry.constructions import Variant
-from exactspline.geometry.facts import Facts, among, located
+from exactspline.geometry.facts import Facts, ZeroForm, among, located
 from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind
 from exactspline.roots.root import Root
 
@@ -43,23 +43,23 @@ def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
         found = [one for one, there in zip(true, solved, strict=True) if there]
     else:
         found = located(zero_set)
-    features = []
+    features, curvature = [], facts.zero_form("zero_curvature")
     for root, by_jump in facts.regular_pairs(found):
         if root.at_knot and facts.has_corner(root.low):
             continue
         joint = facts.joint(root.low) if root.at_knot else None
         if joint is None or joint.same_curvature:
-            features.append(_extremum(facts, root, variant, by_jump=by_jump))
+            features.append(_extremum(curvature, root, variant, by_jump=by_jump))
     return features
 
 
-def _extremum(facts: Facts, root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
+def _extremum(curvature: ZeroForm, root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
     """A zero of κ′ by the signs of κ′ beside it, and by that of κ there."""
     left, right = root.signs
     if not left or not right or left == right:
         return Feature(FeatureKind.STATIONARY, root, variant)
     kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
-    sign = facts.sign_of("zero_curvature", root)
+    sign = curvature.sign_at(root)
     of_absolute = FeatureKind.MINIMUM if sign == 0 else kind if sign > 0 else kind.opposite
     return Feature(kind, root, variant, by_jump, of_absolute)
 

@@ -96,7 +96,7 @@ class Kind(ABC):
         >>> *PAIR.parameters(3), *SURFACE.parameters(3)
         (<Parameter.FIRST: 's'>, <Parameter.SECOND: 's̄'>, <Parameter.U: 'u'>, <Parameter.V: 'v'>)
         """
-        return tuple(dict.fromkeys(p for symbol in self.symbols(dimension) for p in symbol.parameters))
+        return _parameters(self, dimension)
 
     def takes(self, other: Kind, dimension: int) -> bool:
         """Whether formulas of another kind can be evaluated on such an argument: it has their operands.
@@ -112,6 +112,11 @@ class Kind(ABC):
 
     def __repr__(self) -> str:
         return f"<kind {self.name}>"
+
+
+@lru_cache(1024)
+def _parameters(kind: Kind, dimension: int) -> tuple[Parameter, ...]:
+    return tuple(dict.fromkeys(p for symbol in kind.symbols(dimension) for p in symbol.parameters))
 
 
 @lru_cache(1024)

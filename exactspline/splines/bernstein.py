@@ -92,8 +92,8 @@ def value(form: Form, n: int, t: mpq) -> mpq:
     c, m = form
     if n < 0:
         return mpq(0)
-    if t == 1:
-        return ratio(c[n], m)
+    if t == 1 or not t:
+        return ratio(c[n] if t else c[0], m)
     if n > LONG:
         return _long_value(form, n, t)
     u = 1 - t
