@@ -262,7 +262,9 @@ def test_groups_grow_and_are_bounded_by_the_work_in_them():
 
     assert sizes(2000, lambda _: 1) == [16, 48, 192, 512, 512, 512, 208]
     assert sizes(40, lambda _: backends.HEAVY) == [1] * 40
-    assert set(sizes(40, lambda _: backends.HEAVY // 3)[:-1]) == {4}
+    assert sizes(40, lambda _: backends.ALONE) == [1] * 40
+    assert sizes(200, lambda _: backends.ALONE - 1) == [16, *[17] * 10, 14]
+    assert sizes(10, lambda i: backends.ALONE * (i == 3)) == [4, 6]
 
 
 def test_curves_of_which_the_filter_is_not_asked_are_sent_few_at_a_time():
@@ -270,7 +272,7 @@ def test_curves_of_which_the_filter_is_not_asked_are_sent_few_at_a_time():
         return [Work.of(**how).weight(item) for item in items([Family.parsed(each) for each in words])]
 
     heavy, light, space = weights("degree=60 segments=9 count=1", "degree=3 count=1", "degree=3 dimension=3 count=1")
-    few = backends.HEAVY // backends.FIRST
+    few = backends.ALONE
     assert heavy > backends.HEAVY > 512 * light
     assert space == few
     for how in ({"digits": 40}, {"find": ["corners"]}, {"claims": ["C4.1a"]}):

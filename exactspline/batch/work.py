@@ -10,7 +10,7 @@ from time import process_time
 from typing import TYPE_CHECKING
 
 from exactspline.batch.asked import Asked, ask, weight
-from exactspline.batch.backends import FIRST, HEAVY
+from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Problem
 from exactspline.batch.inspections import FROM_THE_FILTER, USUAL, checked_names, inspected
 from exactspline.batch.lines import Found, Judged, Line
@@ -71,9 +71,9 @@ class Work:
             yield self._line(rest.popleft())
 
     def weight(self, item: Item) -> int:
-        """How much of a group a curve fills; of curves that are computed one by one anyway it has few."""
+        """How much of a group a curve fills: `ALONE` where the filter is not asked, and nothing computed together."""
         filtered = weight(item) if self._asks else None
-        return HEAVY // FIRST if filtered is None else filtered
+        return ALONE if filtered is None else filtered
 
     @property
     def _asks(self) -> bool:
