@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 import exactspline as xs
 from exactspline import Nurbs
-from exactspline.batch import asked, backends
-from exactspline.batch.corpus import items, weight
+from exactspline.batch import asked, backends, inspections
+from exactspline.batch.corpus import items
 from exactspline.batch.families import Family
 from exactspline.batch.lines import Way
 from exactspline.batch.recorded import Where, recorded
@@ -114,6 +114,21 @@ def test_a_jump_at_a_knot_is_at_the_knot():
     assert [each.parameter for each in line.found["inflections"]] == ["1/3"]
     assert line.way is Way.DECIDED
     same_lines([curve])
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_polygons_have_no_curvature(dimension):
+    chance = random.Random(dimension)
+    for k in range(40):
+        inner = [t for t in range(1, 6) for _ in range(chance.choice([1, 1, 2]))]
+        steps = [tuple(chance.randint(-1, 1) for _ in range(dimension)) for _ in range(len(inner) + 2)]
+        points = steps[:-1] + steps[:1] if k % 2 else steps
+        weights = chance.choice([None, [chance.randint(1, 3) for _ in points]])
+        curve = Nurbs(1, [0, 0, *inner, 6, 6], points, weights)
+        for name in inspections.NOT_OF_POLYGONS:
+            if dimension == 3 or name not in inspections.IN_SPACE:
+                assert not inspections.INSPECTIONS[name](curve)
+                assert inspections.inspected(curve, [name], 3) == {name: ()}
 
 
 def test_examples_and_curves_in_space():
@@ -245,11 +260,25 @@ def test_groups_grow_and_are_bounded_by_the_work_in_them():
         list(backends.mapped(lambda group: seen.append(len(group)) or group, range(count), "serial", jobs, "", each))
         return seen
 
-    assert sizes(2000, lambda _: 1) == [16, 16, 32, 64, 128, 256, 512, 512, 464]
+    assert sizes(2000, lambda _: 1) == [16, 48, 192, 512, 512, 512, 208]
     assert sizes(40, lambda _: backends.HEAVY) == [1] * 40
-    assert set(sizes(40, lambda _: backends.HEAVY // 3)[:-1]) == {4}
-    heavy, light = (next(items([Family.parsed(words)])) for words in ("degree=60 segments=9", "degree=3"))
-    assert weight(heavy) > backends.HEAVY > 512 * weight(light)
+    assert sizes(40, lambda _: backends.ALONE) == [1] * 40
+    assert sizes(200, lambda _: backends.ALONE - 1) == [16, *[17] * 10, 14]
+    assert sizes(10, lambda i: backends.ALONE * (i == 3)) == [4, 6]
+
+
+def test_curves_of_which_the_filter_is_not_asked_are_sent_few_at_a_time():
+    def weights(*words, **how):
+        return [Work.of(**how).weight(item) for item in items([Family.parsed(each) for each in words])]
+
+    heavy, light, space = weights("degree=60 segments=9 count=1", "degree=3 count=1", "degree=3 dimension=3 count=1")
+    few = backends.ALONE
+    assert heavy > backends.HEAVY > 512 * light
+    assert space == few
+    for how in ({"digits": 40}, {"find": ["corners"]}, {"claims": ["C4.1a"]}):
+        assert weights("degree=3 count=1", **how) == [few]
+    contour = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 0), (3, 1), (4, 0)])
+    assert Work.of().weight(next(items([contour]))) == Work.of().weight(next(items(["nothing"]))) == few
 
 
 def test_a_bad_curve_in_a_group_is_a_line_and_the_others_are_whole():

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from time import process_time
 from typing import TYPE_CHECKING
 
-from exactspline.batch.corpus import Item, Problem
+from exactspline.batch.corpus import Item, Member, Problem
 from exactspline.batch.lines import Way
 from exactspline.splines.nurbs import Nurbs
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 #: The filter is asked about curves that have so many segments of one degree together: with fewer it takes longer than
 #: exact arithmetic.
-TOGETHER = 32
+TOGETHER = 24
 
 
 @dataclass
@@ -42,6 +42,24 @@ class Asked:
         # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
         except Exception as error:
             return cls(item, None, Problem.of(error), process_time() - start)
+
+
+def weight(item: Item) -> int | None:
+    """A rough measure of the work on a curve of which the filter is asked: its segments times the cube of its degree,
+    of a family's the largest. None for other curves.
+
+    >>> from exactspline.batch.corpus import items
+    >>> from exactspline.batch.families import Family
+    >>> families = [Family.parsed(f"degree=2-5 dimension={n} count=1") for n in (2, 3)]
+    >>> [weight(item) for item in items(["six_segment_cubic", *families])]
+    [162, 125, None]
+    """
+    given = item.given
+    if isinstance(given, Member):
+        return given.family.segments[1] * given.family.degree[1] ** 3 if given.family.dimension == 2 else None
+    if isinstance(given, Problem) or not _spoken_of(given):
+        return None
+    return int(given.segments * given.degree**3)
 
 
 def ask(curves: Sequence[Asked]) -> None:

@@ -22,8 +22,10 @@ V = TypeVar("V")
 #: Name → the package that it needs besides joblib; the extra of the same name installs it.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
 #: How many curves are computed together: a few at first, so that the first results come soon and all processes have
-#: work, then as many as all processes have had before, at most so many and of so much weight.
-FIRST, MOST, HEAVY = 16, 512, 1 << 18
+#: work, then so many times what each process has had before, at most so many and of so much weight.
+FIRST, GROWTH, MOST, HEAVY = 16, 3, 512, 1 << 18
+#: What has so much weight is sent few at a time, and computed alone in this process: an interruption waits for one.
+ALONE = HEAVY // FIRST
 #: Curves of a process that may be on their way or waiting to be fetched; after so many the results are fetched first.
 WINDOW = 4096
 #: Groups of a process that are sent before a result is awaited.
@@ -67,7 +69,7 @@ def mapped(
     check_backend(backend)
     closed = threading.Event()
     if backend == "serial" or (backend == "processes" and jobs == 1):
-        for group in _groups(given, weight, 1, closed):
+        for group in _groups(given, weight, 1, closed, alone=ALONE):
             yield from call(group)
         return
     groups = _groups(given, weight, jobs, closed)
@@ -89,14 +91,19 @@ def mapped(
             yield from _taken(parallel(delayed(_called)(call, group) for group in window), closed)
 
 
-def _groups(given: Iterable[T], weight: Callable[[T], int], jobs: int, closed: threading.Event) -> Iterator[list[T]]:
-    """The input in groups (see `FIRST`); none begins when `closed` is set."""
+def _groups(
+    given: Iterable[T], weight: Callable[[T], int], jobs: int, closed: threading.Event, alone: int = HEAVY
+) -> Iterator[list[T]]:
+    """The input in groups (see `FIRST`), of which one ends with what has the weight `alone`; none begins when `closed`
+    is set.
+    """
     group: list[T] = []
     before, heavy = 0, 0
     for each in given:
         group.append(each)
-        heavy += weight(each)
-        if len(group) >= min(max(FIRST, before // jobs), MOST) or heavy >= HEAVY:
+        own = weight(each)
+        heavy += own
+        if len(group) >= min(max(FIRST, GROWTH * before // jobs), MOST) or heavy >= HEAVY or own >= alone:
             before, heavy = before + len(group), 0
             yield group
             group = []

@@ -65,20 +65,6 @@ class Item:
         return self.given
 
 
-def weight(item: Item) -> int:
-    """A rough measure of the work on a curve: its segments times the cube of its degree, of a family's the largest.
-
-    >>> [weight(item) for item in items(["six_segment_cubic", Family.parsed("degree=2-5 count=1")])]
-    [162, 125]
-    """
-    given = item.given
-    if isinstance(given, Problem):
-        return 0
-    if isinstance(given, Member):
-        return given.family.segments[1] * given.family.degree[1] ** 3
-    return int(given.segments * given.degree**3)
-
-
 def items(sources: Iterable[Source]) -> Iterator[Item]:
     """All curves of a corpus in order. An unreadable one is an item with its problem, never an exception.
 

@@ -40,6 +40,8 @@ FROM_THE_FILTER: dict[str, Callable[[Settled], Sequence[Point]]] = {
     "straight_pieces": lambda _: (),
     "constant_pieces": lambda _: (),
 }
+#: What no polygon has: its curvature vanishes identically.
+NOT_OF_POLYGONS = ("inflections", "extrema", "critical_points", "torsion_zeros")
 #: The default inspections.
 USUAL = ("inflections", "extrema", "corners")
 #: Digits that are found beyond those that are told: an interval as wide as a decimal's last place is rarely inside.
@@ -82,6 +84,8 @@ def inspected(
 
 
 def _points(curve: Nurbs, name: str, settled: Settled | None) -> Points:
+    if curve.degree == 1 and curve.dimension in (2, 3) and name in NOT_OF_POLYGONS:
+        return ()
     if settled is None:
         return INSPECTIONS[name](curve)
     if name in FROM_THE_FILTER:

@@ -8,7 +8,7 @@ from itertools import takewhile
 from pathlib import Path
 
 from exactspline.batch.backends import mapped
-from exactspline.batch.corpus import Item, Source, items, weight
+from exactspline.batch.corpus import Item, Source, items
 from exactspline.batch.lines import VERSION, Line
 from exactspline.batch.parquet import Parquet
 from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
@@ -100,7 +100,7 @@ def _compute(
             shares[item.index] = item.share
             yield item
 
-    for line in mapped(work.lines, noted(), where.backend, where.jobs, where.scheduler, weight):
+    for line in mapped(work.lines, noted(), where.backend, where.jobs, where.scheduler, work.weight):
         if results is not None:
             results.add(line)
         summary.add(line)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from exactspline.batch.backends import check_backend, mapped
-from exactspline.batch.corpus import Source, items, weight
+from exactspline.batch.corpus import Source, items
 from exactspline.batch.lines import Line
 from exactspline.batch.work import DIGITS, Work
 from exactspline.errors import ShapeError
@@ -27,8 +27,8 @@ def sweep(
     (`INSPECTIONS`), `claims` the claims to be checked, by id; `backend` is one of `BACKENDS`. A curve that is broken is
     a line with its error.
 
-    Curves are read and computed in groups, the first of 16, later ones of up to 512: the generator is ahead of the
-    line that is asked for by the rest of its group (in several processes by a few groups each), never by more.
+    Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator is ahead of
+    the line that is asked for by the rest of its group, in several processes by up to 4096 curves each.
 
     >>> for line in sweep(["circle", "six_segment_cubic"], find=["inflections"]):
     ...     print(line.curve, [each.low for each in line.found["inflections"]])
@@ -42,4 +42,4 @@ def sweep(
     work = Work.of(find, claims, digits)
     check_backend(backend)
     given = [curves] if isinstance(curves, (Nurbs, str)) or not isinstance(curves, Iterable) else curves
-    return mapped(work.lines, items(given), backend, jobs, scheduler, weight)
+    return mapped(work.lines, items(given), backend, jobs, scheduler, work.weight)

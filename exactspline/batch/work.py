@@ -9,7 +9,8 @@ from functools import cache
 from time import process_time
 from typing import TYPE_CHECKING
 
-from exactspline.batch.asked import Asked, ask
+from exactspline.batch.asked import Asked, ask, weight
+from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Problem
 from exactspline.batch.inspections import FROM_THE_FILTER, USUAL, checked_names, inspected
 from exactspline.batch.lines import Found, Judged, Line
@@ -64,10 +65,21 @@ class Work:
         """
         rest = deque(map(Asked.of, group))
         group.clear()
-        if any(name in FROM_THE_FILTER for name in self.find) and self.digits <= FILTERED_DIGITS:
+        if self._asks:
             ask([made for made in rest if made.curve is not None])
         while rest:
             yield self._line(rest.popleft())
+
+    def weight(self, item: Item) -> int:
+        """How much of a group a curve fills: `ALONE` where the filter is not asked, and nothing computed together."""
+        filtered = weight(item) if self._asks else None
+        return ALONE if filtered is None else filtered
+
+    @property
+    def _asks(self) -> bool:
+        """Whether the certified filter is asked."""
+        features = any(name in FROM_THE_FILTER for name in self.find)
+        return features and not self.claims and self.digits <= FILTERED_DIGITS
 
     def _line(self, made: Asked) -> Line:
         item, curve, error = made.item, made.curve, made.error
