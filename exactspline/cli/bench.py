@@ -34,7 +34,7 @@ def bench(
     ] = None,
     plot: Annotated[str, typer.Option("--plot", metavar="FILE", help="Draw the ratios into an SVG or PNG file.")] = "",
     full: Annotated[
-        bool, typer.Option("--full", help="100,000 curves of a batch, all fonts of matplotlib: about an hour.")
+        bool, typer.Option("--full", help="100,000 curves of a batch, all fonts of matplotlib: some 20 minutes.")
     ] = False,
     limit: Annotated[
         int, typer.Option("--limit", metavar="SECONDS", min=1, max=86_400, help="Processor time of one heavy case.")
