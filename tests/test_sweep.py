@@ -410,3 +410,13 @@ def test_a_verdict_that_is_not_as_recorded_is_named(monkeypatch):
     assert done.exit_code == 1
     assert "not as expected" in done.stdout
     assert "is VERIFIED" in done.stdout
+
+
+def test_the_summary_gives_the_reason_for_every_curve_that_is_refused(tmp_path):
+    broken = tmp_path / "broken.ttf"
+    broken.write_text("broken", encoding="ascii")
+    summary = Summary()
+    for line in xs.sweep([str(broken), "circle"]):
+        summary.add(line)
+    (told,) = [each.name for each in summary.entries() if each.what == "refused"]
+    assert told.startswith(f"{broken}: is not a font")

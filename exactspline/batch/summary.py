@@ -52,6 +52,8 @@ class Summary:
     #: Failures on good input: defects of this program.
     alarms: int = 0
     examples: list[str] = field(default_factory=list)
+    #: The first curves that could not be read or handled, each with the reason.
+    refused: list[str] = field(default_factory=list)
     _slowest: list[tuple[float, int, str]] = field(default_factory=list)
 
     def add(self, line: Line, *, known: bool = False) -> None:
@@ -69,6 +71,9 @@ class Summary:
             if not line.error.bad_input:
                 self.alarms += 1
                 self._remember(f"{name}: {line.error.kind}: {line.error.message}")
+            elif line.error.kind != SKIPPED and len(self.refused) < NAMED:
+                told = line.error.message
+                self.refused.append(told if line.source and told.startswith(line.source) else f"{name}: {told}")
         self.found.update((what, each.kind) for what, points in line.found.items() for each in points)
         self.verdicts.update((each.claim, each.verdict) for each in line.claims)
         for each in line.claims:
@@ -100,6 +105,7 @@ class Summary:
         yield from (Entry(what, kind, count) for (what, kind), count in sorted(self.found.items()))
         yield from (Entry(claim, verdict, count) for (claim, verdict), count in sorted(self.verdicts.items()))
         yield from (Entry("error", kind, count) for kind, count in sorted(self.errors.items()))
+        yield from (Entry("refused", text) for text in self.refused)
         yield from (Entry("not as expected", text) for text in self.examples)
         yield from (Entry("filter", way, count) for way, count in sorted(self.filter.items()))
         yield Entry("processor time", "", None, self.seconds)
