@@ -318,6 +318,9 @@ def test_a_contradiction_between_readings_is_an_alarm(monkeypatch):
         list(audit([false], [example("rational_cubic")]))
     with pytest.raises(ContradictionError, match="proved for all curves, but refuted"):
         combined(false)
+    # a proof that contradicts a curve is an alarm also where the record expects the refutation
+    with pytest.raises(ContradictionError, match=false.key):
+        list(audit([replace(false, expected=REFUTED, error="span")]))
 
 
 def test_vacuous_rows_are_on_record():
