@@ -11,7 +11,7 @@ Everything that a user looks for is here; a name is imported when it is first us
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from exactspline.language.services import register
+from exactspline.hooks import set_functions, set_printers
 
 if TYPE_CHECKING:
     from exactspline.batch.families import Family as Family
@@ -57,17 +57,12 @@ if TYPE_CHECKING:
     from exactspline.geometry.bisector.trimmed import trimmed_bisector as trimmed_bisector
     from exactspline.geometry.constructions import Variant as Variant
     from exactspline.geometry.constructions import construction as construction
-    from exactspline.geometry.curvature import curvature as curvature
+    from exactspline.geometry.curvature import curvature_function as curvature_function
     from exactspline.geometry.derived import derive as derive
     from exactspline.geometry.derived import evolute as evolute
     from exactspline.geometry.derived import focal_curve as focal_curve
-    from exactspline.geometry.derived import torsion as torsion
-    from exactspline.geometry.features import corners as corners
-    from exactspline.geometry.features import curvature_extrema as curvature_extrema
-    from exactspline.geometry.features import inflections as inflections
-    from exactspline.geometry.features import joints as joints
-    from exactspline.geometry.features import singular_points as singular_points
-    from exactspline.geometry.features import torsion_zeros as torsion_zeros
+    from exactspline.geometry.derived import torsion_function as torsion_function
+    from exactspline.geometry.floats import at_floats as at_floats
     from exactspline.geometry.floats import floats as floats
     from exactspline.geometry.inspection import Approach as Approach
     from exactspline.geometry.inspection import inspect_curve as inspect_curve
@@ -76,6 +71,8 @@ if TYPE_CHECKING:
     from exactspline.geometry.ruled_surfaces import ruled_surface as ruled_surface
     from exactspline.geometry.surface.inspection import inspect_surface as inspect_surface
     from exactspline.geometry.surface.planar_maps import jacobian_sign as jacobian_sign
+    from exactspline.geometry.values_along import curvature as curvature
+    from exactspline.geometry.values_along import torsion as torsion
     from exactspline.geometry.zero_forms import zero_form as zero_form
     from exactspline.interchange.bridges.geomdl import from_geomdl as from_geomdl
     from exactspline.interchange.bridges.geomdl import to_geomdl as to_geomdl
@@ -109,13 +106,16 @@ if TYPE_CHECKING:
     from exactspline.readings.jet import JetReading as JetReading
     from exactspline.readings.taylor import series_curve as series_curve
     from exactspline.readings.tree import trace as trace
+    from exactspline.reals.real import Real as Real
+    from exactspline.reals.real import square_root as square_root
     from exactspline.roots.checker import check as check_certificate  # noqa: F401
-    from exactspline.roots.enclosure import Enclosure as Enclosure
     from exactspline.roots.root import Root as Root
+    from exactspline.roots.values import at as at
     from exactspline.roots.zero_set import ZeroSet as ZeroSet
     from exactspline.roots.zero_set import zeros as zeros
     from exactspline.splines.bspline import BSpline as BSpline
     from exactspline.splines.control_points import Direction as Direction
+    from exactspline.splines.control_points import greville_abscissae as greville_abscissae
     from exactspline.splines.curve_files import curve_from_text as curve_from_text
     from exactspline.splines.curve_files import save as save
     from exactspline.splines.examples import example as example
@@ -125,10 +125,8 @@ if TYPE_CHECKING:
     from exactspline.splines.examples import load as load
     from exactspline.splines.examples import load_surface as load_surface
     from exactspline.splines.knots import KnotVector as KnotVector
-    from exactspline.splines.knots import greville_abscissae as greville_abscissae
     from exactspline.splines.lowest_terms import control_point_count as control_point_count
     from exactspline.splines.nurbs import Nurbs as Nurbs
-    from exactspline.splines.surd import Surd as Surd
     from exactspline.splines.surface import NurbsSurface as NurbsSurface
     from exactspline.splines.surface_files import save_surface as save_surface
     from exactspline.splines.surface_files import surface_from_text as surface_from_text
@@ -167,14 +165,13 @@ _HOMES = {
     # values
     "BSpline": "splines.bspline:BSpline",
     "Direction": "splines.control_points:Direction",
-    "Enclosure": "roots.enclosure:Enclosure",
     "ExactSplineError": "errors:ExactSplineError",
     "KnotVector": "splines.knots:KnotVector",
     "Nurbs": "splines.nurbs:Nurbs",
     "NurbsSurface": "splines.surface:NurbsSurface",
     "Rational": "language.rational:Rational",
+    "Real": "reals.real:Real",
     "Root": "roots.root:Root",
-    "Surd": "splines.surd:Surd",
     "TensorSpline": "splines.tensor:TensorSpline",
     "Vector": "language.vector:Vector",
     "ZeroSet": "roots.zero_set:ZeroSet",
@@ -185,10 +182,13 @@ _HOMES = {
     # numbers and files
     "from_float": "exact:from_float",
     "from_floats": "exact:from_floats",
+    "at": "roots.values:at",
+    "at_floats": "geometry.floats:at_floats",
     "floats": "geometry.floats:floats",
     "from_geomdl": "interchange.bridges.geomdl:from_geomdl",
     "from_scipy": "interchange.bridges.scipy:from_scipy",
     "rational": "exact:rational",
+    "square_root": "reals.real:square_root",
     "read": "interchange.files:read",
     "to_geomdl": "interchange.bridges.geomdl:to_geomdl",
     "to_scipy": "interchange.bridges.scipy:to_scipy",
@@ -206,27 +206,23 @@ _HOMES = {
     # what a curve has
     "construction": "geometry.constructions:construction",
     "analyse": "geometry.analysis:analyse",
-    "corners": "geometry.features:corners",
-    "curvature_extrema": "geometry.features:curvature_extrema",
     "inspect_curve": "geometry.inspection:inspect_curve",
     "features_of_curves": "geometry.many_splines:features_of_curves",
     "features_of_many": "geometry.many_curves:features_of_many",
-    "inflections": "geometry.features:inflections",
-    "joints": "geometry.features:joints",
-    "singular_points": "geometry.features:singular_points",
-    "torsion_zeros": "geometry.features:torsion_zeros",
     "zero_form": "geometry.zero_forms:zero_form",
     "zeros": "roots.zero_set:zeros",
     "check_certificate": "roots.checker:check",
     "oracle": "batch.oracle:oracle",
     # what is made of curves
     "bisector": "geometry.bisector.any_pair:bisector",
-    "curvature": "geometry.curvature:curvature",
+    "curvature": "geometry.values_along:curvature",
+    "curvature_function": "geometry.curvature:curvature_function",
     "derive": "geometry.derived:derive",
     "evolute": "geometry.derived:evolute",
     "focal_curve": "geometry.derived:focal_curve",
     "ruled_surface": "geometry.ruled_surfaces:ruled_surface",
-    "torsion": "geometry.derived:torsion",
+    "torsion": "geometry.values_along:torsion",
+    "torsion_function": "geometry.derived:torsion_function",
     "trimmed_bisector": "geometry.bisector.trimmed:trimmed_bisector",
     # what a surface has
     "inspect_surface": "geometry.surface.inspection:inspect_surface",
@@ -309,7 +305,7 @@ _HOMES = {
     "figure_4": "display.figures.bisectors:figure_4",
     "figure_5": "display.figures.bisectors:figure_5",
     "figure_6": "display.figures.bisectors:figure_6",
-    "greville_abscissae": "splines.knots:greville_abscissae",
+    "greville_abscissae": "splines.control_points:greville_abscissae",
     "new_figure": "display.plot.canvas:new_figure",
     "plot": "display.plot.anything:plot",
     "plot_approaches": "display.plot.comparisons:plot_approaches",
@@ -324,24 +320,15 @@ _HOMES = {
     "plot_ruled_surface": "display.plot.surfaces:plot_ruled_surface",
 }
 
-#: Methods of objects that are implemented further right (see `exactspline.language.services`).
-_SERVICES = {
-    "at": "roots.enclosure:at",
-    "at_floats": "geometry.floats:at_floats",
-    "curvature": "geometry.values_along:curvature",
-    "curvature_floats": "geometry.floats:curvature_floats",
-    "formula_text": "readings.printing.text:print_text",
-    "html": "display.notebook:html",
-    "kind": "language.kinds:kind_of",
-    "latex": "display.latex:latex",
-    "paper": "papers:paper",
-    "plot": "display.plot.curves:plot_curve",
-    "quotient": "language.rational:Rational",
-    "short": "display.notebook:short",
-    "torsion": "geometry.values_along:torsion",
-    "torsion_floats": "geometry.floats:torsion_floats",
-}
-register({name: f"exactspline.{home}" for name, home in _SERVICES.items()})
+
+def _printed(form: str, shown: object) -> str | None:
+    """The text of an object in a notebook."""
+    found: str | None = getattr(import_module("exactspline.display.notebook"), form)(shown)
+    return found
+
+
+set_printers(_printed)
+set_functions(name for name in _HOMES if name.islower())
 
 __all__ = [*_HOMES, "__version__"]  # noqa: PLE0604
 

@@ -10,6 +10,10 @@ from collections import Counter
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 from functools import lru_cache
+from os import PathLike
+from typing import TypeVar
+
+T = TypeVar("T")
 
 
 class ExactSplineError(ValueError):
@@ -69,6 +73,8 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     'the nearest is C8; `exactspline show` lists all'
     """
 
+    if not isinstance(name, str):  # whatever was written for a name
+        return "names are text" + (f"; `{listed_by}` lists all" if listed_by else "")
     near = _likest(name.lower(), list(known))
     told = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
     return told + (f"; `{listed_by}` lists all" if listed_by else "")
@@ -106,6 +112,10 @@ class NumberError(ExactSplineError):
     """A value that is not an exact rational number."""
 
 
+class OpenError(ExactSplineError):
+    """A question about a real number that all the digits computed leave open."""
+
+
 class KnotError(ExactSplineError):
     """Knots that decrease, are too many at one place, or leave an empty domain."""
 
@@ -134,9 +144,57 @@ class InapplicableError(FormulaError):
     """A reading that does not apply to a kind of argument."""
 
 
+class VanishingDivisorError(FormulaError):
+    """A division by what vanishes identically."""
+
+
 class ClaimError(ExactSplineError):
     """A claim file that cannot be read, or a claim id that does not exist."""
 
 
+class ReachError(ExactSplineError):
+    """A computation whose cost is known beforehand to be beyond the bound for a call that cannot be interrupted;
+    ``data['seconds']`` is the estimate.
+    """
+
+
 class CurveFileError(ExactSplineError):
     """A curve file that is missing, too large, not JSON, or lacks a field."""
+
+
+# ---- what a public function was handed, or the error that says what it takes instead
+
+
+def as_text(given: object, what: str) -> str:
+    """The text itself; `ShapeError` for anything else.
+
+    >>> as_text(3, "the name of a curve")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: an int, where the name of a curve is expected; give a text
+    """
+    if isinstance(given, str):
+        return given
+    raise ShapeError(f"{a_kind(given)}, where {what} is expected", remedy="give a text")
+
+
+def as_path(given: object) -> str:
+    """The path of a file, given as text or as an object with one; `ShapeError` for anything else."""
+    path = given.__fspath__() if isinstance(given, PathLike) else given
+    return as_text(path, "the path of a file")
+
+
+def as_items(given: Iterable[T], what: str) -> Iterable[T]:
+    """The sequence itself; `ShapeError` for a text and for what is not a sequence."""
+    if isinstance(given, Iterable) and not isinstance(given, str | bytes):
+        return given
+    raise ShapeError(f"{a_kind(given)}, where {what} are expected", remedy="give a list")
+
+
+def a_kind(given: object) -> str:
+    """The class of something, with its article.
+
+    >>> a_kind(3), a_kind("3")
+    ('an int', 'a str')
+    """
+    name = type(given).__name__
+    return f"a{'n' * (name[:1] in 'aeiouAEIO')} {name}"

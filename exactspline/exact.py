@@ -20,7 +20,7 @@ from typing import Any, SupportsIndex, TypeAlias, TypeGuard, cast, overload
 import flint
 from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 
-from exactspline.errors import NumberError, shown
+from exactspline.errors import NumberError, as_items, shown
 
 __all__ = [
     "MAX_EXPONENT",
@@ -101,6 +101,11 @@ def rational(value: Number) -> mpq:
     if isinstance(value, Integral) and not isinstance(value, int):
         return mpq(operator.index(given))
     name = f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
+    if hasattr(given, "refine"):
+        raise NumberError(
+            f"{shown(value)} is a root, which need not be rational",
+            remedy="the function exactspline.at takes one; root.exact is its rational value, if any",
+        )
     raise NumberError(
         f"{shown(value)} is of type {name}, which is not taken as an exact number",
         remedy='pass an int, a Fraction, an mpq, a Decimal or text such as "3/4" or "0.1" (for floats see from_float)',
@@ -143,12 +148,14 @@ def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq
 
     Raises `NumberError` with the place of what is not a float.
     """
-    given: Iterable[Any] = values
+    given: Iterable[float | Iterable[float]] = as_items(values, "floats")
     found: list[Any] = []
     for i, value in enumerate(given):
         try:
-            nested = isinstance(value, Iterable) and not isinstance(value, str)
-            found.append(from_floats(value) if nested else from_float(value))
+            if isinstance(value, Iterable) and not isinstance(value, str):
+                found.append(from_floats(value))
+            else:
+                found.append(from_float(value))
         except NumberError as error:
             raise error.at(f"[{i}]") from None
     return found
@@ -275,13 +282,14 @@ def ratio(numerator: flint.fmpz, denominator: flint.fmpz) -> mpq:
     return mpq(int(numerator), int(denominator))
 
 
-def text(value: mpq) -> str:
-    """Shortest exact text of an ``mpq``, read back by :func:`rational`.
+def text(value: mpq | mpz | int) -> str:
+    """Shortest exact text of an exact number, read back by :func:`rational`; of any length, where Python refuses to
+    write an int of more than 4,300 digits.
 
-    >>> text(mpq(3, 4)), text(mpq(-2))
-    ('3/4', '-2')
+    >>> text(mpq(3, 4)), text(mpq(-2)), len(text(10**5000))
+    ('3/4', '-2', 5001)
     """
-    return str(value)
+    return str(mpz(value) if type(value) is int else value)
 
 
 def short_text(value: mpq) -> str:

@@ -25,7 +25,7 @@ MAP = ROOT / "mutation" / ".state" / "coverage.json"
 #: The packages whose mutants are judged by tests.
 ENGINE = ("readings", "symbolic", "roots", "verification", "splines", "programs", "geometry")
 #: Caches that hold what was read from files, the same for every mutant.
-READ = ("papers", "_formulas", "all_formulas", "service", "example", "example_names")
+READ = ("papers", "_formulas", "all_formulas", "example", "example_names")
 #: The tests of a function by line, counted from its first.
 Lines = dict[str, list[str]]
 

@@ -20,7 +20,8 @@ from typing import Any, NamedTuple
 from exactspline.errors import FormulaError
 from exactspline.language.formula import Formula
 from exactspline.papers import Paper, find, papers
-from exactspline.readings.tree import Derivation, Node, Operation
+from exactspline.readings.expression import Operation
+from exactspline.readings.tree import Derivation, Node
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import factor_parts
 from exactspline.verification.coq.emission import ROOT, Stated, claims_header, library

@@ -7,29 +7,25 @@ python tests/import_graph.py --dot    for Graphviz
 from __future__ import annotations
 
 import ast
+import re
 import sys
+import tomllib
 from collections import defaultdict
 from pathlib import Path
 
 import exactspline
 
 ROOT = Path(exactspline.__file__).parent
-#: A package imports only from those in lines above its own.
-ORDER = (
-    ("errors",),
-    ("exact", "atomic_write"),
-    ("language",),
-    ("splines", "readings", "papers"),
-    ("programs",),
-    ("roots", "symbolic"),
-    ("geometry",),
-    ("verification",),
-    ("classroom",),
-    ("display", "interchange"),
-    ("batch",),
-    ("cli",),
-)
+#: The contract of import-linter: a package imports only from those in lines above its own.
+CONTRACTS_FILE = Path(__file__).parent.parent / "pyproject.toml"
+CONTRACTS = tomllib.loads(CONTRACTS_FILE.read_text(encoding="utf-8"))
+(LAYERS,) = (each["layers"] for each in CONTRACTS["tool"]["importlinter"]["contracts"] if each["id"] == "rooms")
+ORDER = tuple(tuple(layer.split(" | ")) for layer in reversed(LAYERS) if layer != "__main__")
 FLOOR = {package: i for i, packages in enumerate(ORDER) for package in packages}
+#: A module, or something in one, named in a text: ``exactspline.roots``, ``roots.checker:check``.
+NAMED = re.compile(r"(?:exactspline\.)?(\w+(?:\.\w+)*)\.?(?::\w+)?")
+#: What looks up a formula by its name: with a name in the code it is an import of its paper.
+LOOK_UPS = {"find", "paper", "resolve"}
 
 
 def module_name(path: Path) -> str:
@@ -43,20 +39,12 @@ def trees() -> dict[str, ast.Module]:
     return {module_name(p): ast.parse(p.read_text(encoding="utf-8")) for p in sorted(ROOT.rglob("*.py"))}
 
 
-def _for_checkers_only(tree: ast.AST) -> set[int]:
-    found: set[int] = set()
+def imported(tree: ast.AST, modules: set[str], own: str = "") -> set[str]:
+    """The modules of the package that a module imports: at its top or lazily, for type checkers alone, or by a name in
+    a text (not that of a package around it: so its own files are found).
+    """
+    found = set()
     for node in ast.walk(tree):
-        if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
-            found |= {id(inner) for inner in ast.walk(node)}
-    return found
-
-
-def imported(tree: ast.AST, modules: set[str]) -> set[str]:
-    """The modules of the package that a module imports, lazily or not; what only type checkers see does not count."""
-    skipped, found = _for_checkers_only(tree), set()
-    for node in ast.walk(tree):
-        if id(node) in skipped:
-            continue
         if isinstance(node, ast.Import):
             found |= {a.name.partition(".")[2] for a in node.names if a.name.split(".")[0] == "exactspline"}
         elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "exactspline":
@@ -64,13 +52,31 @@ def imported(tree: ast.AST, modules: set[str]) -> set[str]:
             for alias in node.names:
                 inner = f"{base}.{alias.name}" if base else alias.name
                 found.add(inner if inner in modules else base)
+    return found | {name for name in named(tree, modules) if not f"{own}.".startswith(f"{name}.")}
+
+
+def named(tree: ast.AST, modules: set[str]) -> set[str]:
+    """The modules that a module names in its texts, and the papers where it looks up a formula by its name."""
+    prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in prose:
+            text = node.value
+            if (m := NAMED.fullmatch(text)) and (text.startswith("exactspline.") or "." in m[1] or ":" in text):
+                parts = m[1].split(".")
+                prefixes = [".".join(parts[:n]) for n in range(len(parts), 0, -1)]
+                found |= {next((prefix for prefix in prefixes if prefix in modules), None)} - {None}
+        elif isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Constant):
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            if name in LOOK_UPS and isinstance(node.args[0].value, str) and not isinstance(node.func, ast.Attribute):
+                found.add("papers")
     return found
 
 
 def module_graph() -> dict[str, set[str]]:
     """Every module with those that it imports."""
     known = trees()
-    return {name: imported(tree, set(known)) - {name} for name, tree in known.items()}
+    return {name: imported(tree, set(known), name) - {name} for name, tree in known.items()}
 
 
 def package_graph(modules: dict[str, set[str]]) -> dict[str, set[str]]:

@@ -15,7 +15,6 @@ from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
-from exactspline.readings.numeric import numeric_curve
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.splines.examples import example
@@ -23,6 +22,7 @@ from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import proved
 from exactspline.verification.sympy_judge import judged
+from tests.numeric_reading import numeric_curve
 
 
 @pytest.fixture(scope="module")
@@ -89,8 +89,8 @@ def test_the_rational_frame_of_14_is_that_of_13_up_to_lengths(space):
     c = space
     assert vanishes(c.gamma.d(1) - frames.unit_tangent(c) * c.sigma)
     assert vanishes(find("binormal")(c) - frames.unit_binormal(c) * c.rho)
-    assert vanishes(find("normal")(c) - frames.unit_normal(c) * (c.rho * c.sigma))
-    assert norm2(find("normal")(c)) == (c.rho * c.sigma) ** 2
+    assert vanishes(find("chen_riesenfeld_cohen_2007:normal")(c) - frames.unit_normal(c) * (c.rho * c.sigma))
+    assert norm2(find("chen_riesenfeld_cohen_2007:normal")(c)) == (c.rho * c.sigma) ** 2
 
 
 def test_the_frenet_equations(space):

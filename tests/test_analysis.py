@@ -13,14 +13,6 @@ from exactspline.geometry import facts as facts_module
 from exactspline.geometry import space_features
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Construction
-from exactspline.geometry.features import (
-    corners,
-    curvature_extrema,
-    inflections,
-    joints,
-    singular_points,
-    straight_pieces,
-)
 from exactspline.geometry.inspection import compare_approaches, inspect_curve, solved
 from exactspline.geometry.joints import Ends
 from exactspline.roots import isolation as isolation_module
@@ -71,7 +63,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
         curve = spline(segments, dimension)
         with monkeypatch.context() as patch:
             counted = Counted(patch)
-            inspect_curve(curve)
+            inspect_curve(curve).answers  # noqa: B018
             first = Counter(counted.calls)
             assert first["zeros"] == FORMS[dimension]
             assert first["on"] == 2
@@ -79,9 +71,8 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
             assert first["geometric_order"] == segments - 1
             assert first["jet"] == 2 * (segments - 1)
             assert first["isolate"] <= FORMS[dimension] * segments
-            inspect_curve(curve)
+            inspect_curve(curve).answers  # noqa: B018
             solved(curve, "minimal")
-            analyse(curve).critical_points()
             assert counted.calls == first
             compare_approaches(curve)
             assert counted.calls["on"] == 6
@@ -104,7 +95,7 @@ def test_roots_are_compared_a_bounded_number_of_times_a_segment(monkeypatch):
                 return original(self, other)
 
             patch.setattr(Root, "_against", counting)
-            inspect_curve(curve)
+            inspect_curve(curve).answers  # noqa: B018
         counts[segments] = calls["compared"] / segments
     assert counts[1000] < 2 * counts[100]
 
@@ -115,7 +106,7 @@ def test_an_analysis_belongs_to_one_curve_and_is_no_part_of_it():
     found = analyse(curve)
     assert analyse(curve) is found
     assert analyse(same) is not found
-    assert analyse(same).critical_points() is not found.critical_points()
+    assert analyse(same).critical_points is not found.critical_points
 
 
 @pytest.mark.parametrize("name", example_names())
@@ -142,11 +133,11 @@ def test_the_sign_of_a_form_is_that_of_its_values(name):
 def test_eight_threads_find_one_analysis():
     curve = spline(60, 3)
     with ThreadPoolExecutor(8) as pool:
-        found = list(pool.map(lambda _: inspect_curve(curve), range(16)))
-    assert all(one.critical == found[0].critical and one.torsion == found[0].torsion for one in found)
-    assert all(a is b for one in found for a, b in zip(one.critical, found[0].critical, strict=True))
-    alone = inspect_curve(spline(60, 3))
-    for name in ("singular_points", "inflections", "critical", "torsion"):
+        found = list(pool.map(lambda _: analyse(curve), range(16)))
+    assert all(one.critical_points == found[0].critical_points for one in found)
+    assert all(a is b for one in found for a, b in zip(one.critical_points, found[0].critical_points, strict=True))
+    alone = analyse(spline(60, 3))
+    for name in ("singular_points", "inflections", "critical_points"):
         assert [(f.kind, f.root) for f in getattr(found[0], name)] == [(f.kind, f.root) for f in getattr(alone, name)]
 
 
@@ -164,6 +155,5 @@ def test_what_is_handed_out_is_nobody_elses(name):
             value.clear()
             assert getattr(found, n) is not value, n
     again = Nurbs(*[getattr(found.curve, n) for n in ("degree", "knots", "control_points", "weights")])
-    for ask in (inflections, singular_points, curvature_extrema, joints, corners, straight_pieces):
-        ask(found.curve).clear()
-        assert ask(found.curve) == ask(again)
+    for asked in ("inflections", "singular_points", "curvature_extrema", "joints", "corners", "straight_pieces"):
+        assert getattr(found, asked) == getattr(analyse(again), asked)

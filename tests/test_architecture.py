@@ -1,6 +1,7 @@
 """The house: which room may import which, what a formula may contain, and how heavy an import is."""
 
 import ast
+import os
 import re
 import subprocess
 import sys
@@ -20,7 +21,7 @@ GRAPH = import_graph.module_graph()
 FRONT = {"", "__main__"}
 
 
-def test_a_package_imports_only_from_those_left_of_it():
+def test_a_package_imports_only_from_those_below_it():
     packages = import_graph.package_graph(GRAPH)
     assert set(packages) == {name.split(".")[0] for name in GRAPH} - FRONT
     for package, targets in packages.items():
@@ -28,7 +29,8 @@ def test_a_package_imports_only_from_those_left_of_it():
             assert import_graph.FLOOR[other] < import_graph.FLOOR[package], f"{package} imports {other}"
 
 
-def test_no_circle_of_modules_lazy_imports_included():
+def test_no_circle_of_modules_lazy_imports_and_types_included():
+    """Passed before: 38 modules in one circle, tied by services and by imports for types alone."""
     assert import_graph.circles(GRAPH) == []
 
 
@@ -36,10 +38,98 @@ def test_nothing_imports_the_front_door():
     assert [name for name, targets in GRAPH.items() if "" in targets and name not in FRONT] == []
 
 
-def test_a_circle_and_an_arrow_that_points_up_are_seen():
+PLANTED = {
+    "at the top": "from exactspline.cli import prove",
+    "lazily": "def f():\n    from exactspline.cli.prove import prove",
+    "for types alone": "if TYPE_CHECKING:\n    from exactspline.cli import prove",
+    "by import_module": "prove = import_module('exactspline.cli.prove')",
+    "by a place in a text": "HOMES = {'prove': 'cli.prove:prove'}",
+}
+
+
+@pytest.mark.parametrize("code", PLANTED.values(), ids=PLANTED)
+def test_an_import_is_seen(code):
+    """Passed before: an import for types alone, or by a name in a text, points up unseen."""
+    found = import_graph.imported(ast.parse(code), {"cli", "cli.prove"}, "language.kind")
+    assert found == {"cli.prove"}
+    packages = import_graph.package_graph({"language.kind": found})
+    assert not import_graph.FLOOR["cli"] < import_graph.FLOOR["language"]
+    assert packages == {"language": {"cli"}}
+
+
+def test_a_formula_that_is_looked_up_by_its_name_is_an_import():
+    """Passed before: a room below the papers looks up one of their formulas by its name."""
+    assert import_graph.imported(ast.parse("find('f2')"), set(GRAPH), "language.kind") == {"papers"}
+    assert import_graph.imported(ast.parse("'a text about x.y: f2'; text.find('f2')"), set(GRAPH)) == set()
+
+
+def test_a_circle_is_seen():
+    """Passed before: a circle of modules one of whose imports is for types alone."""
     assert import_graph.circles({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}) == [["a", "b", "c"]]
-    lazily = ast.parse("def f():\n    from exactspline.cli import prove")
-    assert import_graph.imported(lazily, {"cli", "cli.prove"}) == {"cli.prove"}
+    code = "if TYPE_CHECKING:\n    from exactspline.a import A", "from exactspline.b import B"
+    graph = {name: import_graph.imported(ast.parse(c), {"a", "b"}) for name, c in zip("ba", code, strict=True)}
+    assert import_graph.circles(graph) == [["a", "b"]]
+
+
+def test_only_the_front_door_names_modules_of_other_rooms_in_texts():
+    """What a user's formulas may import are texts of the check of such files; the command line asks whether a module
+    below it was loaded.
+    """
+    trees = import_graph.trees()
+    named = {name: import_graph.named(tree, set(trees)) - {"papers"} for name, tree in trees.items()}
+    found = {name for name, targets in named.items() if {t.split(".")[0] for t in targets} - {name.split(".")[0]}}
+    assert found == {"", "cli.output", "papers.formula_check"}
+
+
+def linted(folder: Path) -> subprocess.CompletedProcess[str]:
+    """The contracts of import-linter, checked on the package in a folder."""
+    code = (
+        "from importlinter.cli import lint_imports\n"
+        f"raise SystemExit(lint_imports(config_filename={str(import_graph.CONTRACTS_FILE)!r}, no_cache=True))"
+    )
+    environment = os.environ | {"PYTHONPATH": str(folder)}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder, env=environment)
+
+
+def test_the_contracts_of_the_imports_are_kept():
+    """Passed before: `language` imports the types of `splines`, `roots` and `papers`."""
+    done = linted(ROOT.parent)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+PLANTED_FILES = {
+    "nothing": ({}, ""),
+    "a type from above": (
+        {"language": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from exactspline.splines import x"},
+        "exactspline.language is not allowed to import exactspline.splines",
+    ),
+    "a room beside": ({"roots": "from exactspline.symbolic import x"}, "not allowed to import exactspline.symbolic"),
+    "a room that nobody named": ({"services": ""}, "exactspline.services"),
+    "a circle of types": (
+        {
+            "splines": "",
+            "splines/a": "from exactspline.splines.b import x",
+            "splines/b": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from exactspline.splines.a import x",
+        },
+        "No cycles are allowed in exactspline.splines",
+    ),
+}
+
+
+@pytest.mark.parametrize(("files", "told"), PLANTED_FILES.values(), ids=PLANTED_FILES)
+def test_what_breaks_a_contract_is_found(files, told, tmp_path):
+    """Passed before: each of these but "a room beside"."""
+    rooms = {room: "" for row in import_graph.ORDER for room in row} | {"__main__": ""}
+    for name, text in (rooms | files).items():
+        inside = any(other.startswith(f"{name}/") for other in files)
+        file = tmp_path / "exactspline" / (f"{name}/__init__.py" if inside else f"{name}.py")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text + "\n", encoding="utf-8")
+    (tmp_path / "exactspline" / "__init__.py").write_text("", encoding="utf-8")
+    done = linted(tmp_path)
+    assert done.returncode == (1 if files else 0), done.stdout + done.stderr
+    assert told in " ".join(done.stdout.split())
 
 
 @pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")

@@ -98,7 +98,7 @@ def test_the_speed_of_a_hodograph_is_polynomial(reading, polynomial):
 
 def test_a_curve_is_read_as_the_preimage_of_a_hodograph():
     curve = example("rational_cubic")
-    c, told = argument("hodograph", curve)
+    c, told, _ = argument("hodograph", curve)
     assert c.p.d(1) == c.velocity
     assert c.p(curve.domain[0]) == (0, 0)
     assert told == ", as u, v and h of a hodograph"
@@ -111,7 +111,7 @@ def test_degrees_of_a_hodograph():
     assert str(c.p.degree) == "2d + 1"
     assert str(c.speed.degree) == "2d"
     assert str(c.velocity.degree) == "2d"
-    own, _ = argument("hodograph", example("six_segment_cubic"))
+    own, *_ = argument("hodograph", example("six_segment_cubic"))
     assert own.p.degree == 7
 
 
@@ -124,7 +124,7 @@ def test_constants_have_no_derivative_and_a_value_on_a_curve():
         assert c.delta.d(1).is_zero
         assert not c.r.is_zero
         assert ((c.p[0] * c.delta).d(1) - c.p[0].d(1) * c.delta).is_zero
-    own, told = argument("plane with r, delta", example("circle"))
+    own, told, _ = argument("plane with r, delta", example("circle"))
     assert own.delta(0) == CONSTANTS[0]
     assert told == ", with δ = 37/29, r = -53/41"
     assert common_kind([kind_of("plane with r"), kind_of("plane point")]).name == "plane point with r"

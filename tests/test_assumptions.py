@@ -12,6 +12,7 @@ from exactspline.splines.examples import example, example_names
 from exactspline.symbolic.factorization import speaking_of
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.verdict import INAPPLICABLE, VACUOUS
 
 SEGMENT, PLANE_SEGMENT = [(0, 0, 0), (1, 0, 1), (2, 2, 0), (3, 1, 2)], [(0, 0), (1, 0), (2, 2), (3, 1)]
 
@@ -56,7 +57,7 @@ def does_not_exist(claim, own):
     if gone := claim.missing(own.handed(claim.curve)):
         return gone
     found = claim.check(own)
-    nothing = found.is_vacuous or found.is_outside
+    nothing = found.verdict in (VACUOUS, INAPPLICABLE)
     return found.computed if nothing and ("no surface" in found.computed or "not exist" in found.computed) else ""
 
 

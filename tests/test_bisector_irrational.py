@@ -14,10 +14,10 @@ from typer.testing import CliRunner
 
 from exactspline import BSpline
 from exactspline.cli import app
-from exactspline.geometry.bisector.discriminants import resultant
 from exactspline.geometry.bisector.over_root import OverRoot, by_powers
 from exactspline.geometry.bisector.polynomials import S, T, as_splines, least_value, roots_in, rows_of, vanish_together
 from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.polynomials.elimination import resultant
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.curve_files import curve_data, write_json
 from tests.bisector_oracle import bezier, dot, point_and_tangent, spans

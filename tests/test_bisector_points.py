@@ -16,6 +16,7 @@ from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
+from exactspline.splines.control_points import Direction
 from tests.bisector_oracle import FAMILIES, bezier, spans
 from tests.test_bisector_pairs import random_pair
 
@@ -36,8 +37,10 @@ def sixty_digits():
 def power_basis(curve, span):
     """Numerators and denominator on a knot span, coefficients of t⁰, t¹, …: de Boor's algorithm on polynomials."""
     n, knots = curve.degree, list(curve.knots)
+    # a point at infinity has the coordinates of its direction
     points = [
-        [[mpq(curve.weights[i]) * x] for x in (*curve.control_points[i], mpq(1))] for i in range(span - n, span + 1)
+        [*([x * (1 if isinstance(p, Direction) else mpq(w))] for x in p), [mpq(w)]]
+        for p, w in list(zip(curve.control_points, curve.weights, strict=True))[span - n : span + 1]
     ]
     for r in range(1, n + 1):
         for j in range(n, r - 1, -1):

@@ -16,6 +16,7 @@ from exactspline import BSpline, Nurbs
 from exactspline.geometry.bisector.polynomials import at, roots_in
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from tests.bisector_oracle import FAMILIES, bezier, circle, mapped, spans
+from tests.dials import over_dials
 from tests.test_bisector_pairs import random_pair
 from tests.test_bisector_points import power_basis
 
@@ -142,11 +143,11 @@ def number(random, size=3):
     return mpq(random.randint(-size, size), random.choice([1, 1, 2, 3]))
 
 
-def polynomial(random, degree):
+def polynomial(random, degree, number=number):
     return sum((U**k * number(random) for k in range(1, degree + 1)), U * 0 + number(random))
 
 
-def composed(random):
+def composed(random, number=number):
     """One curve and its mirror image, or the same, through two different polynomials: f(s) = g(t)."""
     shapes = [[number(random) for _ in range(3)] for _ in range(3)]
     inner = random.sample([U * U, U * U + U, U * 2 - 1, U * U * 2 - U, U**2 - mpq(1, 3)], 2)
@@ -154,23 +155,23 @@ def composed(random):
     return first, random.choice([second, mapped(second, lambda x, y, z: (x, y, 1 - z))])
 
 
-def on_a_sphere(random):
+def on_a_sphere(random, number=number):
     """All normal planes run through the centre."""
 
     def one():
-        u, v = polynomial(random, 1), polynomial(random, 1)
+        u, v = polynomial(random, 1, number), polynomial(random, 1, number)
         rows = [f.elevated_to(u * u).control_points for f in (u * 2, v * 2, u * u + v * v - 1, u * u + v * v + 1)]
         return Nurbs.from_homogeneous(2, [0, 0, 0, 1, 1, 1], list(zip(*rows, strict=True)))
 
     return one(), one()
 
 
-def cusped(random):
+def cusped(random, number=number):
     """γ̄′ has a factor with a root inside, rational or not."""
     factor = random.choice([U * 2 - 1, U * U * 2 - 1, U * U * 3 - 1, U * U * 5 - U * 5 + 1])
     found = []
     for _ in range(3):
-        slope, values = factor * polynomial(random, 1), [number(random)]
+        slope, values = factor * polynomial(random, 1, number), [number(random)]
         for x in slope.control_points:
             values.append(values[-1] + x / (slope.degree + 1))
         found.append(BSpline.bezier(values, 0, 1))
@@ -188,3 +189,14 @@ def test_slices_of_more_families(name, scale):
         pair = [mapped(c, lambda *p: [scale * mpq(x) for x in p]) for c in FACTORIES[name](Random(seed))]
         compared += assert_slices_agree(*pair, Random(seed), 2)
     assert compared
+
+
+@over_dials
+@pytest.mark.parametrize("name", FACTORIES)
+def test_slices_of_more_families_at_every_dial(name, number):
+    """Before: small integers and their multiples alone; a line of a pair of doubles was a traceback."""
+    compared = seed = 0
+    while seed < 2 or not compared:
+        compared += assert_slices_agree(*FACTORIES[name](Random(seed), number), Random(seed), 1)
+        seed += 1
+        assert seed < 12

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from itertools import pairwise, product
+from random import Random
 
 import pytest
 from gmpy2 import mpq
@@ -15,6 +16,8 @@ from exactspline.geometry.bisector.two_curves import CURVE_FORMS, curve_bisector
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
+from tests.bisector_oracle import mapped
+from tests.dials import factors, over_dials
 from tests.strategies import nurbs
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
@@ -42,8 +45,27 @@ def places(interval, count=3):
 @pytest.mark.parametrize("variant", [*CURVE_FORMS, "minimal"])
 @pytest.mark.parametrize(("one", "other"), PAIRS)
 def test_a_bisector_point_lies_in_both_normal_planes_and_is_equidistant(one, other, variant):
-    first, second = example(one), example(other)
-    for patch in curve_bisector(first, second, variant).patches:
+    assert_bisector_points(example(one), example(other), variant)
+
+
+@over_dials
+@pytest.mark.parametrize(("one", "other"), PAIRS[:2])
+def test_a_bisector_point_of_curves_at_every_dial(one, other, number):
+    """Before: the curves of the examples alone, whose numbers are short."""
+    random = Random(2)
+    curves = [mapped(example(name), axes_by(factors(number, random, 6))) for name in (one, other)]
+    assert_bisector_points(*curves, "minimal")
+
+
+def axes_by(numbers):
+    """A map that scales and moves along each axis."""
+    return lambda *p: [x * a + b for x, a, b in zip(p, numbers[:3], numbers[3:], strict=True)]
+
+
+def assert_bisector_points(first, second, variant):
+    found = curve_bisector(first, second, variant)
+    assert found.unreduced == ()
+    for patch in found.patches:
         for s, t in product(*map(places, patch.sides)):
             b = patch.value(s, t)
             assert slope(first, s, b) == 0
@@ -182,7 +204,7 @@ def test_a_curve_that_stands_still_has_no_normals():
         (interval, "stands still" in reason) for interval, reason in point_bisector(standing, (-1, 5, 0)).missing
     ] == [((1, 2), True)]
     assert all("stands still" in reason for _, reason in curve_bisector(standing, example("twisted_cubic")).missing)
-    with pytest.raises(ShapeError, match="stands still"):
+    with pytest.raises(ShapeError, match="the curve is one point"):
         point_bisector(Nurbs(1, [0, 0, 1, 1], [(1, 0, 0), (1, 0, 0)]), (-1, 5, 0))
 
 
@@ -246,12 +268,27 @@ def test_bad_input_is_refused():
 def test_random_curves_and_points(curve, point):
     generator = find("point_bisector_generator_polynomial")(curve.with_point(tuple(map(mpq, point))))
     if generator.is_zero:
-        with pytest.raises(ShapeError, match=r"passes through the point|stands still"):
+        with pytest.raises(ShapeError, match=r"passes through the point|stands still|is one point"):
             point_bisector(curve, point)
         return
     found = point_bisector(curve, point)
     for piece in found.pieces:
-        s = places(piece.interval, 1)[0]
+        s = next(s for s in places(piece.interval, 5) if s not in found.singular)
         b = piece.surface.at(1)(s)
         assert slope(curve, s, b) == 0
         assert square(b, curve(s)) == square(b, tuple(map(mpq, point)))
+
+
+@over_dials
+@pytest.mark.parametrize("name", ["helix_like", "ellipse_in_space"])
+def test_a_ruled_bisector_at_every_dial(name, number):
+    """Before: the curves of the examples alone, whose numbers are short."""
+    random = Random(3)
+    curve = mapped(example(name), axes_by(factors(number, random, 6)))
+    point = tuple(factors(number, random, 3))
+    for piece in point_bisector(curve, point).pieces:
+        s = places(piece.interval, 1)[0]
+        for zeta in (0, 1):
+            b = piece.surface.at(zeta)(s)
+            assert slope(curve, s, b) == 0
+            assert square(b, curve(s)) == square(b, point)

@@ -10,9 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.inspection import inspect_curve
 from exactspline.geometry.kinds import JointKind
-from exactspline.splines.surd import significant
 from tests.chains import EQUAL, as_curve, closed_chain, curvature_at, cut_and_rotated, expected_pieces, meeting
 from tests.space_curves import TURNED
 from tests.test_shared_curves import FILES, read_curve
@@ -40,7 +38,7 @@ def check_chain(chain, curve):
             with mpmath.workdps(50):
                 sides = -curvature_at(before.reversed), curvature_at(piece)
                 assert all(
-                    abs(significant(x, 45) - true) < EQUAL for x, true in zip(joint.curvatures, sides, strict=True)
+                    abs(x.significant(45) - true) < EQUAL for x, true in zip(joint.curvatures, sides, strict=True)
                 )
     orders = [m.order for m in meetings]
     straight = [piece.kind == "line" for piece in chain]
@@ -59,8 +57,13 @@ def as_sets(pieces):
 
 def kinds(curve):
     """How many features of each kind a curve has: whatever its knots and its seam."""
-    found = inspect_curve(curve)
-    lists = [found.singular_points, found.inflections, found.critical, found.torsion]
+    found = analyse(curve)
+    lists = [
+        found.singular_points,
+        found.inflections,
+        found.critical_points,
+        found.torsion_zeros if found.in_space else (),
+    ]
     named = [Counter(f.kind for f in features) for features in lists]
     return *named, Counter(joint.order for joint in found.joints if joint.order < 3)
 
@@ -118,7 +121,7 @@ def test_closed_chains_in_a_plane_of_space(seed):
     assert a.straight_pieces == b.straight_pieces
     lines = all(piece.kind == "line" for piece in turned)
     assert [p.parts for p, _ in b.planar_pieces] == ([] if lines else [(plane.domain,)])
-    assert not b.torsion_zeros
+    assert b.torsion_zeros.points == ()
 
 
 def test_the_degree_two_chain_of_the_first_wrong_answer():
@@ -167,14 +170,19 @@ def test_nothing_that_is_told_of_a_real_curve_is_outside_its_domain(file):
     curve = read_curve(file)
     if curve.dimension > 3:
         return
-    (a, b), found = curve.domain, inspect_curve(curve)
-    pieces = [*found.straight, *found.constant, *found.standing, *[piece for piece, _ in found.planar]]
+    (a, b), found = curve.domain, analyse(curve)
+    pieces = [
+        *found.straight_pieces,
+        *found.constant_pieces,
+        *found.standing_pieces,
+        *[piece for piece, _ in found.planar_pieces],
+    ]
     assert all(a <= low < high <= b for piece in pieces for low, high in piece.parts)
     bad = {joint.parameter for joint in found.joints if joint.kind is not JointKind.CONTINUOUS}
-    for piece in (*found.straight, *found.constant):
+    for piece in (*found.straight_pieces, *found.constant_pieces):
         assert not any(low < t < high for low, high in piece.parts for t in bad) or curve.dimension == 3
         assert not piece.across_seam or (curve.closed and a not in bad)
-    for piece in found.straight:
+    for piece in found.straight_pieces:
         for low, high in piece.parts:
             points = [curve(low + (high - low) * mpq(k, 7), "left" if k == 7 else "right") for k in range(8)]
             rows = [[y - x for x, y in zip(points[0], p, strict=True)] for p in points[1:]]

@@ -16,7 +16,7 @@ from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.kinds.degree_proof import _held, lower_degrees
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.statement import _dimension, _size, sides
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 
 T = BSpline.identity(0, 1)
 
@@ -60,7 +60,7 @@ def test_squares_are_counted_segment_by_segment():
     assert on(one, PYTHAGOREAN).computed == told.format("1 of 1")
     assert on(one, PARABOLA).computed == told.format("0 of 1")
     assert on(one, two_pieces()).computed == told.format("1 of 2")
-    assert on(one, LINE).is_vacuous
+    assert on(one, LINE).verdict == VACUOUS
     assert on(one, PARABOLA).verdict == VERIFIED
 
 
@@ -89,7 +89,7 @@ def test_the_first_coefficient_that_vanishes_is_named():
     still = curve(T * T, T * T * T)
     found = on(one, still)
     assert (found.verdict, found.witness) == (REFUTED, "coefficient 0 of D1 is 0")
-    assert on(one, Nurbs(1, [0, 0, 1, 1], [(1, 1), (1, 1)])).is_vacuous
+    assert on(one, Nurbs(1, [0, 0, 1, 1], [(1, 1), (1, 1)])).verdict == VACUOUS
     generic = claim("C3f-D1-generic").prove()[1]
     assert generic.computed.startswith("none vanishes for any d ≥ 1")
 
@@ -131,11 +131,24 @@ def test_what_is_rational_is_told_with_its_degree():
     value = find("torsion")(cubic)
     assert found.verdict == REFUTED
     assert found.computed == f"rational of degree {value.degree}"
-    assert found.witness == f"degree {value.degree} over 1 segments"
-    polynomial = replace(one, formula="D1")
-    assert on(polynomial, cubic).witness == "degree 2 over 1 segments"
+    assert found.witness == "torsion is a quotient of polynomials in the curve, and is torsion_by_frenet"
+
+
+def test_any_formula_does_not_refute_that_something_is_not_rational():
+    """Passed before: "the torsion is not rational" was refuted by D1, by f2, by whatever formula was named."""
+    one = claim("N9-torsion")
+    for other in ("D1", "velocity_acceleration_jerk", "binormal_squared"):
+        wrong = replace(one, formula=other)
+        assert wrong.prove()[1].verdict == UNDECIDED
+        assert on(wrong, example("twisted_cubic")).verdict == UNDECIDED
+    with pytest.raises(ClaimError, match="said to be what it is"):
+        replace(one, definition="torsion")
+
+
+def test_what_is_rational_is_nothing_on_a_line():
+    one = claim("N9-torsion")
     line = curve(T, T, T)
-    assert on(one, line).verdict == UNDECIDED
+    assert on(one, line).verdict == INAPPLICABLE
 
 
 # ---- degrees
@@ -191,7 +204,7 @@ def test_rows_tell_what_was_asked_of_whom():
     assert row.expected == VERIFIED
     assert row.as_recorded
     (flat,) = audit([claim("C41a-f1-f2")], [LINE])
-    assert flat.verdict == UNDECIDED
+    assert flat.verdict == VACUOUS
     assert flat.as_recorded
     meant = next(c for c in all_claims() if c.status == "meant")
     assert proved(meant).statement == f"{meant.statement} (as it must read)"

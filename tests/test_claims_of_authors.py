@@ -7,9 +7,9 @@ from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, norm2
 from exactspline.papers import find, paper
 from exactspline.splines.examples import example
-from exactspline.verification.claim import combined
+from exactspline.verification.combined import combined
 from exactspline.verification.kinds import Contact, Invariance, SignClaim
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 
 BASE = {"paper": "lifted", "id": "X1", "key": "X1-a", "source": "a test", "statement": "a test", "status": "ours"}
 PLANE, SPACE = ("rational_cubic", "six_segment_cubic"), ("rational_space_cubic", "twisted_cubic")
@@ -95,7 +95,7 @@ def test_contact_is_exactly_what_it_is(name, order):
 def test_contact_in_space_and_what_does_not_exist():
     assert_verdict(contact("osculating_plane", 2, curve="pair"), PROVED)
     assert_verdict(contact("osculating_plane", 3, curve="pair"), REFUTED)
-    assert combined(contact("nothing", 1))[1].is_vacuous
+    assert combined(contact("nothing", 1))[1].verdict == VACUOUS
     with pytest.raises(ClaimError, match="two points"):
         contact("f2", 1, curve="plane")
     with pytest.raises(ClaimError, match="higher contact"):

@@ -60,7 +60,7 @@ def test_gaps_corners_and_a_smooth_seam_are_told(inspected):
     assert data["joints"][1]["gap"] == "√2"
     assert "√2 wide" in output
     assert "[3, 4] ∪ [0, 1]" in output
-    assert data["straight"] == [[["1", "2"]], [["2", "3"]], [["3", "4"], ["0", "1"]]]
+    assert data["straight_pieces"] == [[["1", "2"]], [["2", "3"]], [["3", "4"], ["0", "1"]]]
     assert "joints: 1 with a gap, 2 G0, 1 G3 or higher" in output
 
 
@@ -72,14 +72,14 @@ def test_jumps_of_the_curvature_are_told_with_both_values(inspected):
     assert joint["curvatures"] == ["-√2/4", "√2/4"]
     assert joint["curvature"] == "-0.3535533905932737622 | 0.3535533905932737622"
     assert "exactly −√2/4 | √2/4, G1" in output
-    (inflection,) = data["inflections"]
+    (inflection,) = data["inflections"]["points"]
     assert inflection["curvature"] == joint["curvature"]
 
 
 def test_a_corner_at_rest_has_its_angle_too(inspected):
     curve = {"degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2], "control_points": [[0, 0], [1, 0], [1, 0], [1, 3], [1, 3]]}
     _, data = inspected(curve)
-    corner = next(f for f in data["singular_points"] if f["kind"] == "corner")
+    corner = next(f for f in data["singular_points"]["points"] if f["kind"] == "corner")
     assert (corner["parameter"], corner["angle"]["degrees"]) == ("1", "90")
 
 
@@ -116,7 +116,7 @@ def test_a_drawing_of_several_curves_is_one_picture(tmp_path):
     assert "skipped: text" in done.stderr
     rows = json.loads(done.stdout)["rows"]
     assert [row["curve"] for row in rows] == ["s", "v"]
-    assert [f["parameter"] for f in rows[0]["inflections"]] == ["1/2"]
+    assert [f["parameter"] for f in rows[0]["inflections"]["points"]] == ["1/2"]
     turns = [(f["coordinate"], f["kind"]) for row in rows for f in row["coordinate_extrema"]]
     assert turns == [(1, "maximum"), (1, "minimum"), (1, "maximum")]
     assert picture.read_text(encoding="utf-8").count("inflections (1)") >= 1

@@ -55,7 +55,7 @@ def test_a_formula_has_two_forms():
 
 def test_the_torsion_at_its_zero_is_zero():
     data = json.loads(run("inspect", "rational_space_cubic_spline", "--json").stdout)["rows"][0]
-    assert {f["torsion"] for f in data["torsion"] if not f["by_jump"]} <= {"0"}
+    assert {f["torsion"] for f in data["torsion_zeros"]["points"] if not f["by_jump"]} <= {"0"}
 
 
 def test_text_in_an_error_is_taken_literally():

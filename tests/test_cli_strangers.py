@@ -20,8 +20,8 @@ from exactspline.readings.tree import trace
 from exactspline.splines.curve_files import curve_data, curve_from_text
 from exactspline.splines.examples import example
 from exactspline.splines.triangles import de_boor_triangle, insertion_triangle
-from exactspline.verification.claim import combined
 from exactspline.verification.claims import claims_in, select
+from exactspline.verification.combined import combined
 
 JUNK = b"{\x00\x01\xffjunk"
 OTHERS = sorted({suffix for known in FORMATS for suffix in known.suffixes} - {".json"})

@@ -83,8 +83,8 @@ def test_every_schema_is_published():
     listed = json.loads(run("schema").stdout)["schemas"]
     assert set(DOCUMENTS) | {"figures", "bench", "convert"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
-    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 1"
-    assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 1"
+    assert json.loads(run("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 2"
+    assert json.loads(run("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
 
 
 def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
@@ -139,7 +139,7 @@ def test_version():
 def test_a_curve_on_standard_input():
     text = json.dumps(curve_data(example("ellipse_skew")))
     rows = json.loads(run("inspect", "-", "--json", input=text).stdout)["rows"]
-    assert len(rows[0]["critical"]) == 4
+    assert len(rows[0]["critical_points"]["points"]) == 4
     assert "standard input" in str(run("derive", "evolute", "-", input="{}").exception)
 
 

@@ -11,7 +11,7 @@ from exactspline import BSpline, Nurbs, Vector
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
-from exactspline.papers import all_formulas, find
+from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, drop_of
@@ -19,7 +19,9 @@ from exactspline.symbolic.covariants import generic_degree, graded, true_degree
 from exactspline.symbolic.substitution import substitute
 
 DIMENSIONS = {"plane": (2,), "space": (3,), "curve": (2, 3)}
-POLYNOMIAL = [(f.name, n) for f in all_formulas().values() for n in DIMENSIONS.get(f.curve, ()) if is_polynomial(f, n)]
+POLYNOMIAL = [
+    (known_as(f), n) for f in all_formulas().values() for n in DIMENSIONS.get(f.curve, ()) if is_polynomial(f, n)
+]
 
 
 def jets(name, dimension, *, polynomial=False):

@@ -5,7 +5,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.curvature import curvature
+from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
 from exactspline.papers import find
 from exactspline.splines.examples import example
@@ -13,12 +13,14 @@ from exactspline.splines.examples import example
 
 def test_circle_has_constant_curvature():
     assert find("g2")(example("circle")).is_zero
-    assert all(piece.value(piece.interval[0]) == 1 and piece.radicand == 1 for piece in curvature(example("circle")))
+    assert all(
+        piece.value(piece.interval[0]) == 1 and piece.radicand == 1 for piece in curvature_function(example("circle"))
+    )
 
 
 @pytest.mark.parametrize("name", ["straight_line", "straight_cubic"])
 def test_a_straight_line_has_no_evolute(name):
-    assert all(piece.value.is_zero for piece in curvature(example(name)))
+    assert all(piece.value.is_zero for piece in curvature_function(example(name)))
     with pytest.raises(ShapeError, match="straight"):
         derive("evolute", example(name))
 
@@ -60,7 +62,7 @@ def test_cusps_and_doubled_points_are_no_obstacle():
 def test_curvature_of_a_pythagorean_hodograph_is_rational():
     curve = example("ph_quintic")
     speed = find("speed_squared")(curve)
-    (piece,) = curvature(curve)
+    (piece,) = curvature_function(curve)
     assert piece.value is not None
     for t in (mpq(0), mpq(1, 3), mpq(1)):
         value = piece.value(t)
@@ -72,17 +74,17 @@ def test_curvature_of_a_pythagorean_hodograph_is_rational():
 def test_curvature_with_a_square_root():
     """A circular arc of squared radius 2: κ = 1/√2."""
     arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 1), (0, 2), (-1, 1)], weights=[1, 1, 2])
-    (piece,) = curvature(arc)
+    (piece,) = curvature_function(arc)
     assert piece.value is not None
     assert piece.radicand * piece.value(mpq(1, 3)) ** 2 == mpq(1, 2)
     assert piece.radicand == 2
 
 
 def test_a_curve_that_is_no_pythagorean_hodograph_says_so():
-    (piece,) = curvature(example("parabola"))
+    (piece,) = curvature_function(example("parabola"))
     assert piece.value is None
     assert "Pythagorean" in piece.reason
-    (piece,) = curvature(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (0, 0), (1, 0), (3, 1)]))
+    (piece,) = curvature_function(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (0, 0), (1, 0), (3, 1)]))
     assert piece.value is None
 
 
@@ -94,7 +96,7 @@ def test_names_forms_and_dimensions_are_checked():
     with pytest.raises(ShapeError, match="plane curve"):
         derive("evolute", example("twisted_cubic"))
     with pytest.raises(ShapeError, match="in the plane"):
-        curvature(example("twisted_cubic"))
+        curvature_function(example("twisted_cubic"))
 
 
 @pytest.mark.parametrize("variant", ["naive", "paper", "minimal"])

@@ -6,13 +6,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.geometry.features import (
-    constant_pieces,
-    curvature_extrema,
-    inflections,
-    singular_points,
-    straight_pieces,
-)
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.inspection import Approach, inspect_curve
 from exactspline.splines.examples import example
 from exactspline.verification.claims import select
@@ -28,21 +22,23 @@ def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
     points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
     plus, minus = bezier(points, weights), bezier(points, [-w for w in weights])
     for approach in Approach:
-        found = [[(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical] for c in (plus, minus)]
+        found = [
+            [(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical_points] for c in (plus, minus)
+        ]
         assert found[0] == found[1]
         assert found[0]
 
 
 def test_a_singular_seam_is_counted_once():
     curve = bezier([(0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0)])
-    assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("corner", 0)]
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("corner", 0)]
 
 
 def test_a_curve_that_starts_from_rest_is_singular_there():
     curve = bezier([(0, 0), (0, 0), (1, 1), (2, 0)])
-    assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("singular end", 0)]
-    assert not [f for f in inflections(curve) if f.root == 0]
-    assert not [f for f in inspect_curve(curve).critical if f.root == 0]
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("singular end", 0)]
+    assert not [f for f in analyse(curve).inflections if f.root == 0]
+    assert not [f for f in analyse(curve).critical_points if f.root == 0]
 
 
 def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
@@ -50,8 +46,10 @@ def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
     quartic = bezier([(-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1)])
     cubic = bezier([(-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1)])
     for approach in Approach:
-        assert ("minimum", mpq(1, 2)) in [(f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical]
-        assert not [f for f in inspect_curve(cubic, approach).critical if f.root == mpq(1, 2)]
+        assert ("minimum", mpq(1, 2)) in [
+            (f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical_points
+        ]
+        assert not [f for f in inspect_curve(cubic, approach).critical_points if f.root == mpq(1, 2)]
 
 
 @pytest.mark.parametrize(
@@ -63,20 +61,20 @@ def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
     ids=["gap", "corner"],
 )
 def test_a_gap_or_a_corner_is_no_inflection(knots, points):
-    assert not [f for f in inflections(Nurbs(3, knots, points)) if f.root == 1]
+    assert not [f for f in analyse(Nurbs(3, knots, points)).inflections if f.root == 1]
 
 
 def test_a_rest_is_no_cusp():
     curve = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (1, 0), (2, 0)])
-    assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("rest", 1), ("rest", 2)]
+    assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("rest", 1), ("rest", 2)]
 
 
 def test_pieces_end_at_corners_and_where_the_curvature_jumps():
     bent = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
-    assert [p.parts for p in straight_pieces(bent)] == [((0, 1),), ((1, 2),)]
+    assert [p.parts for p in analyse(bent).straight_pieces] == [((0, 1),), ((1, 2),)]
     arcs = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(1, 0), (1, 1), (0, 1), (-2, 1), (-2, -1)], weights=[1, 1, 2, 2, 4])
-    assert [p.parts for p in constant_pieces(arcs)] == [((0, 1),), ((1, 2),)]
-    assert not curvature_extrema(arcs)
+    assert [p.parts for p in analyse(arcs).constant_pieces] == [((0, 1),), ((1, 2),)]
+    assert not analyse(arcs).curvature_extrema.points
 
 
 @pytest.mark.parametrize(
@@ -91,7 +89,7 @@ def test_what_does_not_exist_is_not_verified(name, ids):
     """x/0 = y/0 is not a success, however true after multiplication."""
     rows = [row for row in audit(select(ids), [example(name)]) if row.status != "ours"]
     assert rows
-    assert {row.verdict for row in rows if row.kind != "degree"} == {"UNDECIDED"}
+    assert {row.verdict for row in rows if row.kind != "degree"} <= {"VACUOUS", "INAPPLICABLE"}
     assert all(row.as_recorded for row in rows)
 
 

@@ -5,7 +5,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import Nurbs
-from exactspline.geometry.inspection import inspect_curve
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import FeatureKind, JointKind
 from tests.space_curves import backwards
 from tests.strategies import nurbs
@@ -15,17 +15,20 @@ curves = nurbs(dimension=2, low=1, high=4)
 
 def told(curve):
     """Everything that `inspect` finds but for the values and the joints."""
-    found = inspect_curve(curve)
+    found = analyse(curve)
     features = [
         [(f.kind, f.root, f.by_jump, f.of_absolute) for f in group]
-        for group in (found.singular_points, found.inflections, found.critical)
+        for group in (found.singular_points, found.inflections, found.critical_points)
     ]
-    return features, [[piece.parts for piece in group] for group in (found.straight, found.constant, found.standing)]
+    return features, [
+        [piece.parts for piece in group]
+        for group in (found.straight_pieces, found.constant_pieces, found.standing_pieces)
+    ]
 
 
 def joints(curve):
     """The joints that are not smooth to third order, but for knots where the curve stands still on both sides."""
-    found = [j for j in inspect_curve(curve).joints if j.kind is not JointKind.STILL]
+    found = [j for j in analyse(curve).joints if j.kind is not JointKind.STILL]
     return [(j.parameter, j.kind, j.order) for j in found if j.order is None or j.order < 3]
 
 
@@ -85,7 +88,7 @@ def test_reflections_turn_the_sign_of_the_curvature(curve):
     extrema = (FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
     turned = [(k.opposite if k in extrema else k, root, jump, absolute) for k, root, jump, absolute in critical]
     assert told(other) == ([singular, flat, turned], pieces)
-    angles = [[j.angle for j in inspect_curve(c).joints if j.angle] for c in (curve, other)]
+    angles = [[j.angle for j in analyse(c).joints if j.angle] for c in (curve, other)]
     assert [(a.cosine, -a.sine) for a in angles[0]] == [(a.cosine, a.sine) for a in angles[1]]
 
 

@@ -17,7 +17,7 @@ from exactspline.display.figures import FIGURES, folder, make
 from exactspline.display.figures.plane import figure_1
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
-from exactspline.geometry.features import corners, inflections
+from exactspline.geometry.analysis import analyse
 from exactspline.splines.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
@@ -94,7 +94,7 @@ def test_errors_say_what_would_be_right(tmp_path):
 def test_figure_1_shows_the_curve_and_marks_its_inflections():
     curve, top = example("six_segment_cubic"), figure_1().figure.axes[0]
     lines = {line.get_label(): line for line in top.lines}
-    assert len(lines["inflections, κ = 0"].get_xdata()) == len(inflections(curve)) > 0
+    assert len(lines["inflections, κ = 0"].get_xdata()) == len(analyse(curve).inflections) > 0
     # jumps are hollow here as in the graphs below
     assert lines["κ′ changes its sign by a jump"].get_markerfacecolor() == "white"
     for values, (low, high) in zip(
@@ -108,6 +108,6 @@ def test_figure_1_shows_the_curve_and_marks_its_inflections():
 def test_the_picture_of_inspect_marks_corners_and_cusps():
     square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])
     labels = [line.get_label() for line in inspect_figure(square, []).axes[0].lines]
-    assert f"corners ({len(corners(square))})" in labels
+    assert f"corners ({len(analyse(square).corners)})" in labels
     labels = [line.get_label() for line in inspect_figure(example("cusp"), []).axes[0].lines]
     assert "cusps (1)" in labels

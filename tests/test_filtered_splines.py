@@ -125,9 +125,9 @@ def test_the_examples_and_one_that_is_no_plane_curve():
 def test_what_is_no_curve_is_refused_like_a_bad_curve():
     found = features_of_curves(["cubic_s", np.zeros((4, 2)), None, example("cubic_s")])
     assert [str(found.refused[i]).split(";")[0] for i in range(3)] == [
-        "curves[0]: is of type str",
-        "curves[1]: is of type ndarray",
-        "curves[2]: is of type NoneType",
+        "curves[0]: a str, where a curve is expected",
+        "curves[1]: a ndarray, where a curve is expected",
+        "curves[2]: a NoneType, where a curve is expected",
     ]
     assert set(found.curve.tolist()) == {3}
 

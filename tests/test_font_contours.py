@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 
 from exactspline import Nurbs
-from exactspline.geometry.features import corners as corners_of
-from exactspline.geometry.inspection import inspect_curve
+from exactspline.geometry.analysis import analyse
 from tests.contour_oracle import Piece, features
 
 pytest.importorskip("fontTools")
@@ -83,10 +82,10 @@ def test_corners_inflections_and_extrema_of_all_contours(font):
     for name, pieces in contours(font):
         curve, count = curve_of(pieces), len(pieces)
         corners, inflections, extrema, _ = expected(pieces)
-        found = inspect_curve(curve)
-        assert [joint.parameter - curve.domain[0] for joint in corners_of(curve)] == corners, name
+        found = analyse(curve)
+        assert [joint.parameter - curve.domain[0] for joint in analyse(curve).corners] == corners, name
         assert sorted(f.root.exact % count for f in found.inflections) == inflections, name
-        told = sorted((_exact(f.root) % count, f.kind) for f in found.critical if f.kind != "stationary")
+        told = sorted((_exact(f.root) % count, f.kind) for f in found.critical_points if f.kind != "stationary")
         assert told == extrema, name
 
 
@@ -99,7 +98,7 @@ def _exact(root):
 def test_straight_pieces_of_all_contours():
     differ = []
     for name, pieces in [c for font in FONTS for c in contours(font)]:
-        found = [part for piece in inspect_curve(curve_of(pieces)).straight for part in piece.parts]
+        found = [part for piece in analyse(curve_of(pieces)).straight_pieces for part in piece.parts]
         if sorted(found) != sorted(expected(pieces)[3]):
             differ.append(name)
     assert differ == []

@@ -1,18 +1,17 @@
-"""The front door: every name a user looks for, the same whatever is imported, typed, lazily loaded; every service."""
+"""The front door: every name a user looks for, the same whatever is imported, typed, lazily loaded; what it lends."""
 
 import ast
-import inspect
 import pkgutil
 import re
 import subprocess
 import sys
-from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import exactspline as xs
-from exactspline.language.services import registered
+from exactspline import hooks
 
 ROOT = Path(xs.__file__).parent
 #: What the design promises at top level.
@@ -32,10 +31,7 @@ PROMISED = [
     "load",
     "save",
     "example",
-    "inflections",
-    "curvature_extrema",
-    "singular_points",
-    "torsion_zeros",
+    "analyse",
     "zeros",
     "evolute",
     "focal_curve",
@@ -95,12 +91,12 @@ def test_no_submodule_is_called_like_a_name():
     assert not own & set(xs.__all__)
 
 
-def test_importing_the_package_loads_nothing_of_it_but_the_services():
+def test_importing_the_package_loads_nothing_of_it_but_the_hooks():
     code = (
         "import sys, exactspline; print(*[m for m in sys.modules if m.startswith(('exactspline.', 'flint', 'gmpy2'))])"
     )
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert set(loaded) == {"exactspline.language", "exactspline.language.services"}
+    assert set(loaded) == {"exactspline.hooks"}
 
 
 def typed_names() -> dict[str, str]:
@@ -119,77 +115,85 @@ def test_checkers_and_the_interpreter_see_the_same_names():
 
 
 def test_checkers_know_the_types(tmp_path):
-    pytest.importorskip("mypy")
     asked = {
         "xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])": "exactspline.splines.nurbs.Nurbs",
         "xs.zeros(xs.BSpline.bezier([1, -1]))": "exactspline.roots.zero_set.ZeroSet",
         'xs.example("circle").insert_knot("1/2")': "exactspline.splines.nurbs.Nurbs",
         'xs.prove("f1", "f2").holds': "bool",
     }
-    file = tmp_path / "asks.py"
-    file.write_text(
-        "import exactspline as xs\n" + "".join(f"reveal_type({code})\n" for code in asked), encoding="utf-8"
-    )
-    command = [
-        sys.executable,
-        "-m",
-        "mypy",
-        "--cache-dir",
-        str(tmp_path / "cache"),
-        "--follow-imports=silent",
-        str(file),
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT.parent)
+    done = checked(tmp_path, "".join(f"reveal_type({code})\n" for code in asked))
     told = [kind.removeprefix("builtins.") for kind in re.findall(r'Revealed type is "(.*?)"', done.stdout)]
     assert told == list(asked.values()), done.stdout + done.stderr
 
 
-# ---- services
+def test_checkers_refuse_a_method_that_is_a_function(tmp_path):
+    """Passed before: `curve.plot()`."""
+    done = checked(tmp_path, 'xs.example("circle").plot()\nxs.example_surface("sphere").plot\n')
+    assert re.findall(r"error: (.*?)  \[attr-defined\]", done.stdout) == [
+        '"Nurbs" has no attribute "plot"',
+        '"NurbsSurface" has no attribute "plot"',
+    ]
+
+
+def checked(folder: Path, code: str) -> subprocess.CompletedProcess[str]:
+    """What a type checker says of code that uses the package."""
+    pytest.importorskip("mypy")
+    file = folder / "asks.py"
+    file.write_text(f"import exactspline as xs\n{code}", encoding="utf-8")
+    command = [sys.executable, "-m", "mypy", "--cache-dir", str(folder / "cache"), "--follow-imports=silent", str(file)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT.parent)
+
+
+# ---- functions, not methods of lower rooms
 
 SOURCES = sorted(ROOT.rglob("*.py"))
 
 
-def calls_of_services() -> dict[str, list[tuple[str, ast.FunctionDef, ast.ClassDef | None]]]:
-    """Every ``service("name")`` with the function around it."""
-    found: dict[str, list[tuple[str, ast.FunctionDef, ast.ClassDef | None]]] = {}
-    for path in SOURCES:
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        for cls in [node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]:
-            for function in [node for node in cls.body if isinstance(node, ast.FunctionDef)]:
-                for node in ast.walk(function):
-                    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "service":
-                        module = ".".join(path.relative_to(ROOT.parent).with_suffix("").parts)
-                        found.setdefault(node.args[0].value, []).append((module, function, cls))
-    return found
+@pytest.mark.parametrize("name", ["plot", "curvature", "torsion", "at_floats", "analyse"])
+@pytest.mark.parametrize(
+    "thing",
+    [xs.example("circle"), xs.example_surface("sphere"), xs.BSpline.identity(0, 1)],
+    ids=["curve", "surface", "spline"],
+)
+def test_the_error_of_a_missing_method_names_the_function(thing, name):
+    """Passed before: the curve has the method, the surface only no such attribute."""
+    with pytest.raises(AttributeError, match=f"has no attribute '{name}'; use the function exactspline.{name}$"):
+        getattr(thing, name)
+    assert not hasattr(thing, name)
+    assert callable(getattr(xs, name))
 
 
-def test_every_service_resolves_and_is_called():
-    assert set(calls_of_services()) == set(registered())
-    for home in registered().values():
-        module, _, function = home.partition(":")
-        assert callable(getattr(import_module(module), function))
+def test_at_is_a_function_for_curves_and_splines():
+    """Passed before: each has the method."""
+    for thing in (xs.example("circle"), xs.BSpline.identity(0, 1)):
+        with pytest.raises(AttributeError, match=r"has no attribute 'at'; use the function exactspline\.at$"):
+            thing.at(0)
 
 
-@pytest.mark.parametrize("name", ["at", "curvature", "torsion"])
-def test_a_method_has_the_signature_of_its_service(name):
-    module, _, function = registered()[name].partition(":")
-    service = inspect.signature(getattr(import_module(module), function))
-    ((where, method, cls),) = calls_of_services()[name]
-    own = inspect.signature(getattr(getattr(import_module(where), cls.name), method.name))
-    told = [[(p.name, p.kind, p.default) for p in list(s.parameters.values())[1:]] for s in (own, service)]
-    assert told[0] == told[1]
-    plain = [str(s.return_annotation).replace("Exact", "mpq | Surd") for s in (own, service)]
-    assert plain[0] == plain[1]
+def test_other_missing_attributes_name_nothing():
+    for name in ("nothing_of_the_kind", "Vector", "__version__", "_repr_svg_"):
+        with pytest.raises(AttributeError, match=f"'Nurbs' object has no attribute '{name}'$"):
+            getattr(xs.example("circle"), name)
 
 
-def test_the_plot_of_a_curve_hands_on_what_its_service_takes():
-    module, _, function = registered()["plot"].partition(":")
-    parameters = list(inspect.signature(getattr(import_module(module), function)).parameters.values())
-    assert parameters[1].name == "ax"
-    assert all(p.kind is p.KEYWORD_ONLY for p in parameters[2:])
+def test_a_notebook_shows_what_the_printers_write():
+    curve = xs.example("circle")
+    told = []
+    curve.w._repr_pretty_(SimpleNamespace(text=told.append), False)
+    assert "B-spline function" in curve.w._repr_html_()
+    assert told == [repr(curve.w)]
+    assert xs.find("D1")._repr_latex_() == "$\\displaystyle D_1 = p'\\,w - p\\,w'$"
 
 
-#: Modules that import by a name in a string: the front door, the services, papers (folders of data), the optional
+def test_without_printers_a_notebook_shows_the_text(monkeypatch):
+    monkeypatch.setattr(hooks, "_printers", [hooks._plain])
+    told = []
+    xs.example("circle").w._repr_pretty_(SimpleNamespace(text=told.append), False)
+    assert told == [repr(xs.example("circle").w)]
+    assert xs.example("circle").w._repr_html_() is None
+
+
+#: Modules that import by a name in a string: the front door, papers (folders of data), the optional
 #: drawing libraries, what a user names on the command line, and what only notebooks need.
 IMPORT_BY_STRING = {
     "__init__.py",
@@ -199,7 +203,6 @@ IMPORT_BY_STRING = {
     "display/__init__.py",
     "display/plot/canvas.py",
     "display/plot/html.py",
-    "language/services.py",
     "papers/folder.py",
 }
 

@@ -1,6 +1,6 @@
 """The parts of what is told of curves and surfaces, each held against what it means on small cases."""
 
-from itertools import pairwise, product
+from itertools import pairwise
 from math import comb
 from types import SimpleNamespace
 
@@ -12,14 +12,12 @@ from hypothesis import strategies as st
 from mpmath.libmp import to_rational
 
 from exactspline import BSpline, Nurbs, NurbsSurface, example_surface, zeros
-from exactspline.errors import FormulaError
-from exactspline.geometry.angles import angle_between
-from exactspline.geometry.balls import OpenError, _compared
+from exactspline.errors import FormulaError, OpenError
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.bisector import cusps
 from exactspline.geometry.bisector.components import Cause, PairEquation, PlaneComponent, Solutions
 from exactspline.geometry.bisector.conditions import _cells as cells_between
 from exactspline.geometry.bisector.correspondence import _value, graph_intervals
-from exactspline.geometry.bisector.discriminants import discriminant
 from exactspline.geometry.bisector.lines import Path, along
 from exactspline.geometry.bisector.polynomials import S, T, _keeps_sign, vanish_together
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
@@ -27,28 +25,26 @@ from exactspline.geometry.bisector.special_pairs import _runs_on
 from exactspline.geometry.bisector.system import System, piece
 from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.geometry.constructions import Variant, all_constructions
-from exactspline.geometry.curvature import curvature
+from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
 from exactspline.geometry.domain import intervals_where
-from exactspline.geometry.enclosures import _certain
 from exactspline.geometry.floats import at_floats
 from exactspline.geometry.joints import curvature_of
-from exactspline.geometry.kinds import CurvePiece
 from exactspline.geometry.surface import critical, singular
-from exactspline.geometry.surface.borders import is_inside
-from exactspline.geometry.surface.degenerate import jumps
+from exactspline.geometry.surface.borders import is_inside, vanishes_at
 from exactspline.geometry.surface.forms import SurfaceForms, lowest
-from exactspline.geometry.surface.inspection import _sided
+from exactspline.geometry.surface.inspection import inspect_surface
 from exactspline.geometry.surface.isolation import isolate
-from exactspline.geometry.surface.multiple import _hull_of_neighbours
+from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.planar_maps import _placed
 from exactspline.geometry.surface.singular import SingularPoints
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
-from exactspline.roots.enclosure import Enclosure
+from exactspline.polynomials.elimination import discriminant
+from exactspline.questions.answers import CurvePiece
+from exactspline.reals.ball import InBalls
+from exactspline.reals.digits import Digits
 from exactspline.splines.examples import example
-from exactspline.splines.patch_forms import UNIT, PatchForm, together
-from exactspline.splines.surface import Along
+from exactspline.splines.patch_forms import UNIT, PatchForm, clusters, together
 from exactspline.splines.tensor import TensorSpline
 from tests.bisector_oracle import FAMILIES
 
@@ -70,12 +66,16 @@ def test_significant_digits_are_certain(top, power, digits, sign, shift):
     """However small the number, and wherever it lies in its enclosures, which are 10⁻ⁿ wide."""
     exact, asked = mpq(sign * top, 10**power * 7), []
 
-    def enclosed(n):
-        asked.append(n)
-        width = mpq(1, 10**n)
-        return Enclosure(exact - width * mpq(shift, 9), exact + width * mpq(9 - shift, 9), n)
+    class Given(Digits):
+        def _enclosed(self, n):
+            asked.append(n)
+            width = mpq(1, 10**n)
+            return exact - width * mpq(shift, 9), exact + width * mpq(9 - shift, 9)
 
-    told = mpq(*to_rational(_certain(enclosed, digits)._mpf_))
+        def _against_number(self, t):
+            return (exact > t) - (exact < t)
+
+    told = mpq(*to_rational(Given().significant(digits)._mpf_))
     assert asked == sorted(asked)
     assert abs(told - exact) * 10**digits <= abs(exact)
 
@@ -114,18 +114,19 @@ def test_a_piece_across_the_seam_contains_its_ends():
 @given(st.integers(1, 9), st.integers(1, 60))
 def test_right_angles_are_whole_numbers_of_degrees(k, digits):
     one = mpq(1), mpq(0)
-    told = [angle_between(one, other).degrees(digits) for other in ((k, 0), (0, k), (-k, 0), (0, -k))]
+    told = [Angle(one, other).degrees(digits) for other in ((k, 0), (0, k), (-k, 0), (0, -k))]
     assert told == [0, 90, 180, -90]
-    assert (-1 < angle_between(one, (mpq(k), mpq(1, 100))).degrees(digits) < 90) is True
+    assert (-1 < Angle(one, (mpq(k), mpq(1, 100))).degrees(digits) < 90) is True
 
 
 def test_a_ball_is_not_told_from_what_it_may_be():
     """1/2 is neither above nor below itself."""
     half = mpq(1, 2)
     with pytest.raises(OpenError, match="leaves the answer open"):
-        _compared(lambda bits: arb("0.5"), half)
+        InBalls(lambda bits: arb("0.5")) > half  # noqa: B015
     for other, sign in ((mpq(1, 2) + mpq(1, 10**30), -1), (mpq(1, 2) - mpq(1, 10**30), 1), (mpq(0), 1), (mpq(1), -1)):
-        assert _compared(lambda bits: arb("0.5"), other) == sign
+        assert (InBalls(lambda bits: arb("0.5")) - other).sign == sign
+        assert InBalls(lambda bits: arb("0.5"))._against_number(other) == sign
 
 
 @pytest.mark.parametrize("name", [c.name for c in all_constructions().values() if c.zero_set])
@@ -160,13 +161,13 @@ def test_curvature_where_the_speed_is_a_polynomial_and_where_it_is_none():
     t = BSpline.identity(-1, 1)
 
     def on(x, y):
-        return curvature(Nurbs.from_splines([x, y]))[0]
+        return curvature_function(Nurbs.from_splines([x, y]))[0]
 
     for sign in (1, -1):
         told = on(t - t**3 * mpq(1, 3), t * t * sign)
         assert [told.value(x) for x in (-1, 0, mpq(1, 2))] == [mpq(sign, 2), 2 * sign, sign * mpq(32, 25)]
         assert told.radicand == 1
-    for none in (on(t**2 * mpq(1, 2) - t**4 * mpq(1, 4), t**3 * mpq(2, 3)), *curvature(example("cubic_s"))):
+    for none in (on(t**2 * mpq(1, 2) - t**4 * mpq(1, 4), t**3 * mpq(2, 3)), *curvature_function(example("cubic_s"))):
         assert (none.radicand, none.value) == (0, None)
         assert none.reason
 
@@ -338,15 +339,15 @@ def test_a_cell_around_a_singular_point_lies_inside_the_patch():
         zero = SimpleNamespace(refine=lambda n: ((a, a), (y, y)), box=((a, a), (y, y)), region=UNIT)
         net = [[a * a + z for z in row] for row in ([mpq(1, 4), mpq(-1, 4), mpq(1, 4)],) * 3]
         net = [[z - 2 * a * mpq(i, 2) + (i == 2) for z in row] for i, row in enumerate(net)]
-        return critical._cells(PatchForm.of_net([[int(z * 4**20) for z in row] for row in net]), [zero], bits + more)
+        return critical._cells(PatchForm.of_net([[int(z * 4**20) for z in row] for row in net]), [zero], bits + more)[0]
 
     edge = mpq(1, 1 << bits)
     assert x.degree == (1, 0)
-    assert cells(edge, 0) is None
+    assert not cells(edge, 0)
     (cell,) = cells(edge, 1)
     assert cell.crossing is critical.Crossing.POINT
     assert cell.box == ((1 - edge - edge / 2, 1 - edge / 2), (y - edge / 2, y + edge / 2))
-    assert cells(2 * edge, 0) is not None
+    assert cells(2 * edge, 0)
 
 
 def test_cells_hold_their_points_where_the_box_of_one_spans_that_of_another(monkeypatch):
@@ -357,7 +358,8 @@ def test_cells_hold_their_points_where_the_box_of_one_spans_that_of_another(monk
         return SimpleNamespace(refine=lambda n: box, box=box, region=UNIT)
 
     zeros_at = [zero("2/5", "3/5", "1/5"), zero("1/2", "1/2", "4/5"), zero("1/8", "1/8", "1/2")]
-    cells = critical._cells(PatchForm.of_net([[1]]), zeros_at, critical.CELL_BITS[0])
+    cells, left = critical._cells(PatchForm.of_net([[1]]), zeros_at, critical.CELL_BITS[0])
+    assert not left
     assert len(cells) == len(zeros_at)
     for cell, one in zip(cells, zeros_at, strict=True):
         assert all(c < a and b < d for (a, b), (c, d) in zip(one.box, cell.box, strict=True))
@@ -397,7 +399,7 @@ def test_a_point_of_the_border_lies_on_a_form_in_corners_too():
         (Place(((0, 0),), None, mpq(0), third), False),
         (Place(((0, 0),), None, third, mpq(0)), False),
     ):
-        assert singular._is_on(form, place, UNIT) is on
+        assert vanishes_at(form, place.spot, UNIT) is on
 
 
 @pytest.mark.parametrize("digits", [3, 30, 90])
@@ -423,7 +425,8 @@ def test_a_surface_is_torn_at_its_own_knot(steps, torn):
     along_u = NurbsSurface((1, 1), ends, [0, 0, 1, 1], [[(x, y, z) for y in (0, 1)] for x, z in rows])
     along_v = NurbsSurface((1, 1), [0, 0, 1, 1], ends, [[(x, y, z) for x, z in rows] for y in (0, 1)])
     for surface, direction in ((along_u, "u"), (along_v, "v")):
-        told = [(one.across.value, one.value, one.open) for one in jumps(surface)]
+        met = inspect_surface(surface).joints
+        told = [(one.across.value, one.value, one.kind is SurfaceJointKind.TORN) for one in met]
         assert told == [(direction, 1, torn[0]), (direction, 2, torn[1])]
 
 
@@ -433,18 +436,6 @@ def test_lowest_degrees_are_the_true_ones(rows):
     f = TensorSpline((2, 1), [0, 0, 0, 2, 2, 2], [0, 0, 1, 1], rows)
     assert lowest(f).degree == f.true_degree
     assert lowest(f)(mpq(2, 3), mpq(1, 5)) == f(mpq(2, 3), mpq(1, 5))
-
-
-@pytest.mark.parametrize("parts", [1, 2, 3])
-def test_an_umbilic_on_the_seam_is_seen_from_both_sides(parts):
-    """From every patch that meets there: one on a seam of one patch, two on that of several and at inner knots."""
-    breaks = [[mpq(k) for k in range(parts + 1)], [mpq(0), mpq(1)]]
-    for u, closed in product([mpq(k) for k in range(parts + 1)], ([], list(Along)[:1])):
-        ends = u in (0, parts)
-        expected = (2 if parts > 1 and (closed or not ends) else 1) if ends else 2
-        for seen in (1, 2):
-            umbilic = Umbilic(Place(tuple((k, 0) for k in range(seen)), None, u, mpq(1, 3)), UmbilicKind.NEGATIVE)
-            assert _sided(umbilic, breaks, closed).one_sided is (seen < expected)
 
 
 def test_a_zero_of_two_components_alone_is_no_singular_point(monkeypatch):
@@ -457,16 +448,16 @@ def test_a_zero_of_two_components_alone_is_no_singular_point(monkeypatch):
         assert (len(found), len(undecided)) == (count, left)
 
 
-def test_the_hull_of_neighbours_is_that_of_the_first_box():
+def test_boxes_that_touch_are_one_cluster():
     """Of boxes in two groups, each of which touches in a chain."""
 
     def box(a, b):
         return (mpq(a), mpq(a + 1)), (mpq(b), mpq(b + 1))
 
     near, far = [box(0, 0), box(2, 1), box(1, 0)], [box(7, 7), box(8, 8)]
-    assert _hull_of_neighbours([near[0], far[0], *near[1:], far[1]]) == ((0, 3), (0, 2))
-    assert _hull_of_neighbours([far[1], *near, far[0]]) == ((7, 9), (7, 9))
-    assert _hull_of_neighbours([near[0], *far]) == near[0]
+    for boxes in ([near[0], far[0], *near[1:], far[1]], [far[1], *near, far[0]]):
+        assert sorted(hull for hull, _ in clusters(boxes)) == [((0, 3), (0, 2)), ((7, 9), (7, 9))]
+    assert sorted(hull for hull, _ in clusters([near[0], *far])) == [near[0], ((7, 9), (7, 9))]
 
 
 def test_points_of_a_patch_have_parameters_of_the_surface():

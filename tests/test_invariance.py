@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ExactSplineError
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.two_curves import curve_bisector
-from exactspline.geometry.inspection import inspect_curve
 from exactspline.splines.examples import example
 from tests.same_curves import CHANGES, from_rows, homogeneous
 from tests.strategies import nurbs
@@ -27,15 +27,20 @@ PLANE = [
 ]
 SPACE = ["rational_space_cubic", "twisted_cubic", "space_quartic", "planar_in_space", "rational_space_cubic_spline"]
 OPPOSITE = {"maximum": "minimum", "minimum": "maximum"}
-POINTS = ("singular_points", "inflections", "critical", "torsion")
-PIECES = ("straight", "constant")
+POINTS = ("singular_points", "inflections", "critical_points", "torsion_zeros")
+PIECES = ("straight_pieces", "constant_pieces")
 
 
 def told(curve):
     """The features by list: kinds with roots, and intervals."""
-    found = inspect_curve(curve)
-    points = {name: [(f.kind, f.of_absolute, f.root) for f in getattr(found, name)] for name in POINTS}
-    return points, {name: list(getattr(found, name)) for name in PIECES} | {"planar": [i for i, _ in found.planar]}
+    found = analyse(curve)
+    points = {
+        name: [(f.kind, f.of_absolute, f.root) for f in getattr(found, name)]
+        for name in POINTS[: found.curve.dimension + 1]
+    }
+    return points, {name: list(getattr(found, name)) for name in PIECES} | {
+        "planar": [i for i, _ in found.planar_pieces]
+    }
 
 
 def ends(root, image):
@@ -63,7 +68,7 @@ def assert_same_features(found, expected):
 def assert_same(curve, other, image, *, flipped=False):
     (points, pieces), (others, other_pieces) = told(curve), told(other)
     for name, features in points.items():
-        moved = placed(features, other, image, flipped=flipped and name == "critical")
+        moved = placed(features, other, image, flipped=flipped and name == "critical_points")
         assert_same_features(moved, placed(others[name], other))
     for name, found in pieces.items():
         moved = [tuple(sorted((image(a), image(b)))) for piece in found for a, b in piece.parts]
@@ -106,7 +111,7 @@ def test_features_of_two_parts_are_those_of_the_whole(name):
         for half in zip(*columns, strict=True)
     ]
     whole, halves = told(curve)[0], [told(part)[0] for part in parts]
-    for feature in POINTS:
+    for feature in whole:
         joined = [f for half in halves for f in half[feature]]
         assert_same_features(placed(joined, curve), placed(whole[feature], curve))
 

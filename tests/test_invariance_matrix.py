@@ -20,7 +20,7 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.point_and_curve import point_bisector
 from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
-from exactspline.roots.root import Root
+from exactspline.reals.real import Real
 from exactspline.splines.examples import example
 from tests.bisector_oracle import FAMILIES, dimension, planes, point_and_tangent, spans
 from tests.same_curves import CHANGES as REWRITTEN
@@ -74,14 +74,8 @@ def changed(curve, way):
 
 
 def number(x):
-    """A `Root`, a `Real` or a rational, as a rational within 10⁻³⁰ of it, relative to large ones."""
-    if isinstance(x, Root):
-        low, high = x.refine(30)
-        return (low + high) / 2
-    if hasattr(x, "enclosed"):
-        low, high = x.enclosed(30)
-        return (low + high) / 2
-    return mpq(x)
+    """A number as a rational within 10⁻³⁰ of it, relative to large ones."""
+    return x.enclosure(30).middle if isinstance(x, Real) else mpq(x)
 
 
 def agree(a, b):
@@ -284,7 +278,17 @@ def rows_of(items, change, curve):
     return rows
 
 
-ASKED = ["inflections", "extrema", "torsion_zeros", "cusps", "singular", "corners", "length", "bounding_box", "area"]
+ASKED = [
+    "inflections",
+    "curvature_extrema",
+    "torsion_zeros",
+    "cusps",
+    "singular_points",
+    "corners",
+    "length",
+    "bounding_box",
+    "area",
+]
 ASKED_AT = ["value", "curvature", "torsion"]
 
 

@@ -67,7 +67,7 @@ def test_splipy_the_torsion_of_a_rational_curve():
     curve = splipy.Curve(splipy.BSplineBasis(4, [0, 0, 0, 0, 1, 1, 1, 1]), rows, rational=True, raw=True)
     assert abs(curve.torsion(0.5)) < 1e-12
     assert curve.torsion([0.5]).shape == (1, 3)
-    assert xs.Nurbs.from_homogeneous(3, [0] * 4 + [1] * 4, rows).torsion("1/2") == mpq(121, 114)
+    assert xs.torsion(xs.Nurbs.from_homogeneous(3, [0] * 4 + [1] * 4, rows), "1/2") == mpq(121, 114)
 
 
 def node(script):
@@ -159,7 +159,7 @@ def test_open_cascade_an_inflection_at_another_parameter():
     assert found.NbPoints() == 1
     assert abs(found.Parameter(1) - 0.68333) < 1e-4
     curve = xs.Nurbs.from_floats(3, [0, 0, 0, 0, 1, 1, 1, 1], points)
-    [inflection] = xs.inflections(curve)
+    [inflection] = xs.analyse(curve).inflections
     assert inflection.root.exact == mpq(2, 3)
     assert inflection.root.sign_change
 
@@ -172,7 +172,7 @@ def test_bezier_js_an_inflection_of_an_almost_straight_cubic():
     )
     assert found == []
     curve = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1 - mpq(1, 2**26)), (2, 2), (3, 3)])
-    assert [f.root.exact for f in xs.inflections(curve)] == [mpq(2, 3)]
+    assert [f.root.exact for f in xs.analyse(curve).inflections] == [mpq(2, 3)]
 
 
 def test_bezier_the_intersection_of_a_point_and_a_line():

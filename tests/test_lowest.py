@@ -11,8 +11,7 @@ from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Variant, all_constructions, construction
-from exactspline.geometry.derived import circle_centres, derive, evolute, focal_curve, torsion
-from exactspline.geometry.features import curvature_extrema
+from exactspline.geometry.derived import circle_centres, derive, evolute, focal_curve, torsion_function
 from exactspline.geometry.plane_features import inflections
 from exactspline.language.arguments import Curve
 from exactspline.language.parts import split
@@ -33,7 +32,7 @@ def test_an_ellipse_has_four_vertices_and_a_form_of_degree_four():
     for name in ("ellipse", "ellipse_skew"):
         form = construction("critical_curvature").on(example(name), Variant.MINIMAL)
         assert form.degree <= 4
-        assert len(curvature_extrema(example(name))) == 4
+        assert len(analyse(example(name)).curvature_extrema) == 4
     assert construction("critical_curvature").on(example("ellipse_skew"), Variant.MINIMAL).degree == 4
 
 
@@ -171,7 +170,7 @@ def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
     assert lowest.degree == (size * (n - size + 1) if n >= size - 1 else 0)
 
 
-@pytest.mark.parametrize("function", [evolute, focal_curve, torsion, circle_centres])
+@pytest.mark.parametrize("function", [evolute, focal_curve, torsion_function, circle_centres])
 def test_library_functions_use_the_lowest_form_by_default(function):
     c = example("rational_cubic" if function is evolute else "rational_space_cubic")
     lowest, naive = function(c), function(c, "naive")

@@ -46,7 +46,8 @@ def test_every_coefficient_of_d1_is_proved_and_of_others_computed():
     reading, finding = chosen.prove()
     assert (reading, finding.verdict) == ("generic", "PROVED")
     assert "d ≥ 1" in finding.computed
-    assert replace(chosen, formula="D2").prove()[1].verdict == "VERIFIED"
+    told = replace(chosen, formula="D2").prove()[1]
+    assert (told.verdict, told.reason) == ("UNDECIDED", "tried on a part")  # for d = 2…6
 
 
 def test_what_is_not_of_that_kind_is_not_proved():

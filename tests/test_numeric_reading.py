@@ -12,10 +12,10 @@ from exactspline.geometry.bisector.point_and_curve import point_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.geometry.derived import derive
 from exactspline.papers import find
-from exactspline.readings.numeric import arithmetic, number, numeric_curve
 from exactspline.readings.taylor import series_curve
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example, example_names
+from tests.numeric_reading import arithmetic, number, numeric_curve
 
 DIGITS = 80
 PLANE = ["ellipse", "rational_cubic", "cubic_s", "rational_quartic", "six_segment_cubic", "hyperbola"]

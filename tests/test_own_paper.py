@@ -24,7 +24,7 @@ from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import audit, proved
-from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, VERIFIED
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 
 DOCS = Path(__file__).parent.parent / "docs" / "your-own-paper.md"
 LANGUAGE = (
@@ -291,6 +291,7 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"key": "2-left"}, "does not begin with the id"),
         ({"statement": 7}, "7 is not a text"),
         ({"expected": "TRUE"}, "is unknown"),
+        ({"expected": "CONTRADICTION"}, "a contradiction on record"),
         ({"statement": "\\u001b[2J"}, "cannot be printed"),
         ({"kind": "identity", "right": "turning_by_normal", "factor": "speed_squared^99999999"}, "too large"),
         (
@@ -354,7 +355,7 @@ def test_an_assumption_of_the_author_is_checked_on_every_curve(tmp_path):
     assert row.assumptions == ["x ≠ 0"]
     assert proved(plain).verdict == REFUTED
     finding = assumed.check(Evaluation(example("circle")))
-    assert finding.witness.startswith(OUTSIDE + "x vanishes")
+    assert finding.witness.startswith("x vanishes")
 
 
 WEIRD = [

@@ -20,8 +20,8 @@ from exactspline.display.plot.canvas import PlotError
 from exactspline.errors import DomainError, ExactSplineError, ShapeError
 from exactspline.geometry.constructions import construction
 from exactspline.roots.zero_set import zeros
+from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.examples import example, example_names
-from exactspline.splines.knots import greville_abscissae
 
 ZIGZAG = BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1])
 #: Jumps through zero at 1, vanishes on [2, 3], jumps off zero at 3.

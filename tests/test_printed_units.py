@@ -7,9 +7,10 @@ from types import SimpleNamespace
 import pytest
 from gmpy2 import mpq
 
+from exactspline.readings.expression import Operation
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.printing.units import without_units
-from exactspline.readings.tree import Node, Operation, evaluate, nodes
+from exactspline.readings.tree import Node, evaluate, nodes
 
 
 def random_tree(chance, depth):

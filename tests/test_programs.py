@@ -172,7 +172,12 @@ def test_on_two_curves_a_program_computes_number_for_number_what_the_spline_read
 def test_the_forms_of_the_bisector_have_programs():
     one, two = pairs_of_curves()[0]
     given = operands_of_pair(PAIR, surface_pair(one, two))
-    names = "bisector_symmetric", "bisector_determinant_symmetric", "bisector_numerators_symmetric", "chord"
+    names = (
+        "bisector_symmetric",
+        "bisector_determinant_symmetric",
+        "bisector_numerators_symmetric",
+        "chen_riesenfeld_cohen_2007:chord",
+    )
     assert all(program_of_pair(find(name), given.signature) for name in names)
 
 
@@ -182,4 +187,6 @@ def test_two_curves_without_a_program_are_read_as_splines():
     for one, two in ((curve, curve), (curve, example("twisted_cubic")), (curve, odd)):
         pair = surface_pair(one, two)
         assert operands_of_pair(PAIR, pair) is None
-        assert evaluated(find("chord"), pair) == find("chord")(pair)
+        assert evaluated(find("chen_riesenfeld_cohen_2007:chord"), pair) == find("chen_riesenfeld_cohen_2007:chord")(
+            pair
+        )

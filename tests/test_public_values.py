@@ -40,7 +40,6 @@ RETURNED = {
     "BSpline": lambda: T,
     "DegreeReading": lambda: xs.DegreeReading("d"),
     "Direction": lambda: xs.Direction(0, 1),
-    "Enclosure": lambda: LINE.at(xs.zeros(xs.BSpline.identity(0, 1) ** 2 - mpq(1, 2)).roots[0])[0],
     "ExactSplineError": lambda: xs.ExactSplineError("a", where="b", remedy="c", data=1),
     "Family": lambda: xs.Family.parsed(["degree=3", "count=2", "seed=1"]),
     "Grid": lambda: xs.Grid(["a"], [["b"]]),
@@ -50,10 +49,10 @@ RETURNED = {
     "NurbsSurface": lambda: SURFACE,
     "PROVED": lambda: xs.PROVED,
     "REFUTED": lambda: xs.REFUTED,
+    "Real": lambda: [xs.Real("1/3"), xs.at(LINE, xs.zeros(xs.BSpline.identity(0, 1) ** 2 - mpq(1, 2)).roots[0])[0]],
     "Rational": lambda: SPLINE.gamma,
     "Root": lambda: ROOT,
     "Side": lambda: list(xs.Side),
-    "Surd": lambda: PLANE_CURVE.curvature("1/3"),
     "TensorSpline": lambda: xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]]),
     "VERIFIED": lambda: xs.VERIFIED,
     "Variant": lambda: list(xs.Variant),
@@ -65,9 +64,8 @@ RETURNED = {
     "claims_of": lambda: xs.claims_of("lifted")[:40],
     "complex_product": lambda: xs.complex_product(xs.Vector(1, 2), xs.Vector(3, 4)),
     "construction": lambda: xs.construction("evolute"),
-    "corners": lambda: xs.corners(SPLINE),
-    "curvature": lambda: xs.curvature(PLANE_CURVE),
-    "curvature_extrema": lambda: xs.curvature_extrema(PLANE_CURVE),
+    "curvature": lambda: [xs.curvature(PLANE_CURVE, "1/3"), xs.curvature(PLANE_CURVE, ROOT)],
+    "curvature_function": lambda: xs.curvature_function(PLANE_CURVE),
     "curve_from_text": lambda: xs.curve_from_text(
         '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}'
     ),
@@ -80,11 +78,15 @@ RETURNED = {
     "evolute": lambda: xs.evolute(PLANE_CURVE),
     "exercise": lambda: [xs.exercise("evaluation", 1), xs.exercise("evaluation", 1).answer.check("0, 0")],
     "factor_of": lambda: xs.factor_of("f1", "f2", 2),
-    "features": lambda: [xs.singular_points(CUSP), xs.joints(SPLINE), xs.torsion_zeros(RATIONAL)],
+    "analyse": lambda: [
+        xs.analyse(SPLINE).inflections,
+        xs.analyse(CUSP).singular_points,
+        xs.analyse(SPLINE).joints,
+        xs.analyse(RATIONAL).torsion_zeros,
+    ],
     "find": lambda: xs.find("f2"),
     "focal_curve": lambda: xs.focal_curve(SPACE),
     "formula": lambda: own_formula,
-    "inflections": lambda: xs.inflections(SPLINE),
     "insertion_triangle": lambda: xs.insertion_triangle(SPLINE, "1/3"),
     "inspect_curve": lambda: xs.inspect_curve(PLANE_CURVE),
     "inspect_surface": lambda: xs.inspect_surface(xs.example_surface("sphere")),
@@ -110,7 +112,9 @@ RETURNED = {
     "sweep": lambda: list(xs.sweep([PLANE_CURVE])),
     "table_1_degrees": xs.table_1_degrees,
     "table_1_splines": xs.table_1_splines,
-    "torsion": lambda: xs.torsion(RATIONAL),
+    "square_root": lambda: xs.square_root(2) + xs.square_root(3),
+    "torsion": lambda: xs.torsion(RATIONAL, "1/3"),
+    "torsion_function": lambda: xs.torsion_function(RATIONAL),
     "trace": lambda: xs.trace(xs.find("f2")),
     "trimmed_bisector": lambda: xs.trimmed_bisector(LINE, (0, 2)),
     "verify": lambda: xs.verify("f1", "f2", SPLINE, "w"),
@@ -122,8 +126,8 @@ RETURNED = {
 }
 #: Names that return what one of those above returns, plain data, numbers, text, pictures or nothing.
 COVERED = {
-    *("analyse", "zero_form"),  # an analysis is the memory of a curve and stays with it; see tests/test_analysis.py
-    *("singular_points", "joints", "torsion_zeros"),  # "features" above
+    *("at", "at_floats"),
+    *("zero_form",),  # an analysis stays with its curve; its answers are values
     *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
     *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational", "from_float"),
     *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),

@@ -12,13 +12,33 @@ LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
 OF_EACH_KIND = list({f.kind.name: f.name for f in all_formulas().values()}.values())
 
 
-def test_zero_equal_to_zero_is_told():
-    """Both sides vanish on a line, so that a false factor holds there too: the answer says why."""
+def test_zero_equal_to_zero_is_no_success():
+    """Both sides vanish on a line, so that a false factor holds there too: before, `verify` held with any."""
     for factor in ("w", "17"):
         check = xs.verify("f1", "f2", LINE, factor)
-        assert check.holds
+        assert not check
         assert check.vacuous
-        assert "both are 0" in str(check)
+        assert "both sides are 0" in str(check)
+
+
+def test_what_is_divided_by_zero_is_neither_proved_nor_verified():
+    """Before, D1_D2_D3 = 0/0 · velocity_acceleration_jerk was proved, and 0 = 0 · f2 as well."""
+    sides, zero = ("D1_D2_D3", "velocity_acceleration_jerk"), "D1_D2_D21"
+    found = xs.prove(*sides, f"{zero} {zero}^-1")
+    assert (bool(found), found.verdict) == (False, "REFUTED")
+    assert str(xs.prove(*sides).quotient) in str(found)
+    nothing = xs.prove(zero, "velocity_acceleration_jerk", zero)
+    assert (bool(nothing), nothing.verdict) == (False, "VACUOUS")
+    assert "0 = 0" in str(nothing)
+    assert xs.prove(zero, zero).verdict == "VACUOUS"
+    assert xs.prove("D1_D2_D3", zero).verdict == "REFUTED"
+    cubic = xs.example("rational_space_cubic")
+    found = xs.verify(*sides, cubic, f"{zero} {zero}^-1")
+    assert (bool(found), found.verdict) == (False, "VACUOUS")
+    assert xs.verify(*sides, cubic, "w^6").holds
+
+
+def test_a_proper_identity_is_verified():
     proper = xs.verify("f1", "f2", xs.example("circle"), "w")
     assert proper.holds
     assert not proper.vacuous

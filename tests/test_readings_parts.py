@@ -20,7 +20,6 @@ from exactspline.readings.factored_jet import FactoredJetReading, divided_out
 from exactspline.readings.generic_bezier import GenericReading
 from exactspline.readings.jet import JetReading, JetRing, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
-from exactspline.readings.numeric import NumericSeries, arithmetic, numeric_curve
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
@@ -30,6 +29,7 @@ from exactspline.readings.taylor import Series, taylor
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.readings.tree import TreeReading, trace
 from exactspline.splines.examples import example
+from tests.numeric_reading import NumericSeries, arithmetic, numeric_curve
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)
@@ -134,7 +134,7 @@ def test_trees_know_which_of_their_nodes_are_vectors():
 
 
 def test_of_two_curves_the_second_one_has_a_bar():
-    tree = trace(find("chord"))
+    tree = trace(find("chen_riesenfeld_cohen_2007:chord"))
     assert print_text(tree) == "p w̄ − p̄ w"
     assert print_latex(tree) == r"p\,\bar{w} - \bar{p}\,w"
     assert print_text(trace(find("second_normal"))) != print_text(trace(find("velocity")))

@@ -11,7 +11,7 @@ from exactspline.language.kinds import CURVE
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
-from exactspline.papers import all_formulas, find
+from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetReading
@@ -82,7 +82,7 @@ def test_poles_are_told():
 
 
 SMALL = [
-    f.name
+    known_as(f)
     for f in all_formulas().values()
     if f.curve != "table" and not f.kind.adjoins_roots and order_of(f, 2 if "plane" in f.curve else 3) <= 2
 ]

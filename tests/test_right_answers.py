@@ -11,18 +11,17 @@ from exactspline import BSpline, Nurbs
 from exactspline.cli import app
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.curvature import curvature
-from exactspline.geometry.enclosures import curvature_sign, curvature_value, torsion_value
-from exactspline.geometry.features import curvature_extrema, inflections, singular_points, torsion_zeros
+from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.values_along import curvature, torsion
 from tests.space_curves import power_curve
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_the_curvature_of_a_circle_with_weights_of_either_sign(sign):
     arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[sign, sign, 2 * sign])
-    (piece,) = curvature(arc)
+    (piece,) = curvature_function(arc)
     assert piece.radicand == 1
     assert [piece.value(t) for t in (mpq(0), mpq(1, 3), mpq(1))] == [1, 1, 1]
     assert values_along.curvature(arc, mpq(1, 3)) == 1
@@ -36,7 +35,7 @@ def test_both_ways_to_the_curvature_agree_with_its_definition(sign):
         points = cubic.control_points[::order]
         curve = Nurbs(3, cubic.knots, points, [sign] * 3 + [sign])
         rational = Nurbs.from_homogeneous(4, [0] * 5 + [1] * 5, elevated_with(points, [mpq(sign), mpq(3 * sign)]))
-        (piece,) = curvature(rational)
+        (piece,) = curvature_function(rational)
         for t in (mpq(0), mpq(1, 3), mpq(2, 5)):
             v, a = (
                 [tuple(x.d(k)(t) for x in cubic.p) for k in (1, 2)]
@@ -68,7 +67,7 @@ def test_squaring_loses_no_extremum_where_the_curvature_vanishes_at_a_knot():
     for t in (mpq(-1, 2), mpq(1, 3)):
         assert curve(t) == (t, abs(t) ** 3)
     for approach in Approach:
-        found = inspect_curve(curve, approach).critical
+        found = inspect_curve(curve, approach).critical_points
         assert [(f.kind, f.of_absolute, f.by_jump) for f in found] == [
             ("maximum", "maximum", False), ("minimum", "minimum", True), ("maximum", "maximum", False)
         ]  # fmt: skip
@@ -98,13 +97,13 @@ def test_a_torsion_that_vanishes_is_zero(tmp_path):
     powers = [u, u * u, u * u * u * u]
     points = zip(*[x.elevate_degree(8 - x.degree).control_points for x in powers], strict=True)
     curve = Nurbs(8, [-1] * 9 + [1] * 9, list(points))
-    found = torsion_zeros(curve)
+    found = analyse(curve).torsion_zeros
     assert [f.kind for f in found] == ["torsion zero"] * 2
     for f in found:
         assert f.root.exact is None
-        assert torsion_value(curve, f.root, 20) == 0
+        assert torsion(curve, f.root).significant(20) == 0
     data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]
-    assert [f["torsion"] for f in data["torsion"]] == ["0", "0"]
+    assert [f["torsion"] for f in data["torsion_zeros"]["points"]] == ["0", "0"]
 
 
 def written(curve, folder):
@@ -135,8 +134,8 @@ def test_digits_of_small_curvatures_are_their_own(scale):
     scaled = Nurbs(2, skew.knots, [(x * scale, y * scale) for x, y in skew.control_points], skew.weights)
     with mpmath.workdps(60):
         size = mpmath.mpf(int(scale.numerator)) / int(scale.denominator)
-        for a, b in zip(curvature_extrema(skew), curvature_extrema(scaled), strict=True):
-            first, second = curvature_value(skew, a.root, 40), curvature_value(scaled, b.root, 40)
+        for a, b in zip(analyse(skew).curvature_extrema, analyse(scaled).curvature_extrema, strict=True):
+            first, second = curvature(skew, a.root).significant(40), curvature(scaled, b.root).significant(40)
             assert a.root.exact is None
             assert abs(second * size / first - 1) < mpmath.mpf(10) ** -38
 
@@ -146,8 +145,10 @@ def test_a_near_cusp_of_any_size_prints_its_own_digits(tmp_path):
     for size in (0, 80):
         s, h = mpq(10) ** size, mpq(1, 10) ** 20
         curve = power_curve([0, s], [0, 0, -h * s], domain=(-1, 1))
-        (f,) = curvature_extrema(curve)
-        data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]["critical"]
+        (f,) = analyse(curve).curvature_extrema
+        data = json.loads(run("inspect", written(curve, tmp_path), "--json").output)["rows"][0]["critical_points"][
+            "points"
+        ]
         assert f.root == 0
         assert data[0]["curvature"] == f"-2.0e-{20 + size}"
 
@@ -158,7 +159,7 @@ def test_a_rest_does_not_depend_on_idle_knots():
     plain = Nurbs(1, knots, points)
     idle = Nurbs(1, [0, 0, 1, mpq(4, 3), mpq(3, 2), 2, 3, 3], [*points[:2], (1, 0), (1, 0), *points[2:]])
     for curve in (plain, idle):
-        assert [(f.kind, f.root.exact) for f in singular_points(curve)] == [("rest", 1), ("rest", 2)]
+        assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("rest", 1), ("rest", 2)]
         assert [str(piece) for piece in analyse(curve).standing_pieces] == ["[1, 2]"]
         assert [str(piece) for piece in analyse(curve).straight_pieces] == ["[0, 1]", "[2, 3]"]
     assert [joint.kind for joint in analyse(idle).joints][1:3] == [JointKind.STILL] * 2
@@ -182,10 +183,10 @@ def test_the_sign_of_the_curvature_at_roots_of_other_forms():
         curve = example(name)
         if curve.dimension != 2:
             continue
-        for f in (*curvature_extrema(curve), *inflections(curve)):
+        for f in (*analyse(curve).curvature_extrema, *analyse(curve).inflections):
             if f.root.at_knot:
                 continue
             low, high = f.root.refine(25)
             value = values_along.curvature(curve, (low + high) / 2)
-            sign = curvature_sign(curve, f.root)
+            sign = curvature(curve, f.root).sign
             assert sign == (0 if abs(value) < mpq(1, 10**15) else (value > 0) - (value < 0))

@@ -9,7 +9,7 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.exact import double_between
-from exactspline.splines.surd import square_root
+from exactspline.reals.real import square_root
 
 
 def line_root(value):

@@ -9,39 +9,34 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, zeros
 from exactspline.errors import DomainError
+from exactspline.reals.bounds import Bounds, rounded_outwards
+from exactspline.reals.real import Real, between
 from exactspline.roots import cells, checker
-from exactspline.roots.enclosure import Bounds, Enclosure, narrowed, rounded_outwards, sign_at, value_at, values_between
 from exactspline.roots.isolation import LocalPolynomial
-from exactspline.roots.real import Real
 from exactspline.roots.refinement import enclosures
-from exactspline.roots.root import between, knot_root
+from exactspline.roots.root import knot_root
+from exactspline.roots.values import narrowed, sign_at, signed_root, value_at
 
 T = BSpline.identity(0, 1)
 
 
 def test_enclosures_are_rounded_outwards_and_say_their_middle():
-    low, high = rounded_outwards(
-        (mpq(1, 3), mpq(2, 3)) and type(values_between(T, mpq(0), mpq(1)))(mpq(1, 3), mpq(2, 3)), 2
-    )
+    low, high = rounded_outwards(Bounds(mpq(1, 3), mpq(2, 3)), 2)
     assert (low, high) == (mpq(33, 100), mpq(67, 100))
-    told = Enclosure(mpq(-1, 3), mpq(-1, 3), 4)
-    assert str(told) == "-0.3333"
-    assert mpq(-1, 3) in told
-    assert mpq(1, 3) not in told
-    assert str(Enclosure(mpq(5, 2), mpq(5, 2), 0)) == "3"
-    assert str(Enclosure(mpq(-5, 2), mpq(-5, 2), 0)) == "-2"
-    assert float(Enclosure(mpq(1, 3), mpq(1, 3), 3)) == 1 / 3
-    assert Enclosure(mpq(0), mpq(1), 3).middle == mpq(1, 2)
+    assert Real("-1/3").decimal(4) == "-0.3333"
+    assert [Real(t).decimal(0) for t in ("5/2", "-5/2")] == ["3", "-2"]
+    assert float(Real("1/3")) == 1 / 3
+    assert Bounds(mpq(0), mpq(1)).middle == mpq(1, 2)
 
 
 def test_values_at_roots_are_as_narrow_as_asked():
     t = BSpline.identity(0, 2)
     (root,) = zeros(t * t - 2)
     for digits in (3, 12, 40):
-        (square,) = value_at((t * t * t,), None, root, digits)
+        square = value_at(t * t * t, t.constant(1), root).enclosure(digits)
         assert square.high - square.low <= mpq(1, 10**digits)
         assert square.low**2 <= 8 <= square.high**2
-        (quotient,) = value_at((t,), t * t, root, digits)
+        quotient = value_at(t, t * t, root).enclosure(digits)
         assert quotient.low**2 <= mpq(1, 2) <= quotient.high**2
         assert quotient.high - quotient.low <= mpq(1, 10**digits)
 
@@ -98,10 +93,10 @@ def test_roots_that_nearly_coincide_are_told_apart(exponent):
 def test_the_root_of_a_quotient_at_a_root(sign):
     """√(t/3) and its negative at t = √2: the fourth power times 81/... is 2/9."""
     t = BSpline.identity(1, 2)
-    told = Real.root_of_quotient_at(sign, t, t.constant(3), zeros(t * t - 2).roots[0])
-    value = told.told(30)
+    told = signed_root(sign, value_at(t, t.constant(3), zeros(t * t - 2).roots[0]))
+    value = told.enclosure(30)
     if sign == 0:
-        assert value == 0
+        assert told == 0
     else:
         assert sorted([value.low**4, value.high**4])[0] <= mpq(2, 9) <= sorted([value.low**4, value.high**4])[1]
         assert value.high - value.low <= mpq(1, 10**30)
@@ -110,14 +105,14 @@ def test_the_root_of_a_quotient_at_a_root(sign):
         below, above = (mpq(nextafter(nearest, end)) for end in (0, 1))
         assert ((below + mpq(nearest)) / 2) ** 4 < mpq(2, 9) < ((mpq(nearest) + above) / 2) ** 4
         assert told.double("down") <= told.double("up")
-    assert Real.root_of_quotient_at(1, t * t - 2, t, zeros(t * t - 2).roots[0]).told(5) == 0
+    assert signed_root(1, value_at(t * t - 2, t, zeros(t * t - 2).roots[0])) == 0
 
 
 @pytest.mark.parametrize("power", range(0, 60, 7))
 def test_enclosures_are_narrow_enough_whatever_the_slope(power):
     t = BSpline.identity(0, 2)
     (root,) = zeros(t * t - 2)
-    (value,) = value_at((t.scaled(3**power),), None, root, 40)
+    value = value_at(t.scaled(3**power), t.constant(1), root).enclosure(40)
     assert value.high - value.low <= mpq(1, 10**40)
     assert value.low**2 <= 2 * mpq(9) ** power <= value.high**2
 
@@ -128,10 +123,10 @@ def test_enclosures_are_as_narrow_as_asked_whatever_the_root_gives(slope, digits
     """A zero at 1/7 that is refined to exactly the digits asked for."""
 
     class Zero:
-        def refine(self, precision):
+        def enclosure(self, precision):
             return mpq(1, 7) - mpq(1, 2 * 10**precision), mpq(1, 7) + mpq(1, 2 * 10**precision)
 
-    (told,) = narrowed(lambda low, high: [Bounds(slope * low, slope * high)], Zero(), digits)
+    told = narrowed(lambda low, high: Bounds(slope * low, slope * high), Zero(), digits)
     assert told.low <= mpq(slope, 7) <= told.high
     assert told.high - told.low <= mpq(1, 10**digits)
 
@@ -246,7 +241,7 @@ def test_a_quotient_whose_denominator_is_hardly_positive(sign, digits, close):
     t = BSpline.identity(0, 2)
     (root,) = zeros(t * t - 2)
     near = mpq(isqrt(2 * 100**close), 10**close)
-    value = Real.root_of_quotient_at(sign, t.constant(1), t - near, root).told(digits)
+    value = signed_root(sign, value_at(t.constant(1), t - near, root)).enclosure(digits)
     assert value.high - value.low <= mpq(1, 10**digits)
     ends = sorted(1 / end**2 + near for end in (value.low, value.high))
     assert ends[0] ** 2 <= 2 <= ends[1] ** 2
@@ -277,7 +272,7 @@ def test_intervals_of_zeros_know_the_signs_on_both_sides(points, places, signs, 
 def test_a_denominator_that_is_zero_at_the_end_of_the_interval_is_waited_for():
     t = BSpline.identity(0, 2)
     near = zeros(t * t - 2).roots[0].refine(6)[0]
-    value = Real.root_of_quotient_at(1, t.constant(1), t - near, zeros(t * t - 2).roots[0]).told(1)
+    value = signed_root(1, value_at(t.constant(1), t - near, zeros(t * t - 2).roots[0])).enclosure(1)
     ends = sorted(1 / end**2 + near for end in (value.low, value.high))
     assert ends[0] ** 2 <= 2 <= ends[1] ** 2
 
@@ -286,12 +281,12 @@ def test_a_denominator_that_is_zero_at_the_end_of_the_interval_is_waited_for():
 def test_a_root_of_a_quotient_is_compared_exactly(sign):
     """±√√2 = ±1.189207115002721…"""
     t = BSpline.identity(0, 2)
-    told = Real.root_of_quotient_at(sign, t, t.constant(1), zeros(t * t - 2).roots[0])
+    told = signed_root(sign, value_at(t, t.constant(1), zeros(t * t - 2).roots[0]))
     near = mpq(1189207115002721, 10**15)
-    assert told.sign_above(sign * near) == sign
-    assert told.sign_above(sign * (near + mpq(1, 10**15))) == -sign
-    assert told.sign_above(mpq(0)) == sign
-    assert told.sign_above(mpq(-sign)) == sign
+    assert (told - (sign * near)).sign == sign
+    assert (told - (sign * (near + mpq(1, 10**15)))).sign == -sign
+    assert (told - (mpq(0))).sign == sign
+    assert (told - (mpq(-sign))).sign == sign
 
 
 def test_a_polynomial_with_a_rational_zero_is_never_said_to_have_none():

@@ -12,11 +12,9 @@ from typer.testing import CliRunner
 from exactspline import BSpline, Nurbs
 from exactspline.cli import app
 from exactspline.errors import ShapeError
+from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.derived import derive
-from exactspline.geometry.enclosures import curvature_value, torsion_value
-from exactspline.geometry.features import critical_points, inflections, singular_points, straight_pieces, torsion_zeros
-from exactspline.geometry.inspection import inspect_curve
 from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_of
 from exactspline.splines.examples import example
 from exactspline.verification.claims import all_claims
@@ -52,13 +50,13 @@ def test_where_the_curvature_vanishes_torsion_itself_decides(coordinates, flat, 
         curve = Nurbs.from_homogeneous(
             curve.degree + 1, rows[0].knots, zip(*[row.control_points for row in rows], strict=True)
         )
-    assert [(f.kind, f.root == 0) for f in inflections(curve)] == ([(flat, True)] if flat else [])
-    assert [(f.kind, f.root == 0) for f in torsion_zeros(curve)] == ([(torsion, True)] if torsion else [])
-    (root,) = [f.root for f in inflections(curve)[:1]] or [f.root for f in torsion_zeros(curve)]
+    assert [(f.kind, f.root == 0) for f in analyse(curve).inflections] == ([(flat, True)] if flat else [])
+    assert [(f.kind, f.root == 0) for f in analyse(curve).torsion_zeros] == ([(torsion, True)] if torsion else [])
+    (root,) = [f.root for f in analyse(curve).inflections[:1]] or [f.root for f in analyse(curve).torsion_zeros]
     with mpmath.workdps(30):
-        assert abs(9 * torsion_value(curve, root, 20) - int(3 * value)) < mpmath.mpf(10) ** -18
-    assert (curvature_value(curve, root, 20) == 0) == (flat is not None)
-    assert not [f for f in critical_points(curve) if flat and f.root == 0]
+        assert abs(9 * values_along.torsion(curve, root).significant(20) - int(3 * value)) < mpmath.mpf(10) ** -18
+    assert (values_along.curvature(curve, root).significant(20) == 0) == (flat is not None)
+    assert not [f for f in analyse(curve).critical_points if flat and f.root == 0]
 
 
 @pytest.mark.parametrize(
@@ -70,8 +68,8 @@ def test_where_the_curvature_vanishes_torsion_itself_decides(coordinates, flat, 
 )
 def test_a_singular_point_is_nothing_else(coordinates, kind):
     curve = power_curve(*coordinates)
-    assert kinds(singular_points(curve)) == [(kind, 0, False)]
-    for found in (inflections(curve), torsion_zeros(curve), critical_points(curve)):
+    assert kinds(analyse(curve).singular_points) == [(kind, 0, False)]
+    for found in (analyse(curve).inflections, analyse(curve).torsion_zeros, analyse(curve).critical_points):
         assert not [f for f in found if f.root == 0]
 
 
@@ -104,7 +102,7 @@ def test_joints_and_the_torsion_there(name):
     n = max(following.degree, 3)
     curve = chained(*[raised(c, n) for c in (CUBIC, following)])
     assert analyse(curve).joint(mpq(0)).kind == kind
-    assert kinds(f for f in torsion_zeros(curve) if f.root == 0) == torsion
+    assert kinds(f for f in analyse(curve).torsion_zeros if f.root == 0) == torsion
 
 
 def raised(curve, degree):
@@ -121,18 +119,18 @@ def test_the_curvature_may_have_its_extremum_where_the_osculating_plane_jumps():
     curve = chained(
         power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0], [0, 0, 1], domain=(0, 1))
     )
-    assert kinds(critical_points(curve)) == [("maximum", 0, False)]
+    assert kinds(analyse(curve).critical_points) == [("maximum", 0, False)]
     assert [str(plane) for _, plane in planar_pieces(curve)] == ["z = 0", "y = 0"]
     assert plane_of(curve) is None
-    assert torsion_zeros(curve) == []
+    assert analyse(curve).torsion_zeros.points == ()
 
 
 def test_the_principal_normal_turned_round_by_a_jump_is_an_inflection():
     curve = chained(
         power_curve([0, 1], [0, 0, 1], [0], domain=(-1, 0)), power_curve([0, 1], [0, 0, -2], [0], domain=(0, 1))
     )
-    assert kinds(inflections(curve)) == [("inflection", 0, True)]
-    assert inflections(curve)[0].of_absolute is None
+    assert kinds(analyse(curve).inflections) == [("inflection", 0, True)]
+    assert analyse(curve).inflections[0].of_absolute is None
 
 
 def test_curvature_that_vanishes_on_both_sides_of_a_knot():
@@ -143,8 +141,8 @@ def test_curvature_that_vanishes_on_both_sides_of_a_knot():
         (([0], [0, 0, 0, 1]), "flat point"),
     ):
         curve = chained(left, power_curve([0, 1], *right, domain=(0, 1)))
-        assert kinds(inflections(curve)) == [(kind, 0, False)]
-        assert curvature_value(curve, inflections(curve)[0].root, 20) == 0
+        assert kinds(analyse(curve).inflections) == [(kind, 0, False)]
+        assert values_along.curvature(curve, analyse(curve).inflections[0].root).significant(20) == 0
 
 
 def test_a_straight_piece_between_twisted_ones():
@@ -157,11 +155,11 @@ def test_a_straight_piece_between_twisted_ones():
     )
     last = Nurbs(4, [1] * 5 + [2] * 5, third.control_points)
     curve = chained(*[raised(c, 4) for c in (*ends, last)])
-    found = inspect_curve(curve)
-    assert [p.parts for p in found.straight] == [p.parts for p in found.constant] == [((0, 1),)]
-    assert found.planar == []
-    assert not found.torsion
-    assert not found.inflections
+    found = analyse(curve)
+    assert [p.parts for p in found.straight_pieces] == [p.parts for p in found.constant_pieces] == [((0, 1),)]
+    assert found.planar_pieces == ()
+    assert not found.torsion_zeros
+    assert found.inflections.points == ()
     derived = derive("torsion", curve)
     assert [piece.interval for piece in derived.pieces] == [(-1, 0), (1, 2)]
     assert derived.missing[0][1].startswith("the curve is straight")
@@ -178,7 +176,7 @@ def test_planar_stretches_share_a_straight_piece():
         ("[-1, 1]", "z = 0"),
         ("[0, 2]", "y = 0"),
     ]
-    assert [p.parts for p in straight_pieces(curve)] == [((0, 1),)]
+    assert [p.parts for p in analyse(curve).straight_pieces] == [((0, 1),)]
 
 
 @pytest.mark.parametrize(
@@ -186,17 +184,18 @@ def test_planar_stretches_share_a_straight_piece():
 )
 def test_degree_one(points):
     knots = [0, *range(len(points)), len(points) - 1]
-    found = inspect_curve(Nurbs(1, knots, points))
-    assert [p.parts for p in found.straight] == [((i, i + 1),) for i in range(len(points) - 1)]
-    assert not any([found.singular_points, found.inflections, found.critical, found.torsion])
+    found = analyse(Nurbs(1, knots, points))
+    assert [p.parts for p in found.straight_pieces] == [((i, i + 1),) for i in range(len(points) - 1)]
+    lists = [found.singular_points, found.inflections, found.critical_points, found.torsion_zeros]
+    assert [places.points for places in lists] == [()] * 4
 
 
 @pytest.mark.parametrize("weights", [None, [1, 2, 1], [1, 1, 3]])
 def test_degree_two_is_planar(weights):
     curve = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0, 1), (1, 3, 2), (2, 0, 5)], weights)
-    found = inspect_curve(curve)
-    assert [p.parts for p, _ in found.planar] == [((0, 1),)]
-    assert found.torsion == found.inflections == []
+    found = analyse(curve)
+    assert [p.parts for p, _ in found.planar_pieces] == [((0, 1),)]
+    assert found.torsion_zeros.points == found.inflections.points == ()
     normal, offset = found.plane.normal, found.plane.offset
     assert all(sum(a * x for a, x in zip(normal, curve(t), strict=True)) == offset for t in (0, mpq(1, 3), 1))
     with pytest.raises(ShapeError, match="planar"):
@@ -209,17 +208,21 @@ def test_a_closed_seam_is_a_knot_like_any_other():
     curve = Nurbs(2, ellipse.knots, [(x, y, x + y) for x, y in ellipse.control_points], ellipse.weights)
     assert curve.closed
     at_vertices = Nurbs(2, ellipse.knots, [(2 * x, y, 3) for x, y in example("circle").control_points], ellipse.weights)
-    assert [f.root.exact for f in critical_points(at_vertices)] == [0, 1, 2, 3]
-    assert len(critical_points(curve)) == 4
+    assert [f.root.exact for f in analyse(at_vertices).critical_points] == [0, 1, 2, 3]
+    assert len(analyse(curve).critical_points) == 4
 
 
 def test_standing_still_and_starting_from_rest():
     still = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0, 0), (1, 0, 1), (1, 0, 1), (2, 0, 3)])
-    assert [(f.kind, f.root.exact) for f in singular_points(still)] == [("rest", 1), ("rest", 2)]
-    assert inspect_curve(still).singular_points
+    assert [(f.kind, f.root.exact) for f in analyse(still).singular_points] == [("rest", 1), ("rest", 2)]
+    assert analyse(still).singular_points
     start = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0, 0), (0, 0, 0), (1, 1, 0), (2, 0, 3)])
-    assert [(f.kind, f.root.exact) for f in singular_points(start)] == [("singular end", 0)]
-    assert not [f for f in (*inflections(start), *torsion_zeros(start), *critical_points(start)) if f.root == 0]
+    assert [(f.kind, f.root.exact) for f in analyse(start).singular_points] == [("singular end", 0)]
+    assert not [
+        f
+        for f in (*analyse(start).inflections, *analyse(start).torsion_zeros, *analyse(start).critical_points)
+        if f.root == 0
+    ]
 
 
 def test_a_curve_in_a_coordinate_plane_is_a_plane_curve_too(tmp_path, monkeypatch):
@@ -240,7 +243,9 @@ def test_a_curve_in_a_coordinate_plane_is_a_plane_curve_too(tmp_path, monkeypatc
     assert "flat in the plane z = 5" in run(app, ["inspect", str(file)]).output
     data, flat = json.loads(run(app, ["inspect", str(file), "--json"]).output)["rows"]
     assert data["plane"] == "z = 5"
-    assert [f["kind"] for f in flat["inflections"]] == [f["kind"] for f in data["inflections"]] == ["inflection"]
+    assert [f["kind"] for f in flat["inflections"]["points"]] == ["inflection"]
+    assert data["inflections"] == flat["inflections"] | {"points": data["inflections"]["points"]}
+    assert [f["kind"] for f in data["inflections"]["points"]] == ["inflection"]
     rows = json.loads(run(app, ["prove", "--curve", str(file), "--json"]).output)["rows"]
     assert {row["curve"] for row in rows if row["id"].startswith("C4.1")} == {"flat in the plane z = 5"}
     rows = json.loads(run(app, ["degrees", "--curve", str(file), "--json"]).output)["rows"]

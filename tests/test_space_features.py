@@ -15,10 +15,9 @@ from exactspline import Nurbs
 from exactspline.cli import app
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.enclosures import curvature_sign, curvature_value, torsion_value
-from exactspline.geometry.features import constant_pieces, critical_points, inflections, straight_pieces, torsion_zeros
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.values_along import curvature, torsion
 from exactspline.papers import find
 from exactspline.roots import checker
 from exactspline.splines.examples import example, example_names
@@ -33,10 +32,11 @@ PLANE = [name for name in example_names() if example(name).dimension == 2]
 def test_the_twisted_cubic_has_one_vertex():
     """κ² = 4(9t⁴ + 9t² + 1)/(9t⁴ + 4t² + 1)³ decreases with t²; τ = 3/(9t⁴ + 9t² + 1) has no zero."""
     curve = power_curve([0, 1], [0, 0, 1], [0, 0, 0, 1])
-    (f,) = critical_points(curve)
+    (f,) = analyse(curve).critical_points
     assert (f.kind, f.root) == ("maximum", 0)
-    assert (curvature_value(curve, f.root, 20), torsion_value(curve, f.root, 20)) == (2, 3)
-    assert torsion_zeros(curve) == inflections(curve) == []
+    assert (curvature(curve, f.root).significant(20), torsion(curve, f.root).significant(20)) == (2, 3)
+    assert not analyse(curve).torsion_zeros
+    assert not analyse(curve).inflections
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_the_twisted_cubic_has_one_vertex():
 )
 def test_torsion_zeros_at_irrational_parameters(third, expected):
     curve = power_curve([0, 1], [0, 0, 1], third)
-    found = torsion_zeros(curve)
+    found = analyse(curve).torsion_zeros
     assert [f.kind for f in found] == [kind for kind, _ in expected]
     assert all(f.root.minimal_polynomial() == [-1, 0, 2] for f in found)
     assert [1 if f.root > 0 else -1 for f in found] == [sign for _, sign in expected]
@@ -65,8 +65,8 @@ def test_torsion_zeros_at_irrational_parameters(third, expected):
         first, second = [1, 2 * s, value[1]], [0, 2, value[2]]
         b = [first[1] * second[2] - first[2] * second[1], first[2] * second[0] - first[0] * second[2], 2]
         kappa = mpmath.sqrt(sum(x * x for x in b)) / mpmath.sqrt(sum(x * x for x in first)) ** 3
-        assert abs(curvature_value(curve, found[1].root, 40) - kappa) < mpmath.mpf(10) ** -40
-        assert abs(torsion_value(curve, found[1].root, 40)) < mpmath.mpf(10) ** -40
+        assert abs(curvature(curve, found[1].root).significant(40) - kappa) < mpmath.mpf(10) ** -40
+        assert abs(torsion(curve, found[1].root).significant(40)) < mpmath.mpf(10) ** -40
 
 
 def embedded(curve, matrix):
@@ -83,18 +83,20 @@ def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matri
     skipped = [joint.parameter for joint in analyse(curve).joints if joint.kind is JointKind.CURVATURE_JUMP]
     expected = [
         (f.of_absolute or f.kind, f.root)
-        for f in critical_points(curve)
-        if f.root not in skipped and curvature_sign(curve, f.root)
+        for f in analyse(curve).critical_points
+        if f.root not in skipped and curvature(curve, f.root).sign
     ]
-    assert [(f.kind, f.root) for f in critical_points(in_space) if f.root not in skipped] == expected
-    assert [(f.kind, f.root) for f in inflections(in_space)] == [(f.kind, f.root) for f in inflections(curve)]
-    assert torsion_zeros(in_space) == []
+    assert [(f.kind, f.root) for f in analyse(in_space).critical_points if f.root not in skipped] == expected
+    assert [(f.kind, f.root) for f in analyse(in_space).inflections] == [
+        (f.kind, f.root) for f in analyse(curve).inflections
+    ]
+    assert analyse(in_space).torsion_zeros.points == ()
 
 
 def check_agreement(curve):
     rows = {row.name: row for row in compare_approaches(curve)}
     assert not any(row.missing for row in rows.values())
-    found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical] for approach in Approach]
+    found = [[(f.kind, f.root) for f in inspect_curve(curve, approach).critical_points] for approach in Approach]
     assert all(one == found[0] for one in found)
     assert (
         curve.degree < 3
@@ -122,7 +124,7 @@ def test_curvature_is_extremal_where_it_says_so(name):
     curve = example(name)
     kappa = find("space_curvature_squared")(curve)
     a, b = curve.domain
-    found = [f for f in critical_points(curve) if f.kind != "stationary"]
+    found = [f for f in analyse(curve).critical_points if f.kind != "stationary"]
     assert found
     for f in found:
         low, high = f.root.refine(12)
@@ -135,11 +137,19 @@ def test_curvature_is_extremal_where_it_says_so(name):
 
 def signature(curve):
     """Everything that `inspect` finds, without the values."""
-    found = inspect_curve(curve)
-    lists = [found.singular_points, found.inflections, found.critical, found.torsion]
+    found = analyse(curve)
+    lists = [
+        found.singular_points,
+        found.inflections,
+        found.critical_points,
+        found.torsion_zeros if found.in_space else (),
+    ]
     return (
         [[(f.kind, f.root, f.by_jump) for f in features] for features in lists],
-        *[[p.parts for p in pieces] for pieces in (found.straight, found.constant, [p for p, _ in found.planar])],
+        *[
+            [p.parts for p in pieces]
+            for pieces in (found.straight_pieces, found.constant_pieces, [p for p, _ in found.planar_pieces])
+        ],
     )
 
 
@@ -157,8 +167,8 @@ def test_reflections_turn_the_sign_of_the_torsion(curve):
     mirrored = moved(curve, MIRRORED)
     turned, kept = find("D1_D2_D3")(mirrored), find("D1_D2_D3")(curve)
     assert turned == kept * -27
-    assert [(f.root, f.root.signs) for f in torsion_zeros(mirrored)] == [
-        (f.root, tuple(None if s is None else -s for s in f.root.signs)) for f in torsion_zeros(curve)
+    assert [(f.root, f.root.signs) for f in analyse(mirrored).torsion_zeros] == [
+        (f.root, tuple(None if s is None else -s for s in f.root.signs)) for f in analyse(curve).torsion_zeros
     ]
 
 
@@ -179,7 +189,9 @@ def test_running_backwards_mirrors_the_parameters_and_nothing_else(curve):
     assert rest == [
         [((total - b, total - a),) for ((a, b),) in reversed(pieces)] for pieces in (straight, constant, planar)
     ]
-    assert [f.root.signs for f in torsion_zeros(turned)] == [f.root.signs[::-1] for f in reversed(torsion_zeros(curve))]
+    assert [f.root.signs for f in analyse(turned).torsion_zeros] == [
+        f.root.signs[::-1] for f in reversed(analyse(curve).torsion_zeros)
+    ]
 
 
 @settings(max_examples=25)
@@ -188,8 +200,8 @@ def test_the_sign_of_the_weights_does_not_matter(curve):
     minus = Nurbs(curve.degree, curve.knots, curve.control_points, [-w for w in curve.weights])
     assert signature(curve) == signature(minus)
     for approach in Approach:
-        assert [(f.kind, f.root) for f in inspect_curve(minus, approach).critical] == [
-            (f.kind, f.root) for f in inspect_curve(curve).critical
+        assert [(f.kind, f.root) for f in inspect_curve(minus, approach).critical_points] == [
+            (f.kind, f.root) for f in analyse(curve).critical_points
         ]
 
 
@@ -198,9 +210,9 @@ def test_the_sign_of_the_weights_does_not_matter(curve):
 def test_torsion_has_the_signs_that_its_zeros_tell(curve):
     """Between neighbouring zeros τ, evaluated exactly, has one sign: that of the zeros beside it."""
     tau = find("torsion_reduced")(curve)
-    assume(not tau.is_zero and not inflections(curve) and not inspect_curve(curve).singular_points)
+    assume(not tau.is_zero and not analyse(curve).inflections and not analyse(curve).singular_points)
     a, b = curve.domain
-    found = [f for f in torsion_zeros(curve) if a < f.root < b]
+    found = [f for f in analyse(curve).torsion_zeros if a < f.root < b]
     ends = [a, *[x for f in found for x in f.root.refine(40)], b]
     for i, f in enumerate(found):
         low, high = (ends[2 * i] + ends[2 * i + 1]) / 2, (ends[2 * i + 2] + ends[2 * i + 3]) / 2
@@ -209,20 +221,24 @@ def test_torsion_has_the_signs_that_its_zeros_tell(curve):
 
 def test_a_circle_and_a_line_in_space_have_constant_curvature():
     circle = embedded(example("circle"), TURNED)
-    assert [p.parts for p in constant_pieces(circle)] == [(circle.domain,)]
+    assert [p.parts for p in analyse(circle).constant_pieces] == [(circle.domain,)]
     line = example("space_line")
-    assert [p.parts for p in straight_pieces(line)] == [p.parts for p in constant_pieces(line)] == [(line.domain,)]
+    assert (
+        [p.parts for p in analyse(line).straight_pieces]
+        == [p.parts for p in analyse(line).constant_pieces]
+        == [(line.domain,)]
+    )
 
 
 def test_what_is_not_known_is_refused():
     with pytest.raises(ShapeError, match="in space"):
-        torsion_zeros(example("circle"))
+        analyse(example("circle")).torsion_zeros  # noqa: B018
     with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
         inspect_curve(example("twisted_cubic"), "best")
     cusp = power_curve([0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1])
-    (singular,) = inspect_curve(cusp).singular_points
+    (singular,) = analyse(cusp).singular_points
     with pytest.raises(DomainError, match="γ′ = 0"):
-        torsion_value(cusp, singular.root, 10)
+        torsion(cusp, singular.root).significant(10)
     four = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)])
     with pytest.raises(ShapeError, match="plane"):
         inspect_curve(four)
@@ -239,9 +255,9 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
     assert "torsion" in result.output
     assert "Approaches to critical curvature" in result.output
     data = json.loads(run("inspect", "flat_point", "--json").output)["rows"][0]
-    (flat,) = data["inflections"]
+    (flat,) = data["inflections"]["points"]
     assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0", "2.0")
-    assert data["torsion"] == []
+    assert data["torsion_zeros"]["points"] == []
 
 
 def test_certificates_of_all_that_was_solved(tmp_path):

@@ -6,10 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, corners, example, example_names
+from exactspline import BSpline, Nurbs, analyse, example, example_names
 from exactspline.errors import KnotError, ShapeError
 from exactspline.exact import mpq
-from exactspline.geometry.corners import corner_places
 from exactspline.splines import spans
 from exactspline.splines.common import splines_over, with_common_denominators
 from exactspline.splines.control_points import Direction
@@ -63,8 +62,8 @@ def test_knots_that_carry_one_degree_are_checked_for_another():
 
 def same_corners(curve):
     fresh = Nurbs(curve.degree, curve.knots, curve.control_points, curve.weights)
-    expected = [(joint.parameter, joint.kind) for joint in corners(fresh)]
-    assert [(each.parameter, each.kind) for each in corner_places(curve)] == expected
+    expected = [joint for joint in analyse(fresh).joints if joint.angle is not None]
+    assert list(analyse(curve).corners) == expected
     return len(expected)
 
 
@@ -102,4 +101,4 @@ def test_corners_of_examples_and_of_curves_with_points_at_infinity():
 
 def test_a_curve_in_four_dimensions_is_refused():
     with pytest.raises(ShapeError):
-        corner_places(Nurbs(1, [0, 0, 1, 2, 2], [(0, 0, 0, 0), (1, 0, 0, 0), (1, 1, 0, 0)]))
+        analyse(Nurbs(1, [0, 0, 1, 2, 2], [(0, 0, 0, 0), (1, 0, 0, 0), (1, 1, 0, 0)])).corners  # noqa: B018

@@ -12,11 +12,11 @@ from exactspline.language.vector import Vector
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction
 from exactspline.programs.program import operands_of
+from exactspline.reals.real import square_root
 from exactspline.splines.bernstein import LONG, value
 from exactspline.splines.examples import example, load, load_surface
 from exactspline.splines.lowest_terms import primitive_part
 from exactspline.splines.patch_forms import UNIT, PatchForm, Sized
-from exactspline.splines.surd import square_root
 from exactspline.splines.surface_weight import DEPTH, _zero_at_corners
 from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_bernstein import evaluated

@@ -233,7 +233,7 @@ def circle_points():
 # ---- degenerate nets
 
 
-def test_poles_and_jumps_are_told_with_their_place():
+def test_poles_and_tears_are_reported_with_their_place():
     cone = inspect_surface(example_surface("cone"))
     assert {(pole.along, pole.value, pole.point) for pole in cone.poles} == {(Along.U, 1, (0, 0, 2))}
     assert not cone.singular_points
@@ -247,14 +247,14 @@ def test_poles_and_jumps_are_told_with_their_place():
     assert _relative_gap(ellipsoid) > Fraction(1, 100)
     net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)], [(1, 0, 0), (1, 1, 1)], [(2, 0, 3), (2, 1, 0)]]
     whole = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], net))
-    assert [(jump.across, jump.value, jump.open) for jump in whole.jumps] == [(Along.U, 1, False)]
+    assert [(joint.across, joint.value, joint.order) for joint in whole.joints] == [(Along.U, 1, 0)]
     net[2] = [(1, 0, 1), (1, 1, 1)]
     torn = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], net))
-    assert [(jump.across, jump.value, jump.open) for jump in torn.jumps] == [(Along.U, 1, True)]
+    assert [(joint.across, joint.value, joint.order) for joint in torn.joints] == [(Along.U, 1, -1)]
     weights = [[1, 1], [2, 1], [4, 2], [1, 1]]
     net[2] = net[1]
     same = NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], net, weights)
-    assert [jump.open for jump in inspect_surface(same).jumps] == [False]
+    assert [joint.order for joint in inspect_surface(same).joints] == [0]
 
 
 def _relative_gap(surface):

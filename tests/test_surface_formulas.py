@@ -370,7 +370,7 @@ def test_a_stranger_writes_formulas_of_surfaces(tmp_path):
         '[[claim]]\nid = "3"\nkind = "degree"\nstatement = "too low"\nformula = "tangents"\nclaimed = "4d_u"\n'
         'parameter = "u"\ncurve = "surface"\nof = "rational"\n'
     )
-    rows = list(audit(claims_of(load_paper(folder))))
+    rows = [row for row in audit(claims_of(load_paper(folder))) if not row.curve]
     assert [row.verdict for row in rows] == [PROVED, PROVED, REFUTED]
 
 

@@ -125,10 +125,10 @@ def test_polygons_have_no_curvature(dimension):
         points = steps[:-1] + steps[:1] if k % 2 else steps
         weights = chance.choice([None, [chance.randint(1, 3) for _ in points]])
         curve = Nurbs(1, [0, 0, *inner, 6, 6], points, weights)
-        for name in inspections.NOT_OF_POLYGONS:
-            if dimension == 3 or name not in inspections.IN_SPACE:
-                assert not inspections.INSPECTIONS[name](curve)
-                assert inspections.inspected(curve, [name], 3) == {name: ()}
+        for name in ("inflections", "curvature_extrema", "critical_points"):
+            found = inspections.inspected(curve, [name], 3)[name]
+            pieces = [(str(piece.start), str(piece.end)) for piece in xs.analyse(curve).straight_pieces]
+            assert [(each.kind, each.low, each.high) for each in found] == [("everywhere", *ends) for ends in pieces]
 
 
 def test_examples_and_curves_in_space():
@@ -285,7 +285,7 @@ def test_a_bad_curve_in_a_group_is_a_line_and_the_others_are_whole():
     jumping = Nurbs(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 0), (5, 5), (6, 6), (7, 5)])
     lines = list(xs.sweep([xs.example("cubic_s"), "no_such_file", jumping, Nurbs(1, [0, 0, 1, 1], [(0,) * 4] * 2)]))
     assert [line.error and line.error.kind for line in lines] == [None, "CurveFileError", None, "ShapeError"]
-    assert len(lines[0].found["extrema"]) == 2
+    assert len(lines[0].found["curvature_extrema"]) == 2
     assert [line.index for line in lines] == [0, 1, 2, 3]
 
 

@@ -63,7 +63,7 @@ def honest():
 @pytest.mark.parametrize("symbols", [empty, alike, permuted, disguised])
 def test_no_verdict_changes_with_the_symbols(symbols, honest, monkeypatch):
     for name, symbol in symbols().items():
-        monkeypatch.setattr(find(name), "symbol", symbol)
+        monkeypatch.setattr(all_formulas()[name], "symbol", symbol)
     forget()
     try:
         assert [proved(claim).verdict for claim in CLAIMS] == honest

@@ -13,12 +13,13 @@ from mpmath import mp
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector import conditions as module
-from exactspline.geometry.bisector.discriminants import discriminant, through
 from exactspline.geometry.bisector.trimmed import trimmed_bisector
 from exactspline.papers import find
+from exactspline.polynomials.elimination import discriminant, through
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.examples import example
+from tests.dials import factors, over_dials
 
 LINE = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
 CASES = [
@@ -327,3 +328,24 @@ def test_an_arc_between_two_poles_beside_a_long_curve():
         patch.setattr(module, "_candidates", lambda *a: calls.append(1) or original(*a))
         assert len(trimmed_bisector(curve, (3, 20)).pieces) == 8
     assert len(calls) < 30
+
+
+@over_dials
+def test_a_similar_curve_has_the_similar_bisector(number):
+    """Every dial: a turned, scaled and moved curve has the same pieces. Before: some cases of doubles were a traceback,
+    `OverflowError` from the ordering of factors.
+    """
+    random = Random(5)
+    for curve, point in CASES:
+        a, b, c, d = factors(number, random, 4)
+
+        def moved(x, y, a=a, b=b, c=c, d=d):
+            return a * x - b * y + c, b * x + a * y + d
+
+        weights = curve.weights
+        similar = Nurbs(curve.degree, curve.knots, [moved(*p) for p in curve.control_points], weights)
+        one, other = trimmed_bisector(curve, point), trimmed_bisector(similar, moved(*exact(point)))
+        assert one.left_out == other.left_out == ()
+        assert [(p.kind, p.foot, p.low, p.high) for p in one.pieces] == [
+            (p.kind, p.foot, p.low, p.high) for p in other.pieces
+        ]

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 import exactspline as xs
 from exactspline.errors import ExactSplineError
 from exactspline.papers import find
-from exactspline.splines.surd import square_root
+from exactspline.reals.real import Real, square_root
 from tests.strategies import nurbs, splines, tensor_splines
 
 T = xs.BSpline.identity(-2, 2)
@@ -42,8 +42,11 @@ VALUES = {
     "ZeroSet with jumps and intervals": JUMPY,
     "Jump": JUMPY.jumps[0],
     "ZeroInterval": JUMPY.intervals[0],
-    "Surd": square_root(mpq(1, 8)),
-    "Enclosure": CURVE.at(ZEROS.roots[-1])[0],
+    "rational": Real("2/3"),
+    "square root": square_root(mpq(1, 8)),
+    "value at a root": xs.at(CURVE, ZEROS.roots[-1])[0],
+    "sum": square_root(2) + square_root(3),
+    "curvature": xs.curvature(CURVE, ZEROS.roots[-1]),
 }
 
 
@@ -268,7 +271,7 @@ def everything_of(curve):
     return (
         [hash(f) for f in found],
         [r.refine(30) and float(r) for r in kinks],
-        [curve.curvature(r, digits=20) for r in kinks],
+        [xs.curvature(curve, r) for r in kinks],
         hash(curve),
     )
 

@@ -120,7 +120,7 @@ def test_another_form_under_the_same_proof():
 
 def test_checker_is_independent_and_short():
     source = Path(checker.__file__).read_text(encoding="utf-8")
-    assert len(source.splitlines()) <= 180
+    assert len(source.splitlines()) <= 225
     names = {
         name.split(".")[0]
         for node in ast.walk(ast.parse(source))

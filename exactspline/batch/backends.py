@@ -6,16 +6,21 @@ of pending tasks is bounded, and the results come in the order of the curves.
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
+from functools import cache
 from importlib.util import find_spec
 from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, nearest
 
+#: Seconds after which a process looks again whether the one that started it still runs.
+LOOK = 1
 T = TypeVar("T")
 V = TypeVar("V")
 
@@ -78,6 +83,7 @@ def mapped(
         return
     from joblib import Parallel, delayed
 
+    parent = os.getpid() if backend == "processes" else None
     with ExitStack() as stack:
         with _interrupts_ignored():
             stack.enter_context(_configured(backend, jobs, scheduler))
@@ -88,7 +94,7 @@ def mapped(
             pass
         for first in groups:
             window = _window(first, groups, WINDOW * jobs)
-            yield from _taken(parallel(delayed(_called)(call, group) for group in window), closed)
+            yield from _taken(parallel(delayed(_called)(call, group, parent) for group in window), closed)
 
 
 def _groups(
@@ -207,5 +213,23 @@ def _through_ray(
         ray.shutdown()
 
 
-def _called(call: Callable[[list[T]], Iterable[V]], group: list[T]) -> list[V]:
+def _called(call: Callable[[list[T]], Iterable[V]], group: list[T], parent: int | None = None) -> list[V]:
+    if parent is not None:
+        _end_with(parent)
     return list(call(group))
+
+
+@cache
+def _end_with(parent: int) -> None:
+    """End this process soon after the process that started it was killed: nobody else would. Where the system gives an
+    orphan no other parent (Windows), nothing is done.
+    """
+    if os.getppid() != parent:
+        return
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(LOOK)
+        os._exit(1)
+
+    threading.Thread(target=watch, name="parent", daemon=True).start()

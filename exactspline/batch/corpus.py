@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from hashlib import blake2b
 from pathlib import Path
 
 from exactspline.batch.families import Family
@@ -14,12 +15,13 @@ from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.records import Skipped
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.verdict import ContradictionError
 
 #: The sources of a corpus: curves, families, and the names of files, folders and example curves.
 Source = Nurbs | Family | str
 #: The weight of a generated curve in the progress, in bytes of a file.
 BYTES_A_CURVE = 1000
+#: The kinds of problem for what a file holds besides curves, and for curves of it that its reader left out.
+SKIPPED, NOT_READ = "Skipped", "NotRead"
 
 
 @dataclass(frozen=True)
@@ -32,11 +34,19 @@ class Problem:
 
     @classmethod
     def of(cls, error: Exception) -> Problem:
-        """The problem that an exception reports. Readings that contradict each other are never the fault of the
-        input.
-        """
-        to_blame = isinstance(error, ExactSplineError) and not isinstance(error, ContradictionError)
-        return cls(type(error).__name__, str(error), to_blame)
+        """The problem that an exception reports."""
+        return cls(type(error).__name__, str(error), isinstance(error, ExactSplineError))
+
+
+def short_digest(text: str) -> str:
+    """Sixteen hexadecimal digits that change with the text: against accidents, not against forgery."""
+    return blake2b(text.encode("utf-8", "surrogatepass"), digest_size=8).hexdigest()
+
+
+def curve_digest(curve: Nurbs) -> str:
+    """A digest of a curve's exact data, whatever its name."""
+    points = [*curve.knots, *curve.weights, *(x for row in curve.control_points for x in row)]
+    return short_digest(f"{curve.degree} {curve.dimension} {' '.join(map(str, points))}")
 
 
 @dataclass(frozen=True)
@@ -56,6 +66,15 @@ class Item:
     name: str
     given: Nurbs | Member | Problem
     share: float
+    #: What the reader of its file says of the curve.
+    notes: tuple[str, ...] = ()
+
+    @property
+    def digest(self) -> str:
+        """A digest of the curve's exact data, so that a curve that changes under its name is noticed; empty where the
+        source and the name say it all.
+        """
+        return curve_digest(self.given) if isinstance(self.given, Nurbs) else ""
 
     def curve(self) -> Nurbs:
         """The curve itself; only where `given` is no `Problem`."""
@@ -76,20 +95,20 @@ def items(sources: Iterable[Source]) -> Iterator[Item]:
 count=1 seed=1', '0')]
     """
     if not isinstance(sources, (list, tuple)):
-        for index, (source, name, given, _) in enumerate(part for each in sources for part in _parts(each)):
-            yield Item(index, source, name, given, 0)
+        for index, (source, name, given, _, notes) in enumerate(part for each in sources for part in _parts(each)):
+            yield Item(index, source, name, given, 0, notes)
         return
     places = [place for source in sources for place in _places(source)]
     total, before, index = sum(map(_size, places)) or 1, 0, 0
     for place in places:
         size = _size(place)
-        for source, name, given, (done, count) in _parts(place):
-            yield Item(index, source, name, given, (before + size * done / count) / total)
+        for source, name, given, (done, count), notes in _parts(place):
+            yield Item(index, source, name, given, (before + size * done / count) / total, notes)
             index += 1
         before += size
 
 
-Part = tuple[str, str, Nurbs | Member | Problem, tuple[int, int]]
+Part = tuple[str, str, Nurbs | Member | Problem, tuple[int, int], tuple[str, ...]]
 
 
 def _places(source: Source) -> list[Source]:
@@ -112,13 +131,13 @@ def _size(source: Source) -> int:
 
 
 def _parts(source: Source) -> Iterator[Part]:
-    """The curves of one source, each with the number done and the total."""
+    """The curves of one source, each with the number done and the total, and notes of the reader."""
     if isinstance(source, Nurbs):
-        yield "", source.name, source, (1, 1)
+        yield "", source.name, source, (1, 1), ()
     elif isinstance(source, Family):
         said = str(source)
         for number in range(source.count):
-            yield said, str(number), Member(source, number), (number + 1, source.count)
+            yield said, str(number), Member(source, number), (number + 1, source.count), ()
     else:
         for place in _places(source):
             yield from _of_file(str(place))
@@ -131,23 +150,24 @@ def _of_file(place: str) -> Iterator[Part]:
     found, skipped = 0, list[Skipped]()
     try:
         if place in example_names() and not os.path.exists(place):
-            yield place, place, example(place), (1, 1)
+            yield place, place, example(place), (1, 1), ()
             return
         for reading, done, count in read_in_pieces(place):
             skipped += reading.skipped
-            kept = [*reversed(reading.curves)]
+            kept, notes = [*reversed(reading.curves)], reading.notes
             own = len(kept)
             del reading
             while kept:
                 named = kept.pop()
                 found += 1
                 # of the piece that was read last a part is done
-                yield place, named.name, named.curve, (own * done - len(kept), own * count)
+                yield place, named.name, named.curve, (own * done - len(kept), own * count), (*notes, *named.notes)
                 del named
     except ExactSplineError as error:
-        yield place, "", Problem.of(error), (1, 1)
+        yield place, "", Problem.of(error), (1, 1), ()
         return
     if not found and not skipped:
-        yield place, "", Problem.of(CurveFileError("holds no curve", where=place)), (1, 1)
+        yield place, "", Problem.of(CurveFileError("holds no curve", where=place)), (1, 1), ()
     for each in skipped:
-        yield place, each.where, Problem("Skipped", f"{each.what}: {each.why}"), (1, 1)
+        kind = NOT_READ if each.curve else SKIPPED
+        yield place, each.where, Problem(kind, f"{each.what}: {each.why}"), (1, 1), ()

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
 
-from exactspline.batch.corpus import Problem
+from exactspline.batch.corpus import Problem, short_digest
 
 #: The schema of a line gets a new version when a field changes its meaning or is removed.
-VERSION = 1
+VERSION = 2
+
+
+#: The kind of a piece all of whose points answer a question about points.
+EVERYWHERE = "everywhere"
 
 
 @dataclass(frozen=True)
 class Found:
-    """A point or a piece that was found: its kind, its parameter where that is rational, and where it lies.
+    """A point or a piece that was found: its kind, its parameter where that is rational, and where it lies. The kind of
+    a piece all of whose points answer a question about points is `EVERYWHERE`.
 
     A rational parameter is `low` and `high`; an irrational one lies strictly between these two, neighbouring decimals
     with as many digits as were asked for; a piece runs from `low` to `high`, across the seam of a closed curve by way
@@ -62,6 +68,10 @@ class Line:
     found: Mapping[str, tuple[Found, ...]] = field(default_factory=dict)
     claims: tuple[Judged, ...] = ()
     error: Problem | None = None
+    #: What the reader of the file says of the curve.
+    notes: tuple[str, ...] = ()
+    #: Of the curve's exact data (see `Item.digest`).
+    curve_digest: str = ""
     seconds: float = field(default=0, compare=False)
     #: What the certified filter said; None where it was not asked, and of lines that were read.
     way: Way | None = field(default=None, compare=False)
@@ -69,11 +79,13 @@ class Line:
     def data(self) -> dict[str, object]:
         """The line as data, as `line_schema` describes it."""
         own = {name: getattr(self, name) for name in DATA}
-        return own | {
+        own |= {
             "found": {name: [dict(vars(each)) for each in points] for name, points in self.found.items()},
             "claims": [dict(vars(each)) for each in self.claims],
             "error": None if self.error is None else dict(vars(self.error)),
+            "notes": list(self.notes),
         }
+        return own | {"digest": digest_of(own)}
 
     @classmethod
     def from_data(cls, data: Mapping[str, object]) -> Line:
@@ -83,16 +95,27 @@ class Line:
         >>> Line.from_data(line.data()) == line
         True
 
-        Raises `KeyError` or `TypeError` for what is not a line.
+        Raises `KeyError` or `TypeError` for what is not a line, `ValueError` for a line that was changed.
         """
         given: dict[str, object] = dict(data)
+        if given.pop("digest") != digest_of(given):
+            raise ValueError("a line that was changed")
         found, claims, error = (given.pop(name) for name in ("found", "claims", "error"))
         assert isinstance(found, dict)
         assert isinstance(claims, list)
         given["found"] = {name: tuple(Found(**each) for each in points) for name, points in found.items()}
         given["claims"] = tuple(Judged(**each) for each in claims)
+        given["notes"] = tuple(given["notes"])  # type: ignore[arg-type]  # a list, as its digest says
         given["error"] = Problem(**error) if isinstance(error, dict) else None
         return cls(**given)  # type: ignore[arg-type]  # data just parsed, whose contents the schema checks
+
+
+def digest_of(data: Mapping[str, object]) -> str:
+    """A digest of all fields of a line but the processor time, which is different each time: a line that is changed by
+    hand, or by a damaged disk, is noticed when its sweep is continued.
+    """
+    own = {name: value for name, value in data.items() if name != "seconds"}
+    return short_digest(json.dumps(own, ensure_ascii=False, sort_keys=True, separators=(",", ":")))
 
 
 #: The fields of a line that are its data.
@@ -103,7 +126,7 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 1'
+    'exactspline/sweep_line, version 2'
     """
     text, number = {"type": "string"}, {"type": ["integer", "null"]}
     return _object(
@@ -125,7 +148,10 @@ def line_schema() -> dict[str, object]:
             "error": {
                 "anyOf": [{"type": "null"}, _object({"kind": text, "message": text, "bad_input": {"type": "boolean"}})]
             },
+            "notes": {"type": "array", "items": text},
+            "curve_digest": text,
             "seconds": {"type": "number", "minimum": 0},
+            "digest": text,
         }
     ) | {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError
 from exactspline.exact import mpq, rational, text
-from exactspline.geometry.analysis import analyse
-from exactspline.roots.enclosure import Bounds, exact_place, rounded_outwards
-from exactspline.roots.real import Real
-from exactspline.roots.root import Root
+from exactspline.geometry.analysis import QUESTIONS, analyse
+from exactspline.questions.answers import Places
+from exactspline.questions.entry import Answered
+from exactspline.reals.bounds import rounded_outwards
+from exactspline.reals.real import RationalNumber, Real
+from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.surd import Surd
 
 #: Digits after the point of an interval.
 DIGITS = 30
@@ -50,14 +51,14 @@ class Question:
     places: tuple[str, ...]
 
     def number(self, otherwise: int | None = None) -> int:
-        """The argument as a small whole number."""
+        """The argument as a small integer."""
         if self.argument.isascii() and self.argument.isdecimal() and len(self.argument) < 4:
             return int(self.argument)
         if otherwise is not None and not self.argument:
             return otherwise
-        raise QuestionError(f"{self.text!r} needs a whole number up to 999 after the colon", remedy=f"{self.name}:2")
+        raise QuestionError(f"{self.text!r} needs an integer up to 999 after the colon", remedy=f"{self.name}:2")
 
-    def parameters(self, curve: Nurbs) -> list[mpq | Root]:
+    def parameters(self, curve: Nurbs) -> list[mpq | Real]:
         """The parameters: exact numbers, or the features of the curve by their name."""
         if not all(self.places or [""]):
             raise QuestionError(
@@ -68,19 +69,25 @@ class Question:
     def single(self, curve: Nurbs) -> mpq:
         """The only parameter, a rational one."""
         found = self.parameters(curve)
-        if len(found) != 1 or isinstance(found[0], Root):
+        if len(found) != 1 or isinstance(found[0], Real):
             raise QuestionError(f"{self.text!r} needs one rational parameter", remedy=f"{self.name}@1/2")
         return found[0]
 
 
-def _parameters(curve: Nurbs, place: str) -> list[mpq | Root]:
+def _parameters(curve: Nurbs, place: str) -> list[mpq | Real]:
     """An exact number, or the parameters of features by their name."""
     facts = analyse(curve)
     if place == "knots":
         return list(facts.breaks)
-    if place in ("inflections", "extrema"):
-        features = facts.inflections if place == "inflections" else facts.curvature_extrema
-        return [exact_place(feature.root) for feature in features]
+    entry = QUESTIONS.get(place)
+    if entry is not None and entry.about.answered == Answered.PLACES and not entry.about.argument:
+        found = entry.answer(facts)
+        assert isinstance(found, Places)  # as it says
+        if found.everywhere:
+            raise QuestionError(
+                f"{place} are everywhere on {found.everywhere[0]}", remedy="name parameters there, as in value@1/2"
+            )
+        return [exact_place(feature.root) for feature in found]
     return [rational(place)]
 
 
@@ -101,24 +108,16 @@ def answer_data(answer: Answer, digits: int = DIGITS) -> dict[str, object]:
 
 
 def number_data(value: Real, digits: int = DIGITS) -> dict[str, object]:
-    """A number: exactly where it is rational or ``a√b`` and known to be, in a certified interval, and as the correctly
-    rounded double (null where it is too large, or where its ball does not determine it).
+    """A number: exactly where it is rational or ``a + b√c`` and known to be, in a certified interval, and as the
+    correctly rounded double (null where it is too large, or where its ball does not determine it).
 
-    >>> number_data(Real.of(mpq(1, 3)))
+    >>> number_data(Real("1/3"))
     {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}
     """
-    known = value.exact
-    if known is not None and not isinstance(known, Surd):
-        low = high = known
-    else:
-        low, high = rounded_outwards(Bounds(*value.enclosed(digits)), digits)
+    found = value.enclosure(digits)
+    low, high = found if isinstance(value, RationalNumber) else rounded_outwards(found, digits)
     try:
         rounded: float | None = value.double()
     except (ExactSplineError, OverflowError):
         rounded = None
-    return {
-        "exact": None if known is None else str(known).replace("−", "-"),
-        "low": text(low),
-        "high": text(high),
-        "double": rounded,
-    }
+    return {"exact": value.closed_form, "low": text(low), "high": text(high), "double": rounded}

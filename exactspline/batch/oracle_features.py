@@ -1,101 +1,87 @@
-"""Features for the oracle: inflections, extrema, cusps, corners, joints, and the bounding box of a curve."""
+"""The questions of the registry, asked of the oracle; and the bounding box of a curve."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from typing import Any
 
+from exactspline.batch.lines import EVERYWHERE
 from exactspline.batch.oracle_answers import Item, Question, QuestionError
 from exactspline.batch.oracle_values import axes
 from exactspline.errors import DomainError, ShapeError
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis import analyse, questions_about
 from exactspline.geometry.balls import degrees
-from exactspline.geometry.extent import coordinate_range, slope_zeros, turning_points
+from exactspline.geometry.extent import coordinate_range, slope_zeros
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, FeatureKind
-from exactspline.geometry.values_along import curvature_at, point_at
-from exactspline.roots.enclosure import exact_place
-from exactspline.roots.real import Real
-from exactspline.roots.zero_set import ZeroSet
+from exactspline.geometry.kinds import Feature
+from exactspline.geometry.planarity import Plane
+from exactspline.geometry.values_along import curvature, point_at
+from exactspline.questions.answers import CurvePiece, Places
+from exactspline.questions.entry import Entry
+from exactspline.reals.real import real
+from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
 
 Found = tuple[Iterable[Item], Iterable[dict[str, object]]]
 
 
-def _points(curve: Nurbs, features: Sequence[Feature], found: ZeroSet) -> Found:
-    """Features with their parameter, point, and curvature where it exists."""
-    return [_point(curve, f) for f in features], (found.certificate(),)
-
-
 def _point(curve: Nurbs, feature: Feature) -> Item:
     place = exact_place(feature.root)
-    values = {"parameter": Real.of(feature.root)} | dict(zip(axes(curve), point_at(curve, place), strict=True))
+    values = {"parameter": real(place)} | dict(zip(axes(curve), point_at(curve, place), strict=True))
     with suppress(DomainError, ShapeError):
-        values["curvature"] = curvature_at(curve, place)
+        values["curvature"] = curvature(curve, place)
     facts = {"at_knot": feature.at_knot, "by_jump": feature.by_jump, "multiplicity": feature.root.multiplicity}
     return Item(str(feature.kind), values, facts)
 
 
-def inflections(curve: Nurbs, question: Question) -> Found:
-    """The zeros of the curvature at regular points."""
+def answered(entry: Entry, curve: Nurbs, question: Question) -> Found:
+    """The answer to a question of the registry about a curve, which it must be asked of."""
+    if entry.name not in questions_about(curve):
+        raise QuestionError(
+            f"{entry.name} of a curve in R{curve.dimension}", remedy=f"it is asked of a {' or a '.join(entry.about.of)}"
+        )
     facts = analyse(curve)
-    form = facts.bending if facts.in_space else facts.zero_form("zero_curvature")
-    return _points(curve, facts.inflections, form.zeros)
+    items = list(_items(curve, entry.answer(facts, question.argument)))
+    given = (question.argument,) if entry.about.argument else ()
+    return items, (entry.about.proof(facts, *given).certificate(),) if entry.about.proof else ()
 
 
-def extrema(curve: Nurbs, question: Question) -> Found:
-    """The extrema of the curvature."""
-    facts = analyse(curve)
-    return _points(curve, facts.curvature_extrema, facts.zero_form(facts.critical_form).zeros)
+def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
+    for each in () if answer is None else answer if isinstance(answer, (tuple, Places)) else (answer,):
+        yield _item(curve, each)
+    if isinstance(answer, Places):
+        for piece in answer.everywhere:
+            yield _piece(EVERYWHERE, piece)
 
 
-def torsion_zeros(curve: Nurbs, question: Question) -> Found:
-    """The zeros of the torsion."""
-    facts = analyse(curve)
-    found = facts.torsion_zeros
-    return _points(curve, found, facts.zero_form("zero_torsion", "paper").zeros)
+def _item(curve: Nurbs, each: Feature | Joint | CurvePiece | Plane | tuple[CurvePiece, Plane]) -> Item:
+    if isinstance(each, Feature):
+        return _point(curve, each)
+    if isinstance(each, Joint):
+        return _joint(each)
+    if isinstance(each, CurvePiece):
+        return _piece("piece", each)
+    piece, plane = each if isinstance(each, tuple) else (None, each)
+    ends = {} if piece is None else _piece("", piece).values
+    return Item("planar piece" if piece else "plane", ends, {"plane": str(plane)})
 
 
-def singular(curve: Nurbs, question: Question) -> Found:
-    """The points with γ′ = 0."""
-    facts = analyse(curve)
-    return _points(curve, facts.singular_points, facts.speed.zeros)
-
-
-def cusps(curve: Nurbs, question: Question) -> Found:
-    """The singular points at which the direction is reversed."""
-    facts = analyse(curve)
-    return _points(curve, [f for f in facts.singular_points if f.kind is FeatureKind.CUSP], facts.speed.zeros)
-
-
-def joints(curve: Nurbs, question: Question) -> Found:
-    """All joints."""
-    return [_joint(joint) for joint in analyse(curve).joints], ()
-
-
-def corners(curve: Nurbs, question: Question) -> Found:
-    """The joints at which the tangent turns."""
-    return [_joint(joint) for joint in analyse(curve).corners], ()
+def _piece(what: str, piece: CurvePiece) -> Item:
+    values = {"start": real(piece.start), "end": real(piece.end)}
+    return Item(what, values, {"across_seam": piece.across_seam})
 
 
 def _joint(joint: Joint) -> Item:
-    values = {"parameter": Real.of(joint.parameter)}
+    values = {"parameter": real(joint.parameter)}
     if joint.angle is not None:
         values |= {"degrees": degrees(joint.angle)}
-        values |= {"cosine": Real.of(joint.angle.cosine), "sine": Real.of(joint.angle.sine)}
+        values |= {"cosine": joint.angle.cosine, "sine": joint.angle.sine}
     if joint.gap is not None:
-        values["gap"] = Real.of(joint.gap)
+        values["gap"] = joint.gap
     if joint.curvatures is not None:
-        values |= dict(zip(("curvature_before", "curvature_behind"), map(Real.of, joint.curvatures), strict=True))
+        values |= dict(zip(("curvature_before", "curvature_behind"), joint.curvatures, strict=True))
     return Item(str(joint.kind), values, {"geometric_continuity": joint.order, "at_seam": joint.at_seam})
-
-
-def turns(curve: Nurbs, question: Question) -> Found:
-    """The extrema of a coordinate."""
-    axis = question.number(0)
-    if axis >= curve.dimension:
-        raise QuestionError(f"the coordinate {axis} of a curve in R{curve.dimension}", remedy="0 is x, 1 is y, 2 is z")
-    return _points(curve, turning_points(curve, axis), slope_zeros(curve, axis))
 
 
 def bounding_box(curve: Nurbs, question: Question) -> Found:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import TypeAlias
 
 from exactspline.batch import oracle_features as features
 from exactspline.batch import oracle_shapes as shapes
 from exactspline.batch import oracle_values as values
 from exactspline.batch.oracle_answers import Item, Question
+from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
+from exactspline.questions.entry import Entry
 from exactspline.splines.nurbs import Nurbs
 
 #: Items and certificates.
@@ -23,6 +26,12 @@ class Kind:
     asked: str
     meaning: str
     answer: Callable[[Nurbs, Question], Found]
+
+
+def _of_registry(entry: Entry) -> Kind:
+    """A question of the registry: with an argument it is asked with a colon."""
+    asked = f"{entry.name}:{entry.about.argument}" if entry.about.argument else entry.name
+    return Kind(asked, entry.meaning, partial(features.answered, entry))
 
 
 #: By their names.
@@ -40,14 +49,7 @@ QUESTIONS: dict[str, Kind] = {
         Kind("split@T", "the control points of the parts before and after T", shapes.split),
         Kind("product:IJ", "the control points of the product of the coordinates I and J (0 is x)", shapes.product),
         Kind("evolute", "the control points of the evolute, piece by piece", shapes.evolute),
-        Kind("inflections", "the zeros of the curvature at regular points", features.inflections),
-        Kind("extrema", "the extrema of the curvature", features.extrema),
-        Kind("torsion_zeros", "the zeros of the torsion", features.torsion_zeros),
-        Kind("cusps", "the points with γ′ = 0 where the direction is reversed", features.cusps),
-        Kind("singular", "all points with γ′ = 0", features.singular),
-        Kind("corners", "the joints at which the tangent turns, with the angle", features.corners),
-        Kind("joints", "all joints: kind, order of geometric continuity, angle, gap", features.joints),
-        Kind("turns:I", "where the coordinate I changes from increasing to decreasing or back", features.turns),
+        *map(_of_registry, QUESTIONS_ABOUT_CURVES.values()),
         Kind("bounding_box", "the smallest and largest value of every coordinate", features.bounding_box),
         Kind("area", "the signed area inside a closed polynomial plane curve", shapes.area),
         Kind("moments:K", "its moments ∬ xⁱ yʲ with i + j ≤ K (by default 2)", shapes.moments),

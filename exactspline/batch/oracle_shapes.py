@@ -14,13 +14,14 @@ from exactspline.geometry.analysis import analyse
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.rational import Rational
-from exactspline.roots.real import Real
+from exactspline.reals.real import Real
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
-from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.nurbs_operations import changed
+from exactspline.splines.nurbs import Nurbs, changed
 
+#: Segments times the square of the degree of what `elevate` answers: some seconds.
+MOST_ELEVATED = 1_000_000
 Found = tuple[Iterable[Item], Iterable[dict[str, object]]]
 
 
@@ -30,7 +31,7 @@ def control_points(curve: Nurbs, part: str = "") -> list[Item]:
     knots = {"knots": [text(t) for t in curve.knots], "degree": curve.degree}
     items = [Item("curve", {}, facts | knots)]
     for point, weight in zip(curve.control_points, curve.weights, strict=True):
-        values = dict(zip(axes(curve), map(Real.of, point), strict=True)) | {"weight": Real.of(weight)}
+        values = dict(zip(axes(curve), map(Real, point), strict=True)) | {"weight": Real(weight)}
         items.append(Item("direction" if isinstance(point, Direction) else "control point", values, facts))
     return items
 
@@ -48,7 +49,10 @@ def remove(curve: Nurbs, question: Question) -> Found:
 
 def elevate(curve: Nurbs, question: Question) -> Found:
     """The degree raised."""
-    return control_points(curve.elevate_degree(question.number(1))), ()
+    times = question.number(1)
+    if curve.segments * (curve.degree + times) ** 2 > MOST_ELEVATED:
+        raise QuestionError(f"the degree raised by {times}", remedy="ask for less, or for parts of the curve")
+    return control_points(curve.elevate_degree(times)), ()
 
 
 def split(curve: Nurbs, question: Question) -> Found:
@@ -74,7 +78,7 @@ def _net(numerators: list[BSpline], denominator: BSpline | None, names: list[str
     facts = {"knots": [text(t) for t in splines[0].knots], "degree": splines[0].degree}
     names = names if denominator is None else [*(f"w*{name}" for name in names), "w"]
     rows = zip(*[f.control_points for f in splines], strict=True)
-    points = [Item("control point", dict(zip(names, map(Real.of, row), strict=True))) for row in rows]
+    points = [Item("control point", dict(zip(names, map(Real, row), strict=True))) for row in rows]
     return [Item("curve", {}, facts), *points]
 
 
@@ -91,7 +95,7 @@ def evolute(curve: Nurbs, question: Question) -> Found:
 
 def area(curve: Nurbs, question: Question) -> Found:
     """The signed area: positive where the curve runs counter-clockwise."""
-    return [Item("area", {"area": Real.of(_moment(_closed(curve), 0, 0))})], ()
+    return [Item("area", {"area": Real(_moment(_closed(curve), 0, 0))})], ()
 
 
 def moments(curve: Nurbs, question: Question) -> Found:
@@ -100,7 +104,7 @@ def moments(curve: Nurbs, question: Question) -> Found:
     if order > 8:
         raise QuestionError(f"moments of the order {order}", remedy="at most 8")
     pairs = [(i, total - i) for total in range(order + 1) for i in range(total, -1, -1)]
-    return [Item("moment", {"moment": Real.of(_moment(c, i, j))}, {"x": i, "y": j}) for i, j in pairs], ()
+    return [Item("moment", {"moment": Real(_moment(c, i, j))}, {"x": i, "y": j}) for i, j in pairs], ()
 
 
 def _closed(curve: Nurbs) -> Nurbs:

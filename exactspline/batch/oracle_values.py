@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 
 from exactspline.batch.oracle_answers import Item, Question
-from exactspline.errors import DomainError
 from exactspline.exact import mpq
+from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.values_along import curvature_at, point_at, torsion_at
+from exactspline.geometry.values_along import point_at
 from exactspline.language.vector import Vector, cross
-from exactspline.roots.enclosure import sign_at
-from exactspline.roots.real import Real
-from exactspline.roots.root import Root
-from exactspline.splines.bspline import BSpline
+from exactspline.reals.real import Real, real
+from exactspline.roots.values import unit
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.surd import square_root
 
 Found = tuple[Iterable[Item], Iterable[dict[str, object]]]
 
@@ -31,10 +28,10 @@ def axes(curve: Nurbs) -> list[str]:
     return list("xyz"[:n]) if n <= 3 else [f"x{i}" for i in range(1, n + 1)]
 
 
-def _told(curve: Nurbs, question: Question, what: str, values: Callable[[mpq | Root], dict[str, Real]]) -> Found:
+def _told(curve: Nurbs, question: Question, what: str, values: Callable[[mpq | Real], dict[str, Real]]) -> Found:
     """One item per parameter."""
     places = question.parameters(curve)
-    return [Item(what, {"parameter": Real.of(t)} | values(t)) for t in places], ()
+    return [Item(what, {"parameter": real(t)} | values(t)) for t in places], ()
 
 
 def value(curve: Nurbs, question: Question) -> Found:
@@ -52,12 +49,12 @@ def derivative(curve: Nurbs, question: Question) -> Found:
 
 def curvature(curve: Nurbs, question: Question) -> Found:
     """The curvatures."""
-    return _told(curve, question, "curvature", lambda t: {"curvature": curvature_at(curve, t)})
+    return _told(curve, question, "curvature", lambda t: {"curvature": values_along.curvature(curve, t)})
 
 
 def torsion(curve: Nurbs, question: Question) -> Found:
     """The torsions."""
-    return _told(curve, question, "torsion", lambda t: {"torsion": torsion_at(curve, t)})
+    return _told(curve, question, "torsion", lambda t: {"torsion": values_along.torsion(curve, t)})
 
 
 def frame(curve: Nurbs, question: Question) -> Found:
@@ -69,7 +66,7 @@ def frame(curve: Nurbs, question: Question) -> Found:
     else:
         vectors = {"T": tangent, "N": Vector(*cross(facts.binormal, tangent)), "B": facts.binormal}
 
-    def values(t: mpq | Root) -> dict[str, Real]:
+    def values(t: mpq | Real) -> dict[str, Real]:
         return {
             f"{name}{axis}": x
             for name, vector in vectors.items()
@@ -77,23 +74,3 @@ def frame(curve: Nurbs, question: Question) -> Found:
         }
 
     return _told(curve, question, "frame", values)
-
-
-def unit(vector: Sequence[BSpline], place: mpq | Root, name: str = "T") -> list[Real]:
-    """The components of a vector divided by its length at a parameter.
-
-    >>> t = BSpline.identity(0, 2)
-    >>> [x.exact for x in unit([t, t * t], mpq(1))]
-    [Surd(1/2, 2), Surd(1/2, 2)]
-
-    Raises `DomainError` where the vector vanishes.
-    """
-    signs = [sign_at(x, place) for x in vector]
-    if not any(signs):
-        raise DomainError(f"{name} is not defined: the vector vanishes there", remedy="choose another parameter")
-    if not isinstance(place, Root):
-        values = [x(place) for x in vector]
-        length = sum((x * x for x in values), start=mpq(0))
-        return [Real.of(square_root(x * x / length) * s) for x, s in zip(values, signs, strict=True)]
-    squared = sum((x * x for x in vector[1:]), start=vector[0] * vector[0])
-    return [Real.root_of_quotient_at(s, x * x, squared, place) for x, s in zip(vector, signs, strict=True)]

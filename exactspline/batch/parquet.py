@@ -73,7 +73,9 @@ class Parquet(Results):
                             index += 1
             except (pa.ArrowInvalid, ValueError, KeyError, TypeError):
                 raise ResultsError(
-                    f"is not the part that begins at row {index}", where=str(part), remedy="restore the folder"
+                    f"is not the part that begins at row {index}, as a sweep wrote it",
+                    where=str(part),
+                    remedy="restore the folder",
                 ) from None
 
     def add(self, line: Line) -> None:
@@ -122,6 +124,9 @@ def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
         **{name: pa.list_(point) for name in find},
         "claims": pa.list_(judged),
         "error": pa.struct([("kind", pa.string()), ("message", pa.string()), ("bad_input", pa.bool_())]),
+        "notes": pa.list_(pa.string()),
+        "curve_digest": pa.string(),
         "seconds": pa.float64(),
+        "digest": pa.string(),
     }
     return pa.schema(list(columns.items()))

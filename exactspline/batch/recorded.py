@@ -8,7 +8,7 @@ from itertools import takewhile
 from pathlib import Path
 
 from exactspline.batch.backends import mapped
-from exactspline.batch.corpus import Item, Source, items
+from exactspline.batch.corpus import Item, Problem, Source, items
 from exactspline.batch.lines import VERSION, Line
 from exactspline.batch.parquet import Parquet
 from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
@@ -64,15 +64,22 @@ def recorded(
             item = next(given, None)
             if item is None and stopped():
                 return
-            if item is None or (item.source, item.name) != (line.source, line.curve):
+            if item is None or not _about(line, item):
                 raise ResultsError(
-                    f"line {line.index + 1} is about {line.source or line.curve}, which is not there in the corpus",
+                    f"line {line.index + 1} is about {line.source or line.curve}, which is not there in the corpus, or "
+                    "was another curve",
                     where=output,
                     remedy="the corpus has changed: write to another file",
                 )
             summary.add(line, known=True)
             tick(item.share, line, True)
         _compute(given, work, where, results, summary, tick)
+
+
+def _about(line: Line, item: Item) -> bool:
+    """Whether a line is about a curve of the corpus, as it is now."""
+    problem = item.given if isinstance(item.given, Problem) else line.error
+    return (item.source, item.name, item.digest, problem) == (line.source, line.curve, line.curve_digest, line.error)
 
 
 def opened(place: str, settings: Settings) -> Results:

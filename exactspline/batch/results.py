@@ -99,7 +99,7 @@ class JsonLines(Results):
                     whole = False
                 if not whole:
                     raise ResultsError(
-                        f"line {index + 1} is not the one of a sweep", where=str(self.place), remedy="restore the file"
+                        f"line {index + 1} is not as a sweep wrote it", where=str(self.place), remedy="restore the file"
                     )
                 yield line
 

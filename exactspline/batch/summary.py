@@ -7,14 +7,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from heapq import heappush, heappushpop
 
-from exactspline.batch.lines import Line
+from exactspline.batch.corpus import SKIPPED
+from exactspline.batch.lines import Line, Way
 
-#: The kind of problem for contents of a file that are not curves.
-SKIPPED = "Skipped"
 #: Instead of what the certified filter said: lines of a sweep that is continued, and curves of which it was not asked.
 BEFORE, NOT_ASKED = "computed before", "not asked"
 #: How many of the slowest curves, and of the verdicts that are not on record, are named.
 NAMED = 5
+#: How many notes of readers are listed, the most frequent first: a note may hold a number of its own.
+NOTES = 20
+#: What of a family is counted.
+REFUSED, FALLBACK, OPEN = "refused", "decided by exact arithmetic after the filter", "with an undecided claim"
+FALLBACKS = (Way.EXACT, Way.FAILED)
+UNDECIDED = "UNDECIDED"
 
 
 @dataclass(frozen=True)
@@ -39,6 +44,8 @@ class Summary:
     [('2', 1), ('3', 2)]
     """
 
+    #: The families of random curves, by their descriptions: of each it is counted what was not simply decided.
+    families: frozenset[str] = frozenset()
     lines: int = 0
     segments: int = 0
     seconds: float = 0
@@ -48,6 +55,10 @@ class Summary:
     verdicts: Counter[tuple[str, str]] = field(default_factory=Counter)
     #: What the certified filter said of the curves computed now.
     filter: Counter[str] = field(default_factory=Counter)
+    notes: Counter[str] = field(default_factory=Counter)
+    #: By family, what was not decided or decided by a fallback; and how many curves the family has had.
+    aside: Counter[tuple[str, str]] = field(default_factory=Counter)
+    of_family: Counter[str] = field(default_factory=Counter)
     differing: int = 0
     #: Failures on good input: defects of this program.
     alarms: int = 0
@@ -74,6 +85,10 @@ class Summary:
             elif line.error.kind != SKIPPED and len(self.refused) < NAMED:
                 told = line.error.message
                 self.refused.append(told if line.source and told.startswith(line.source) else f"{name}: {told}")
+        self.notes.update(line.notes)
+        if line.source in self.families:
+            self.of_family[line.source] += 1
+            self.aside.update((line.source, what) for what in _set_aside(line))
         self.found.update((what, each.kind) for what, points in line.found.items() for each in points)
         self.verdicts.update((each.claim, each.verdict) for each in line.claims)
         for each in line.claims:
@@ -107,9 +122,26 @@ class Summary:
         yield from (Entry("error", kind, count) for kind, count in sorted(self.errors.items()))
         yield from (Entry("refused", text) for text in self.refused)
         yield from (Entry("not as expected", text) for text in self.examples)
+        yield from (Entry("note", text, count) for text, count in self.notes.most_common(NOTES))
+        if len(self.notes) > NOTES:
+            yield Entry("note", "others", sum(self.notes.values()) - sum(n for _, n in self.notes.most_common(NOTES)))
+        for family in sorted(self.of_family):
+            yield Entry("family", family, self.of_family[family])
+            counted = ((what, count) for (own, what), count in sorted(self.aside.items()) if own == family)
+            yield from (Entry(f"family: {what}", family, count) for what, count in counted)
         yield from (Entry("filter", way, count) for way, count in sorted(self.filter.items()))
         yield Entry("processor time", "", None, self.seconds)
         yield from (Entry("slowest", name, None, seconds) for seconds, _, name in sorted(self._slowest, reverse=True))
+
+
+def _set_aside(line: Line) -> Iterator[str]:
+    """What of a line was refused, undecided, or decided by a fallback."""
+    if line.error is not None:
+        yield REFUSED
+    if line.way in FALLBACKS:
+        yield FALLBACK
+    if any(each.verdict == UNDECIDED for each in line.claims):
+        yield OPEN
 
 
 def named(line: Line) -> str:

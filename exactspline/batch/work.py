@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from time import process_time
 from typing import TYPE_CHECKING
 
 from exactspline.batch.asked import Asked, ask, weight
 from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item, Problem
-from exactspline.batch.inspections import FROM_THE_FILTER, USUAL, checked_names, inspected
+from exactspline.batch.inspections import USUAL, asked_by_sweeps, checked_names, inspected
 from exactspline.batch.lines import Found, Judged, Line
 from exactspline.errors import FormulaError
 from exactspline.splines.nurbs import Nurbs
@@ -29,13 +29,13 @@ FILTERED_DIGITS = 12
 
 @dataclass(frozen=True)
 class Work:
-    """The features to search for on each curve, by the names of `INSPECTIONS`; the claims that are checked on it, by
+    """The features to search for on each curve, by the names of questions; the claims that are checked on it, by
     paper and key; and the digits of irrational parameters.
 
     >>> from exactspline.batch.corpus import items
     >>> line = Work.of().line(next(items(["six_segment_cubic"])))
     >>> line.segments, {name: len(points) for name, points in line.found.items()}, line.error
-    (6, {'inflections': 2, 'extrema': 8, 'corners': 0}, None)
+    (6, {'inflections': 2, 'curvature_extrema': 8, 'corners': 0}, None)
     """
 
     find: tuple[str, ...]
@@ -44,7 +44,7 @@ class Work:
 
     @classmethod
     def of(cls, find: Iterable[str] | None = None, claims: Iterable[str] = (), digits: int = DIGITS) -> Work:
-        """The work that the user's words describe: names of inspections (by default `USUAL`, or none where claims are
+        """The work that the user's words describe: names of questions (by default `USUAL`, or none where claims are
         given) and ids of claims.
 
         Raises `FormulaError` or `ClaimError` with the nearest names.
@@ -78,13 +78,14 @@ class Work:
     @property
     def _asks(self) -> bool:
         """Whether the certified filter is asked."""
-        features = any(name in FROM_THE_FILTER for name in self.find)
+        features = any(asked_by_sweeps()[name].about.known for name in self.find)
         return features and not self.claims and self.digits <= FILTERED_DIGITS
 
     def _line(self, made: Asked) -> Line:
         item, curve, error = made.item, made.curve, made.error
+        begun = partial(Line, item.index, item.source, item.name, notes=item.notes, curve_digest=item.digest)
         if curve is None:
-            return Line(item.index, item.source, item.name, error=error, seconds=made.seconds)
+            return begun(error=error, seconds=made.seconds)
         shape = curve.degree, curve.dimension, curve.segments, curve.polynomial
         start = process_time()
         found: dict[str, tuple[Found, ...]] = {}
@@ -96,26 +97,24 @@ class Work:
         except Exception as failure:
             found, error = {}, Problem.of(failure)
         seconds = made.seconds + process_time() - start
-        return Line(item.index, item.source, item.name, *shape, found, judged, error, seconds, made.way)
+        return begun(*shape, found=found, claims=judged, error=error, seconds=seconds, way=made.way)
 
     def _judged(self, curve: Nurbs) -> tuple[Judged, ...]:
         if not self.claims:
             return ()
-        from exactspline.display.ledger import word
         from exactspline.verification.evaluation import Evaluation
         from exactspline.verification.ledger import UNNAMED, checked
 
         own = Evaluation(curve)
         speaking = [claim for claim in _claims(self.claims) if claim.speaks_of(curve.dimension, curve.polynomial)]
         rows = [(claim, checked(claim, own, curve.name or UNNAMED, _proofs())) for claim in speaking]
-        return tuple(Judged(claim.key, word(row), row.as_recorded, row.witness) for claim, row in rows)
+        return tuple(Judged(claim.key, row.verdict, row.as_recorded, row.witness) for claim, row in rows)
 
 
 def _located(ids: Sequence[str]) -> tuple[tuple[str, str], ...]:
     if not ids:
         return ()
-    from exactspline.display.statement import located
-    from exactspline.verification.claims import all_claims
+    from exactspline.verification.claims import all_claims, located
 
     keep = {claim for name in ids for claim in located(name)}
     return tuple((claim.paper, claim.key) for claim in all_claims() if claim in keep)

@@ -8,8 +8,8 @@ from exactspline.classroom.answers import Circle, Numbers, Parameters
 from exactspline.classroom.exercise import LARGEST, Drawn, cleared, drawn_points, knots_of, points_of, small
 from exactspline.classroom.parts import Math, Point
 from exactspline.exact import is_square, mpq, text
-from exactspline.geometry.features import inflections as inflections_of
-from exactspline.geometry.features import singular_points
+from exactspline.geometry import values_along
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -75,9 +75,9 @@ def inflections(rng: Random) -> Drawn:
     curve = Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], drawn_points(rng, 4, size=6))
     bend = curve.p[0].d() * curve.p[1].d(2) - curve.p[1].d() * curve.p[0].d(2)
     # most draws have irrational inflections: that is seen at little cost before the features are computed
-    if not _square_discriminant(bend) or singular_points(curve):
+    if not _square_discriminant(bend) or analyse(curve).singular_points:
         return None
-    found = [f for f in inflections_of(curve) if f.kind is FeatureKind.INFLECTION]
+    found = [f for f in analyse(curve).inflections if f.kind is FeatureKind.INFLECTION]
     parameters = tuple(f.root.exact for f in found if f.root.exact is not None)
     if not found or len(parameters) < len(found) or any(t.denominator > 6 for t in parameters):
         return None
@@ -124,8 +124,8 @@ def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
 def curvature(rng: Random) -> Drawn:
     """The curvature at an end of a Bézier curve."""
     curve, t = _with_rational_speed(rng)
-    value = curve.curvature(t)
-    if not isinstance(value, type(t)) or not value or max(value.denominator, abs(value.numerator)) > LARGEST:
+    value = values_along.curvature(curve, t).exact
+    if not value or max(value.denominator, abs(value.numerator)) > LARGEST:
         return None
     task = (
         f"A Bézier curve of degree {curve.degree} over [0, 1] has the control points ",

@@ -6,7 +6,7 @@ from random import Random
 
 from exactspline.classroom import algorithms, shapes
 from exactspline.classroom.exercise import Exercise, Topic
-from exactspline.errors import ExactSplineError, nearest, shown
+from exactspline.errors import ExactSplineError, as_text, nearest, shown
 
 TOPICS: dict[str, Topic] = {
     "evaluation": algorithms.evaluation,
@@ -48,7 +48,7 @@ def exercise(topic: str, seed: int) -> Exercise:
 
     Raises `TopicError` for an unknown topic, with the nearest ones, and for an invalid seed.
     """
-    if topic not in TOPICS:
+    if as_text(topic, "a topic") not in TOPICS:
         raise TopicError(
             f"there is no topic called {topic!r}", remedy=nearest(topic, TOPICS, listed_by="exactspline exercise")
         )

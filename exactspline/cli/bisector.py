@@ -17,9 +17,6 @@ if TYPE_CHECKING:
     from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
     from exactspline.splines.nurbs import Nurbs
 
-#: A longer equation is shown by its degree alone.
-LONGEST = 40
-
 
 class Row(NamedTuple):
     """One piece in the table."""
@@ -153,16 +150,17 @@ def _closing(found: CurveBisector) -> str:
 
 def _surface_row(patch: BisectorPatch) -> Row:
     from exactspline.display.bisector_data import counted, degree_of, sides_text
+    from exactspline.exact import short_text
 
     remark = f"{counted(patch.value)} control points"
     if max(patch.value.degree) == 0:
         point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
-        remark = f"one point: ({', '.join(map(str, point))})"
+        remark = f"one point: ({', '.join(map(short_text, point))})"
     return Row("surface", sides_text(patch.sides), degree_of(patch.value), remark)
 
 
 def _line_row(line: LineComponent, digits: int) -> Row:
-    from exactspline.display.bisector_data import shown
+    from exactspline.display.bisector_data import shown, sides_text
 
     degrees = {piece.surface.degree for piece in line.pieces}
     if line.pieces:
@@ -170,7 +168,7 @@ def _line_row(line: LineComponent, digits: int) -> Row:
     elif line.over_root is not None:
         own, (low, high) = line.over_root, line.over_root.interval
         degrees = {own.degree}
-        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in [{low}, {high}]"
+        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {sides_text([(low, high)])}"
     else:
         where = f"{len(line.real.branches)} branches"
     return Row("lines", _pairs(line.equation, line.sides, where), ", ".join(map(str, degrees)) or "–", str(line.cause))
@@ -195,10 +193,7 @@ def _pairs(equation: PairEquation | None, sides: Any, where: str) -> str:
 
     if equation is None:
         return f"all of {sides_text(sides)}"
-    m, n = (max(powers[i] for powers, _ in equation.terms) for i in (0, 1))
-    short = f"{equation.text} = 0"
-    told = short if len(short) <= LONGEST else f"equation of degree {m} × {n}"
-    return f"{told}: {where or sides_text(sides)}"
+    return f"{equation.short_text}: {where or sides_text(sides)}"
 
 
 # ---- a point and a curve
@@ -221,6 +216,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
 def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
     from exactspline.display.bisector_data import shown, trimmed_data
     from exactspline.display.plot.bisectors import plot_trimmed_bisector
+    from exactspline.exact import short_text
     from exactspline.geometry.bisector.trimmed import trimmed_bisector
 
     found = trimmed_bisector(c, point)
@@ -230,11 +226,11 @@ def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
             str(piece.kind),
             f"[{shown(piece.low, digits)}, {shown(piece.high, digits)}]",
             str(piece.value.degree),
-            "" if piece.foot is None else f"foot at {piece.foot}",
+            "" if piece.foot is None else f"foot at {short_text(piece.foot)}",
         )
         for piece in found.pieces
     ]
-    notes = [f"missing: {reason}" for reason in found.missing]
+    notes = [f"missing: {reason}" for reason in found.missing] + [f"left out: {what}" for what in found.left_out]
     return Answer(data, rows, f"{title}, trimmed", notes, lambda: plot_trimmed_bisector(found, c, point))
 
 

@@ -6,13 +6,14 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
 from exactspline.cli.output import is_quiet
-from exactspline.errors import CurveFileError, ExactSplineError, counted
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, counted
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ __all__ = [
     "loaded",
     "quiet_fonts",
     "standard_input",
+    "tell_notes",
     "tell_skipped",
     "tracked",
 ]
@@ -73,9 +75,13 @@ Exact = Annotated[bool, typer.Option("--exact", help="Show long fractions in ful
 def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:
     """The claims of papers, given by name or folder; of the default papers where none is given."""
     from exactspline.papers import named_papers
-    from exactspline.verification.claims import claims_in
+    from exactspline.verification.claims import claims_in, claims_of
 
-    return claims_in(named_papers(names or [], trust=trust))
+    sources = named_papers(names or [], trust=trust)
+    for source in sources:
+        if not claims_of(source):
+            raise ClaimError("states no claims", where=source.name, remedy="write them into claims.toml: [[claim]]")
+    return claims_in(sources)
 
 
 def load_curve(name: str) -> Nurbs:
@@ -91,46 +97,85 @@ def load_curve(name: str) -> Nurbs:
     return found[0]
 
 
+@dataclass(frozen=True)
+class Read:
+    """A curve that was read, and where: the name that was given for its file, and its number there."""
+
+    source: str
+    index: int
+    curve: Nurbs
+
+    def data(self) -> dict[str, object]:
+        """Which curve it is, as data."""
+        from exactspline.batch.corpus import curve_digest
+
+        return {"source": self.source, "index": self.index, "digest": curve_digest(self.curve)}
+
+
 def loaded(names: Iterable[str], given: bytes | None = None) -> tuple[list[Nurbs], bool]:
+    """The curves that can be read, and whether all could (see `read_curves`)."""
+    found, good = read_curves(names, given)
+    return [each.curve for each in found], good
+
+
+def read_curves(names: Iterable[str], given: bytes | None = None) -> tuple[list[Read], bool]:
     """The curves that can be read, and whether all could: a bad curve is reported, and the rest are read. `given` is
     standard input where it was read before.
     """
     from exactspline.display.console import show_error
 
-    curves, good = [], True
+    curves, good = list[Read](), True
     for name in names:
         try:
-            curves += curves_in(name, given)
+            found, complete = _found_in(name, given)
         except ExactSplineError as error:
             show_error(error)
             good = False
+        else:
+            curves += [Read(name, index, curve) for index, curve in enumerate(found)]
+            good = good and complete
     return curves, good
+
+
+def distinguish(rows: list[dict[str, object]]) -> None:
+    """See that keys of rows differ: where several curves have one name, their keys tell where they were read."""
+    times = Counter(row["key"] for row in rows)
+    for row in rows:
+        if times[row["key"]] > 1:
+            row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
 
 
 def curves_in(name: str, given: bytes | None = None) -> list[Nurbs]:
     """An example curve by its name, or the curves of a file in any format (``font.ttf:ampersand``; ``-`` for standard
-    input, `given` where it was read before); whatever is skipped is named on standard error.
+    input, `given` where it was read before); whatever is skipped is named on standard error, and so are notes.
     """
+    return _found_in(name, given)[0]
+
+
+def _found_in(name: str, given: bytes | None) -> tuple[list[Nurbs], bool]:
+    """The same, and whether no curve of the file is missing."""
     from exactspline.splines.examples import curve_from_text, load
 
     given = (standard_input() if given is None else given) if name == "-" else None
     part = name.rpartition(":")[0]
     if given is None and not Path(name).exists() and not (part and Path(part).exists()):
-        return [load(name)]
+        return [load(name)], True
     text = _head(name) if given is None else given
     if text is not None and len(text) < MAX_HEAD and not text.strip(_BLANK):
         raise CurveFileError("is empty", where=name, remedy="name a file of curves")
     if text is not None and _is_one_curve(text, name):
         # this reader takes what `derive` wrote, and its errors say more
-        return [load(name)] if given is None else [_at_standard_input(lambda: curve_from_text(_text(given), "stdin"))]
+        own = load(name) if given is None else _at_standard_input(lambda: curve_from_text(_text(given), "stdin"))
+        return [own], True
     from exactspline.interchange.files import read  # all formats: what is one of ours comes without them
 
     reading = read(name) if given is None else _at_standard_input(lambda: read(given))
     tell_skipped(reading)
+    tell_notes(reading)
     if not reading.curves:
         what = "nothing that is a curve" if reading.skipped else "no curves"
         raise CurveFileError(f"holds {what}", where=name, remedy="name a file of curves")
-    return [named.curve for named in reading.curves]
+    return [named.curve for named in reading.curves], reading.complete
 
 
 def standard_input() -> bytes:
@@ -176,8 +221,22 @@ def _is_one_curve(head: bytes, name: str) -> bool:
     return (begin == b"{" or (suffix == ".json" and begin != b"[")) and not _SEVERAL.search(head)
 
 
+def tell_notes(reading: Reading) -> None:
+    """Print the notes of a reader on standard error, each once, with the curve or the number of curves it is about."""
+    if is_quiet():
+        return
+    sys.stderr.writelines(f"note: {note}\n" for note in reading.notes)
+    about: dict[str, list[str]] = {}
+    for named in reading.curves:
+        for note in named.notes:
+            about.setdefault(note, []).append(named.name)
+    for note, names in about.items():
+        which = names[0] if len(names) == 1 else f"{len(names)} curves"
+        sys.stderr.write(f"note: {which}: {note}\n")
+
+
 def tell_skipped(reading: Reading) -> None:
-    """Print what a reader skipped, and its notes, on standard error."""
+    """Print what a reader skipped on standard error."""
     for (what, why), times in Counter((skipped.what, skipped.why) for skipped in reading.skipped).items():
         sys.stderr.write(f"skipped: {what}{f' ({times} times)' if times > 1 else ''}: {why}\n")
 
@@ -221,7 +280,9 @@ def described(c: Nurbs) -> str:
     kind = "polynomial" if c.polynomial else "rational"
     equal = " (equal weights)" if c.polynomial and any(w != 1 for w in c.weights) else ""
     segments, points = counted(c.segments, "segment"), counted(len(c.control_points), "control point")
-    return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}"
+    at_infinity = sum(w == 0 for w in c.weights)
+    remark = f", {at_infinity} of them of weight 0 (directions)" if at_infinity else ""
+    return f"{kind}{equal}, degree {c.degree}, {segments}, {points} in R{c.dimension}{remark}"
 
 
 def check_output(output: str, *inputs: str) -> None:

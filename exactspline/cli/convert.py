@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exactspline.cli.common import check_output, tell_skipped
+from exactspline.cli.common import check_output, tell_notes, tell_skipped
 from exactspline.cli.output import OptionsError, Output, printing
 
 if TYPE_CHECKING:
@@ -46,9 +46,7 @@ def convert(
     check_output(target, source.rpartition(":")[0] or source, source)
     reading = read(source, from_format or None, degree=degree, knots=knots.replace(",", " ").split() or None)
     tell_skipped(reading)
-    if out.for_people and not out.quiet:
-        for named in reading.curves:
-            sys.stderr.writelines(f"note: {named.name}: {note}\n" for note in named.notes)
+    tell_notes(reading)
     curves = [named for named in reading.curves if not only or named.name in only]
     if not curves:
         names = ", ".join(named.name for named in reading.curves[:10]) or "none"
@@ -60,7 +58,7 @@ def convert(
         sys.stdout.buffer.write(data)
     else:
         notes = write(curves, target, to_format or None, rounding=rounding)
-    rows = [_row(named, reading.format, target, [*named.notes, *notes]) for named in curves]
+    rows = [_row(named, reading.format, target, [*named.notes, *reading.notes, *notes]) for named in curves]
     skipped = [f"{s.where}: {s.what}: {s.why}" for s in reading.skipped]
     out.give(
         "convert",

@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import CURVE_HELP, also_in_their_planes, described, loaded, standard_input
+from exactspline.cli.common import (
+    CURVE_HELP,
+    Read,
+    also_in_their_planes,
+    described,
+    distinguish,
+    read_curves,
+    standard_input,
+)
 from exactspline.cli.output import OptionsError, Output, is_quiet, printing
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.choices import choice
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
+    from exactspline.questions.entry import Answered
 
 #: The word for all approaches, side by side.
 ALL = "all"
+#: The approach where none is named.
+MINIMAL = "minimal"
 
 
 @printing
@@ -32,9 +43,12 @@ def inspect(
     approach: Annotated[
         str,
         typer.Option(
-            "--approach", metavar="NAME", help="squaring, direct, reduced, lifted, minimal, or all side by side."
+            "--approach",
+            metavar="NAME",
+            help="Of curves: squaring, direct, reduced, lifted, minimal, or all side by side.",
+            show_default=MINIMAL,
         ),
-    ] = "minimal",
+    ] = "",
     plot: Annotated[
         str,
         typer.Option(
@@ -78,28 +92,40 @@ def inspect(
     if surfaces := [name for name in curve if is_surface(name, standard)]:
         if len(surfaces) < len(curve):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
-        given_options = {"--coordinates": coordinates, "--certificate": certificate, "--emit-coq": emit_coq}
+        given_options = {
+            "--approach": approach,
+            "--coordinates": coordinates,
+            "--certificate": certificate,
+            "--emit-coq": emit_coq,
+        }
         if refused := next((option for option, value in given_options.items() if value), ""):
             raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
         inspect_surfaces(out, surfaces, digits, plot, standard)
         return
+    approach = approach or MINIMAL
     if approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(curve) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
         _see_that_coq_can_name(emit_coq)
-    given, good = loaded(curve, standard)
+    found, good = read_curves(curve, standard)
+    given = [read.curve for read in found]
     if emit_coq and given:
         _emit(given[0], emit_coq)
-    inspected = [_inspected(c, approach, digits, coordinates) for c in also_in_their_planes(given)]
+    inspected = [
+        _inspected(replace(read, curve=c), approach, digits, coordinates)
+        for read in found
+        for c in also_in_their_planes([read.curve])
+    ]
+    distinguish([data for *_, data in inspected])
     if certificate:
         write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
     if plot and inspected:
         _draw(inspected, given, plot, ", ".join(curve))
     out.give(
         "inspect",
-        lambda: [{"key": f"{c.name} in R{c.dimension}"} | data for c, _, data in inspected],
+        lambda: [data for *_, data in inspected],
         lambda: [_sheet(c, data) for c, _, data in inspected],
         lambda: _print_all(out, inspected),
         by="curve",
@@ -145,14 +171,16 @@ def _print_all(out: Output, inspected: list[tuple[Any, Any, dict[str, Any]]]) ->
         console.legend(console.console(), ["κ", *(["τ"] if any(c.dimension == 3 for c, _, _ in inspected) else [])])
 
 
-def _inspected(c: Any, approach: str, digits: int, coordinates: bool) -> tuple[Any, Any, dict[str, Any]]:
+def _inspected(read: Read, approach: str, digits: int, coordinates: bool) -> tuple[Any, Any, dict[str, Any]]:
     """A curve, its inspection, and all of it as data."""
-    from exactspline.display.serialize import coordinate_extrema_data, groups_of, inspection_data
+    from exactspline.display.serialize import coordinate_extrema_data, inspection_data
     from exactspline.geometry.inspection import compare_approaches, inspect_curve
+    from exactspline.questions.answers import Places
 
+    c = read.curve
     found = inspect_curve(c, "minimal" if approach == ALL else approach)
-    with _ticking(sum(len(getattr(found, name)) for name in groups_of(c))) as tick:
-        data = inspection_data(c, found, digits, tick)
+    with _ticking(sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))) as tick:
+        data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found, digits, tick)
     if coordinates:
         data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
     if approach == ALL:
@@ -180,16 +208,16 @@ def _ticking(count: int) -> Any:
 
 
 def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
-    """The features of a curve, one a row."""
-    from exactspline.display.serialize import groups_of
+    """The features of a curve, one per row."""
     from exactspline.display.sheet import Sheet
+    from exactspline.questions.entry import Answered
 
     closed = ", closed" if c.closed else ""
     in_space = c.dimension == 3
     columns = ("what", "parameter", "exactly", "curvature", *(("torsion",) if in_space else ()), "remark")
     made = Sheet(*columns, title=f"{c.name}: {described(c)}{closed}", name=c.name, prose=["remark"], heads=2)
-    for group in groups_of(c):
-        for f in data[group]:
+    for group in _asked(c, Answered.PLACES):
+        for f in data[group]["points"]:
             kind = f["kind"] + (" of κ" if f["kind"] in ("maximum", "minimum") else "")
             absolute = f"{f['of_absolute']} of |κ|" if f["of_absolute"] and not in_space else ""
             at_knot = "at a knot, by a jump" if f["by_jump"] else "at a knot" if f["at_knot"] else ""
@@ -207,13 +235,23 @@ def _sheet(c: Any, data: dict[str, Any]) -> Sheet:
             made.add_row(
                 joint["kind"], joint["decimal"], joint["parameter"], joint["curvature"] or "", *empty, _remark(joint)
             )
-    for name, what in (("straight", "straight"), ("constant_curvature", "κ′ ≡ 0"), ("standing_still", "stands still")):
+    for name in _asked(c, Answered.PIECES):
         for piece in data[name]:
-            made.add_row(what, _intervals(piece), _intervals(piece), "", *empty, "")
-    for piece in data.get("planar", []):
+            made.add_row(PIECES.get(name, name), _intervals(piece), _intervals(piece), "", *empty, "")
+    for piece in data.get("planar_pieces", []):
         interval = _intervals(piece["intervals"])
         made.add_row("planar, τ ≡ 0", interval, interval, "", *empty, f"in the plane {piece['plane']}")
     return made
+
+
+def _asked(c: Any, answered: Answered) -> list[str]:
+    """The questions whose answers are shown, of those that consist of the same."""
+    from exactspline.geometry.analysis import questions_about
+
+    shown = {name: entry.about for name, entry in questions_about(c).items()}
+    return [
+        name for name, about in shown.items() if about.answered == answered and not about.part_of and not about.argument
+    ]
 
 
 def _print(c: Any, data: dict[str, Any]) -> None:
@@ -239,6 +277,8 @@ def _print(c: Any, data: dict[str, Any]) -> None:
 
 #: Characters of an exact number that a table shows.
 READABLE = 20
+#: What a table says of pieces of a curve, by the question that they answer.
+PIECES = {"straight_pieces": "straight", "constant_pieces": "κ′ ≡ 0", "standing_pieces": "stands still"}
 #: The kinds of joints with a row of their own; singular ones are among the singular points.
 TOLD = (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP)
 

@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from exactspline.cli.common import CURVE_HELP, loaded
+from exactspline.cli.common import CURVE_HELP, Read, distinguish, read_curves
 from exactspline.cli.output import OptionsError, Output, printing
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
-    from exactspline.splines.nurbs import Nurbs
 
 
 @printing
@@ -38,20 +37,22 @@ def oracle(
         return
     if not ask or not curve:
         raise OptionsError("nothing is asked", remedy="name a curve and --ask QUESTION, or see --list")
-    given, good = loaded(curve)
-    rows = [_answered(c, asked, digits, certificates) for c in given for asked in ask]
+    given, good = read_curves(curve)
+    rows = [_answered(read, asked, digits, certificates) for read in given for asked in ask]
+    distinguish(rows)
     out.give("oracle", lambda: rows, lambda: [_sheet(row, digits) for row in rows], by="answer")
     if not good or any(row["error"] for row in rows):
         raise typer.Exit(2)
 
 
-def _answered(c: Nurbs, asked: str, digits: int, certificates: bool) -> dict[str, Any]:
+def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[str, Any]:
     from exactspline.batch.oracle import oracle as ask_oracle
     from exactspline.batch.oracle import question_of
     from exactspline.batch.oracle_answers import answer_data
     from exactspline.errors import ExactSplineError
 
-    row: dict[str, Any] = {"key": f"{c.name}: {asked}", "curve": c.name}
+    c = read.curve
+    row: dict[str, Any] = {"key": f"{c.name}: {asked}", "curve": c.name} | read.data()
     question_of(asked)
     try:
         data = answer_data(ask_oracle(c, asked), digits)
@@ -81,9 +82,9 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
 def _between(number: dict[str, Any], digits: int) -> str:
     """An irrational number: the decimals that its certified interval makes certain, and dots."""
     from exactspline.exact import rational
-    from exactspline.roots.enclosure import Enclosure
+    from exactspline.reals.bounds import Bounds, certain
 
-    return Enclosure(rational(number["low"]), rational(number["high"]), digits).certain
+    return certain(Bounds(rational(number["low"]), rational(number["high"])), digits)
 
 
 def _shown(fact: object) -> str:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
 
 #: The version of every JSON document; it increases when a field changes its meaning or is removed.
-VERSION = 1
+VERSION = 2
 
 
 class OptionsError(ExactSplineError):
@@ -69,13 +69,18 @@ class Output:
         elif self.format == "csv":
             from exactspline.display.sheet import csv_of
 
-            sys.stdout.write(csv_of(sheets(), by))
+            sys.stdout.write(csv_of(sheets(), by, unchecked=unchecked()))
         elif self.format == "markdown":
-            sys.stdout.write("\n\n".join(sheet.markdown() for sheet in sheets()) + "\n")
-        elif people:
-            people()
+            from exactspline.display.sheet import in_markdown
+
+            told = [in_markdown(f"{RAN}: {', '.join(unchecked())}")] if unchecked() else []
+            sys.stdout.write("\n\n".join([*[sheet.markdown() for sheet in sheets()], *told]) + "\n")
         else:
-            self.show(sheets())
+            people() if people else self.show(sheets())
+            if unchecked():
+                from exactspline.display import console
+
+                console.lines(console.console(), f"{RAN}: {', '.join(unchecked())}", style="bold")
 
     def show(self, sheets: Sequence[Sheet], *more: str) -> None:
         """Tables one below the other, then the meaning of their columns and of `more` words."""
@@ -91,9 +96,23 @@ class Output:
             console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags, *more])
 
 
+#: What is said where formulas ran unchecked.
+RAN = "formulas that ran unchecked (--trust)"
+
+
+def unchecked() -> tuple[str, ...]:
+    """The files of formulas that this command ran as they stand."""
+    loading = sys.modules.get("exactspline.papers.loading")  # where it was not needed nothing ran
+    return loading.ran_unchecked() if loading else ()
+
+
 def document(schema: str, rows: Iterable[Mapping[str, object]]) -> dict[str, object]:
-    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version."""
-    return {"schema": f"exactspline/{schema}", "version": VERSION, "rows": list(rows)}
+    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version; where formulas ran
+    unchecked their files are named.
+    """
+    head: dict[str, object] = {"schema": f"exactspline/{schema}", "version": VERSION}
+    made = list(rows)
+    return head | ({"unchecked": list(unchecked())} if unchecked() else {}) | {"rows": made}
 
 
 def print_json(data: object) -> None:
@@ -118,6 +137,8 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         if len(chosen) > 1:
             raise OptionsError(f"--{chosen[0]} and --{chosen[1]}", remedy="choose one of them")
         _State.quiet = values.pop("quiet")
+        if loading := sys.modules.get("exactspline.papers.loading"):
+            loading.forget_what_ran()
         command(out=Output(chosen[0] if chosen else "text", _State.quiet), **values)
 
     hints = get_type_hints(command, include_extras=True)

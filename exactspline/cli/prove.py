@@ -71,7 +71,10 @@ Judge = Annotated[
 EmitCoq = Annotated[
     str,
     typer.Option(
-        "--emit-coq", metavar="DIR", help="Write the claims of equalities as theorems of Coq, and nothing else."
+        "--emit-coq",
+        metavar="DIR",
+        help="Write the claims of equalities as theorems of Coq, and nothing else; with --claim, --section or --paper "
+        "these alone.",
     ),
 ]
 Rows = Annotated[bool, typer.Option("--rows", help="Print every row of the ledger instead of the summary.")]
@@ -114,13 +117,17 @@ def prove(
     if identity:
         _identity(out, identity, trust)
         return
-    from exactspline.display.ledger import WORDS, word
-    from exactspline.verification.ledger import tasks
+    from exactspline.display.ledger import WORDS
+    from exactspline.verification.ledger import settled, tasks
 
     if emit_coq:
-        if claim or section or verdict or curve or surface or paper:
-            raise OptionsError("--emit-coq with a choice", remedy="leave it out: all theorems are written")
-        _emit(emit_coq)
+        if verdict or curve or surface:
+            raise OptionsError("--emit-coq with a verdict or a curve", remedy="a theorem holds for all: leave it out")
+        chosen_by = bool(claim or section or paper)
+        _emit(
+            emit_coq,
+            _of_sections(_named(claim or [], claims_of_papers(paper, trust)), section or []) if chosen_by else None,
+        )
         return
     wanted = [_word(each, WORDS) for each in verdict or []]
     claims = _of_sections(_named(claim or [], claims_of_papers(_papers(paper, curve, surface), trust)), section or [])
@@ -132,9 +139,9 @@ def prove(
     if judge and curves is not None:
         told = "--judge and --curve" if curve else "--judge and --surface"
         raise OptionsError(told, remedy="another judge decides for all: leave it out")
-    found = tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving")
+    found = settled(tracked(_judge(judge)(claims) if judge else tasks(claims, curves), "proving"))
     kernel = _kernel(claims) if judge == "coq" else None
-    chosen = [row for row in found if not wanted or word(row) in wanted]
+    chosen = [row for row in found if not wanted or row.verdict in wanted]
     if html:
         from exactspline.display.ledger_page import write_page
 
@@ -177,7 +184,7 @@ def _surfaces(names: Sequence[str]) -> tuple[list[NurbsSurface], bool]:
 
 def _named(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
     """The claims with these ids or places, in the order of the papers; all of them for none."""
-    from exactspline.display.statement import located
+    from exactspline.verification.claims import located
 
     keep = {claim for name in ids for claim in located(name, claims)}
     return [claim for claim in claims if not ids or claim in keep]
@@ -196,8 +203,8 @@ def _identity(out: Output, text: str, trust: bool) -> None:
 def _sheet(found: Proof) -> Sheet:
     from exactspline.display.sheet import Sheet
 
-    made = Sheet("left", "factor", "right", "holds", "quotient")
-    made.add_row(found.left, found.factor, found.right, "yes" if found else "no", str(found.quotient or "–"))
+    made = Sheet("left", "factor", "right", "verdict", "quotient")
+    made.add_row(found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
     return made
 
 
@@ -227,14 +234,14 @@ def _kernel(claims: Sequence[Claim]) -> dict[tuple[str, str], str]:
     return {key: str(opinion) for key, opinion in opinions(claims).items()}
 
 
-def _emit(directory: str) -> None:
+def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
     """Write the theorems, and print their number and which claims have none."""
     from pathlib import Path
 
     from exactspline.display import console
     from exactspline.verification.coq.emission import emit
 
-    made = emit(Path(directory))
+    made = emit(Path(directory), claims)
     shown = console.console()
     theorems = [each for own in made.theorems.values() for each in own if not each.reason]
     console.lines(shown, f"{len(theorems)} theorems in {len(made.files)} files, listed in {directory}/_CoqProject")
@@ -293,10 +300,8 @@ class _Ledger:
         from exactspline.display.ledger import keyed
 
         return [
-            row.data()
-            | {"key": key, "claim": row.key, "verdict": word, "as_recorded": row.as_recorded}
-            | self._said(row)
-            for key, word, row in keyed(self.rows)
+            row.data() | {"key": key, "claim": row.key, "as_recorded": row.as_recorded} | self._said(row)
+            for key, row in keyed(self.rows)
         ]
 
     def _said(self, row: Row) -> dict[str, object]:
@@ -336,9 +341,9 @@ class _Ledger:
             console.legend(shown, self._words())
 
     def _words(self) -> list[str]:
-        from exactspline.display.ledger import WORDS, word
+        from exactspline.display.ledger import WORDS
 
-        present = set(map(word, self.rows))
+        present = {row.verdict for row in self.rows}
         return [each for each in WORDS if each in present]
 
     def _summary(self, shown: Console) -> None:
@@ -398,6 +403,7 @@ class _Ledger:
         from exactspline.display import console
         from exactspline.display.ledger import by_section, ledger, reasons
         from exactspline.splines.nurbs import Nurbs
+        from exactspline.verification.check_arguments import is_tried_whole
         from exactspline.verification.verdict import REFUTED
 
         for i, c in enumerate(self.curves or []):
@@ -406,8 +412,8 @@ class _Ledger:
             on_surface = not isinstance(c, Nurbs)
             title = f"{c.name}: {described(c) if isinstance(c, Nurbs) else _described_surface(c)}"
             own = [row for row in self.rows if row.curve == c.name]
-            if own and not isinstance(c, Nurbs) and c.patches != (1, 1):
-                title += "; checked on the first patch"
+            if own and not isinstance(c, Nurbs) and not is_tried_whole(c):
+                title += "; tried on the first patch"
             if not own:
                 console.lines(shown, title)
             elif listed:

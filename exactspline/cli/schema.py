@@ -36,7 +36,28 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     found: dict[str, dict[str, dict[str, object]]] = json.loads(text)
+    found["inspect"] |= answers()
     return found
+
+
+def answers() -> dict[str, dict[str, object]]:
+    """The fields of an inspection: the questions that it answers, each with the form of its answer."""
+    from exactspline.geometry.analysis import QUESTIONS
+    from exactspline.questions.entry import CURVES, Answered
+
+    listed: dict[str, object] = {"type": "array"}
+    fields = {"points": listed, "everywhere": listed}
+    forms: dict[Answered, dict[str, object]] = dict.fromkeys(Answered, listed) | {
+        Answered.PLACES: {"type": "object", "required": [*fields], "additionalProperties": False, "properties": fields},
+        Answered.PLANE: {"type": ["null", "string"]},
+    }
+    return {
+        name: forms[entry.about.answered]
+        | {"description": entry.meaning}
+        | ({} if entry.about.of == CURVES else {"optional": True})
+        for name, entry in QUESTIONS.items()
+        if not entry.about.part_of and not entry.about.argument
+    }
 
 
 def schema_of(name: str) -> dict[str, object]:
@@ -70,6 +91,7 @@ def schema_of(name: str) -> dict[str, object]:
         "properties": {
             "schema": {"const": f"exactspline/{name}"},
             "version": {"const": VERSION},
+            "unchecked": {"type": "array", "items": {"type": "string"}},
             "rows": {"type": "array", "items": row},
         },
     }

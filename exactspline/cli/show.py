@@ -34,7 +34,7 @@ def show(
     """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
     source.
     """
-    from exactspline.display.statement import located
+    from exactspline.verification.claims import located
     from exactspline.verification.statement import statement
 
     claims = claims_of_papers(paper, trust)

@@ -34,9 +34,9 @@ def _completed(given: str) -> list[str]:
 
 
 def _inspections(given: str) -> list[str]:
-    from exactspline.batch.inspections import INSPECTIONS
+    from exactspline.batch.inspections import asked_by_sweeps
 
-    return [name for name in [*INSPECTIONS, "all"] if name.startswith(given)]
+    return [name for name in [*asked_by_sweeps(), "all"] if name.startswith(given)]
 
 
 def _backends(given: str) -> list[str]:
@@ -68,8 +68,8 @@ Find = Annotated[
     typer.Option(
         "--find",
         metavar="WHAT",
-        help="inflections, extrema, corners, critical_points, singular_points, joints, straight_pieces, "
-        "constant_pieces, torsion_zeros, or all. May be repeated. [default: inflections, extrema, corners]",
+        help="A question (see `oracle --list`: those without an argument about points, joints or pieces), or all. "
+        "May be repeated. [default: inflections, curvature_extrema, corners]",
         autocompletion=_inspections,
     ),
 ]
@@ -122,6 +122,7 @@ def sweep(
     gives a line with its error. After a kill or an interruption, the same command continues where it stopped.
     """
     from exactspline.batch.backends import check_backend
+    from exactspline.batch.families import Family
     from exactspline.batch.recorded import Where, recorded
     from exactspline.batch.summary import Summary
     from exactspline.batch.work import Work
@@ -129,7 +130,8 @@ def sweep(
     sources, work = _sources(corpus or [], random or []), Work.of(find, claim or (), digits)
     check_backend(backend)
     quiet_fonts()
-    summary, where, to_stdout = Summary(), Where(backend, jobs, scheduler), output == "-"
+    families = frozenset(str(source) for source in sources if isinstance(source, Family))
+    summary, where, to_stdout = Summary(families), Where(backend, jobs, scheduler), output == "-"
     start = monotonic()
     with _interruptible() as stopped:
         with _progress() as tick:

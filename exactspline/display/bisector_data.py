@@ -8,7 +8,8 @@ from typing import Any
 from flint import arb
 
 from exactspline.display.serialize import decimal_of, piece_data
-from exactspline.exact import Number, mpq, text
+from exactspline.errors import ReachError
+from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.components import (
     Branch,
     LineComponent,
@@ -83,7 +84,7 @@ def control_net(splines: list[TensorSpline]) -> Data:
 
 def equation_data(equation: PairEquation) -> Data:
     """An equation between s and t: as text, and its integers ``[power of s, power of t, integer]``."""
-    return {"text": f"{equation.text} = 0", "terms": [[i, j, str(x)] for (i, j), x in equation.terms]}
+    return {"text": f"{equation.text} = 0", "terms": [[i, j, text(x)] for (i, j), x in equation.terms]}
 
 
 def _line_data(line: LineComponent, digits: int) -> Data:
@@ -232,7 +233,10 @@ def point_bisector_data(found: PointBisector, digits: int) -> Data:
 def trimmed_data(found: TrimmedBisector, digits: int) -> Data:
     """The pieces of the true bisector of a point and a plane curve."""
     pieces = [_trimmed_piece_data(piece, digits) for piece in found.pieces]
-    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(found.missing)}
+    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(found.missing)} | {
+        "left_out": list(found.left_out),
+        "complete": not found.left_out,
+    }
 
 
 def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
@@ -248,18 +252,23 @@ def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
 
 
 def parameter_data(t: Parameter, digits: int) -> Data:
-    """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first); an interval
-    that isolates it, and so many digits.
+    """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first; where
+    factoring is out of reach a multiple of it); an interval that isolates it, and so many digits.
     """
     root = t if isinstance(t, Root) else knot_root(t)
-    minimal = root.minimal_polynomial()
     low, high = root.refine(digits)
     head: Data = {
         "parameter": None if root.exact is None else text(root.exact),
         "interval": [text(low), text(high)],
         "decimal": decimal_of(root, digits),
     }
-    return head if root.exact is not None else head | {"polynomial": [str(x) for x in minimal]}
+    if root.exact is not None:
+        return head
+    try:
+        polynomial = root.minimal_polynomial()
+    except ReachError:
+        polynomial = root.polynomial
+    return head | {"polynomial": [text(x) for x in polynomial]}
 
 
 # ---- for people
@@ -292,4 +301,4 @@ def sides_text(sides: Sequence[Sequence[Number]]) -> str:
     >>> sides_text([(0, 1), (2, 3)])
     '[0, 1] × [2, 3]'
     """
-    return " × ".join(f"[{a}, {b}]" for a, b in sides)
+    return " × ".join(f"[{short_text(rational(a))}, {short_text(rational(b))}]" for a, b in sides)

@@ -30,7 +30,7 @@ def code_lines(line: str, width: int) -> list[str]:
             lines.append(current if depth else f"{current} \\")
             current, empty = INDENT, True
         parts = [token]
-        if token[0] in "\"'" and depth and cell_len(current + token) > width:
+        if token[0] in "\"'" and "\\" not in token and depth and cell_len(current + token) > width:
             parts = _split_text(token, max(4, width - len(INDENT)))
             lines += [f"{INDENT}{part}" for part in parts[:-1]]
         current, empty = current + ("" if empty else blank) + parts[-1], False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from exactspline.display.sheet import Sheet
 from exactspline.splines.nurbs import Nurbs
@@ -53,13 +53,15 @@ def formula_degree_sheet(rows: Iterable[FormulaDegrees]) -> Sheet:
     return made
 
 
-def patch_sheet(rows: Iterable[PatchRow], degrees: tuple[int, int]) -> Sheet:
+def patch_sheet(rows: Sequence[PatchRow], degrees: tuple[int, int]) -> Sheet:
     """Formulas of surfaces on patches of one bidegree."""
     numbers = ("nominal", "reduced", "attained")
     title = f"Formulas on patches of degree {degrees[0]} × {degrees[1]}"
-    made = Sheet("formula", "patches", *numbers, title=title, numbers=numbers, heads=2)
+    remark = ["not known because"] if any(row.missing for row in rows) else []
+    made = Sheet("formula", "patches", *numbers, *remark, title=title, numbers=numbers, prose=remark, heads=2)
     for row in rows:
-        made.add_row(row.formula, row.patches, _pair(row.naive), _pair(row.true), _pair(row.attained))
+        known = (NOTHING, NOTHING) if row.missing else (_pair(row.true), _pair(row.attained))
+        made.add_row(row.formula, row.patches, _pair(row.naive), *known, row.missing)
     return made
 
 

@@ -8,6 +8,7 @@ from functools import cache
 from importlib import resources
 
 from exactspline.errors import ExactSplineError, nearest
+from exactspline.geometry.analysis import QUESTIONS
 
 
 class GlossaryError(ExactSplineError):
@@ -21,7 +22,8 @@ def glossary() -> dict[str, dict[str, str]]:
     >>> glossary()["verdicts"]["REFUTED"]
     'it fails, and a witness shows where'
     """
-    return tomllib.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
+    written = tomllib.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
+    return written | {"questions": {name.replace("_", " "): entry.meaning for name, entry in QUESTIONS.items()}}
 
 
 @cache

@@ -19,23 +19,14 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import name_of, numbered
 from exactspline.verification.kinds import DegreeClaim, Identity, Vanishing
-from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Row
-from exactspline.verification.verdict import VACUOUS as VACUOUS_WITNESS
-from exactspline.verification.vocabulary import ArgumentKind, Status
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED, Row
+from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 
-VACUOUS, INAPPLICABLE = "VACUOUS", "INAPPLICABLE"
 #: The words of the verdict column, in the order of the tables.
-WORDS = (PROVED, VERIFIED, REFUTED, UNDECIDED, VACUOUS, INAPPLICABLE)
+WORDS = tuple(Verdict)
 HOLDS = (PROVED, VERIFIED)
 #: The last two groups of the summary.
 MEANT, OURS = "as it must read", "beyond the paper"
-
-
-def word(row: Row) -> str:
-    """The verdict in one word: vacuous where there is nothing to decide, which is not undecided."""
-    if row.verdict == UNDECIDED and row.witness == VACUOUS_WITNESS:
-        return VACUOUS
-    return INAPPLICABLE if row.verdict == UNDECIDED and row.witness.startswith(OUTSIDE) else str(row.verdict)
 
 
 @cache
@@ -65,9 +56,9 @@ def section(claim: Claim) -> str:
 def found(row: Row) -> str:
     """The result in one phrase: an identity as ``left = factor · right``."""
     claim = claim_of(row)
-    if word(row) == INAPPLICABLE:
-        return f"{row.computed or 'nothing'}: {row.witness.removeprefix(OUTSIDE)}"
-    if word(row) == VACUOUS:
+    if row.verdict == INAPPLICABLE:
+        return f"{row.computed or 'nothing'}: {row.witness}"
+    if row.verdict == VACUOUS:
         return "nothing to decide here"
     if isinstance(claim, Identity) and row.factor and (row.verdict != REFUTED or not row.curve):
         left, right = name_of(claim, claim.left), name_of(claim, claim.right)
@@ -82,7 +73,7 @@ def found(row: Row) -> str:
 
 def witness(row: Row, digits: int = 0, *, exact: bool = False) -> str:
     """The place where a row fails, unless `found` says so already."""
-    if word(row) in (VACUOUS, INAPPLICABLE) or row.witness.startswith("the exact quotient is"):
+    if row.verdict in (VACUOUS, INAPPLICABLE) or row.witness.startswith("the exact quotient is"):
         return ""
     said = re.fullmatch(r"-?\d+, not -?\d+", row.witness)
     return "" if said else decimals(row.witness, digits, exact=exact)
@@ -104,7 +95,7 @@ def ledger(
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {row.expected})"
         says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
-        made.add_row(word(row) + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact), *says)
+        made.add_row(row.verdict + mark, row.id, row.statement, found(row), witness(row, digits, exact=exact), *says)
     return made
 
 
@@ -113,7 +104,7 @@ def by_section(rows: Iterable[Row]) -> Sheet:
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         claim = claim_of(row)
-        counts[MEANT if claim.status == Status.MEANT else section(claim)][word(row)] += 1
+        counts[MEANT if claim.status == Status.MEANT else section(claim)][row.verdict] += 1
     words = [w for w in WORDS if any(c[w] for c in counts.values())]
     made = Sheet("section", "statements", *words, numbers=("statements", *words))
     last = [name for name in (MEANT, OURS) if name in counts]
@@ -128,7 +119,7 @@ def by_curve(rows: Sequence[Row]) -> Sheet:
     """Counts of verdicts, curve by curve."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
-        counts[row.curve][word(row)] += 1
+        counts[row.curve][row.verdict] += 1
         counts[row.curve]["as recorded"] += row.as_recorded
     words = [w for w in WORDS if any(c[w] for c in counts.values())]
     made = Sheet("curve", *words, "as recorded", numbers=words)
@@ -206,7 +197,7 @@ def closing(rows: Sequence[Row]) -> str:
     """The last line: how many verdicts there are of each kind and whether any differs from the record."""
     if not rows:
         return "no verdicts"
-    counts = Counter(map(word, rows))
+    counts = Counter(row.verdict for row in rows)
     differ = sum(not row.as_recorded for row in rows)
     parts = ", ".join(f"{counts[w]} {w}" for w in WORDS if counts[w])
     end = f"{differ} DIFFER from the record" if differ else "all as recorded"
@@ -219,21 +210,24 @@ def said(row: Row) -> str:
 
 
 def headline(rows: Sequence[Row]) -> str:
-    """The answer in a sentence: how many statements of the paper are refuted, on how many rows, and how many hold."""
+    """The answer in a sentence: how many statements of the paper are refuted, on how many rows, how many hold, and what
+    is neither.
+    """
     printed = [row for row in rows if row.status == Status.PRINTED]
     general = Counter(row.verdict for row in printed if not row.curve)
     lines = sum(row.verdict == REFUTED for row in printed)
     holds = sum(general[verdict] for verdict in HOLDS)
     told = f"{counted(general[REFUTED], 'statement')} of the paper refuted on {counted(lines, 'row')}; {holds} hold"
-    return told + (f"; {general[UNDECIDED]} undecided" if general[UNDECIDED] else "; none is undecided")
+    rest = [f"{general[v]} {v.lower()}" for v in Verdict if general[v] and v not in (*HOLDS, REFUTED)]
+    return "; ".join([told, ", ".join(rest) if rest else "none is undecided"])
 
 
-def keyed(rows: Iterable[Row]) -> list[tuple[str, str, Row]]:
-    """Every row with a unique key and its verdict in one word."""
+def keyed(rows: Iterable[Row]) -> list[tuple[str, Row]]:
+    """Every row with a unique key."""
     seen: Counter[str] = Counter()
     told = []
     for row in rows:
         base = f"{row.paper}/{row.key} on {row.curve or 'all curves'}"
         seen[base] += 1
-        told.append((base if seen[base] == 1 else f"{base} ({seen[base]})", word(row), row))
+        told.append((base if seen[base] == 1 else f"{base} ({seen[base]})", row))
     return told

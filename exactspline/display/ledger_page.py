@@ -7,7 +7,7 @@ from html import escape
 
 from exactspline.atomic_write import write_atomically
 from exactspline.display.glossary import explained
-from exactspline.display.ledger import WORDS, claim_of, closing, found, headline, section, witness, word
+from exactspline.display.ledger import WORDS, claim_of, closing, found, headline, section, witness
 from exactspline.verification.verdict import Row
 
 _STYLE = """
@@ -16,6 +16,7 @@ table{border-collapse:collapse;width:100%}th,td{text-align:left;vertical-align:t
 th{border-bottom:1px solid #999;position:sticky;top:0;background:#fff}
 td{border-bottom:1px solid #eee;overflow-wrap:anywhere}
 .PROVED{color:#00694d}.VERIFIED{color:#0060a0}.REFUTED{color:#b34700}.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:#666}
+.CONTRADICTION{color:#b00020}
 td:first-child{font-weight:600}form{display:flex;flex-wrap:wrap;gap:1rem;margin:1rem 0}label{display:flex;gap:.4rem}
 input,select{font:inherit}dt{font-weight:600}
 """
@@ -38,7 +39,7 @@ def page(rows: Sequence[Row]) -> str:
     >>> "<title>" in text, "http" in text
     (True, False)
     """
-    words = [w for w in WORDS if any(word(row) == w for row in rows)]
+    words = [w for w in WORDS if any(row.verdict == w for row in rows)]
     sections = list(dict.fromkeys(section(claim_of(row)) for row in rows))
     curves = list(dict.fromkeys(_curve(row) for row in rows))
     choices = (("verdict", words), ("section", sections), ("curve", curves))
@@ -49,11 +50,18 @@ def page(rows: Sequence[Row]) -> str:
         '<!doctype html><html lang="en"><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>Ledger</title><style>{_STYLE}</style>"
-        f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>"
+        f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>{_unchecked(rows)}"
         f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
         f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
         f"<dl>{told}</dl><script>{_SCRIPT}</script></html>\n"
     )
+
+
+def _unchecked(rows: Sequence[Row]) -> str:
+    """Which papers' formulas ran as they stand."""
+    papers = dict.fromkeys(claim_of(row).source_paper for row in rows)
+    names = ", ".join(source.name for source in papers if source.trusted)
+    return f"<p><b>Formulas that ran unchecked (--trust): {escape(names)}</b></p>" if names else ""
 
 
 def write_page(path: str, rows: Sequence[Row]) -> None:
@@ -72,7 +80,7 @@ def _select(name: str, values: Sequence[str]) -> str:
 
 
 def _row(row: Row) -> str:
-    told = word(row)
+    told = row.verdict
     data = {"verdict": told, "section": section(claim_of(row)), "curve": _curve(row)}
     attributes = "".join(f' data-{name}="{escape(value)}"' for name, value in data.items())
     cells = (row.id, row.source, _curve(row), row.statement, found(row), witness(row))

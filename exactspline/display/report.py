@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.atomic_write import write_atomically
 from exactspline.display.glossary import explained
-from exactspline.display.ledger import HOLDS, WORDS, closing, found, witness, word
+from exactspline.display.ledger import HOLDS, WORDS, closing, found, witness
 from exactspline.papers import Paper
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
@@ -72,14 +72,14 @@ def summary(claims: Sequence[Claim], rows: Iterable[Row]) -> str:
 
 
 def _words(rows: Iterable[Row]) -> list[str]:
-    present = set(map(word, rows))
+    present = {row.verdict for row in rows}
     return [each for each in WORDS if each in present]
 
 
 def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     own = [row for row in rows if (row.paper, row.key) == (claim.paper, claim.key)]
     general = next((row for row in own if not row.curve), None)
-    verdict = word(general) if general else ""
+    verdict = general.verdict if general else ""
     told = [
         ("printed", f"“{claim.words}”" if claim.words else ""),
         ("claimed", claim.claims),
@@ -102,7 +102,7 @@ def _on_curves(rows: Iterable[Row]) -> str:
     lines: dict[tuple[str, str], list[str]] = {}
     for row in rows:
         if row.curve:
-            lines.setdefault((word(row), witness(row)), []).append(row.curve)
+            lines.setdefault((row.verdict, witness(row)), []).append(row.curve)
     if not lines:
         return ""
     cells = "".join(

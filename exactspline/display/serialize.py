@@ -6,23 +6,23 @@ from collections.abc import Callable
 from typing import Any
 
 from exactspline.errors import ExactSplineError
-from exactspline.exact import mpq
+from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.derived import Derived
-from exactspline.geometry.enclosures import curvature_value, torsion_value
-from exactspline.geometry.extent import turning_points
 from exactspline.geometry.inspection import Inspection
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import CurvePiece, Feature, Interval
+from exactspline.geometry.kinds import Feature
+from exactspline.geometry.planarity import Plane
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.questions.answers import CurvePiece, Interval, Places
+from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.surd import Surd, significant
 from exactspline.splines.values import SplineVector
 
 
@@ -42,10 +42,10 @@ def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
         "of_absolute": str(f.of_absolute or ""),
         "angle": angle_data(joint.angle if joint else None, digits),
     }
-    if f.form != "D1":
-        data["curvature"] = value_of(curvature_value, curve, f.root, digits)
+    if not f.kind.is_singular:
+        data["curvature"] = value_of(values_along.curvature, curve, f.root, digits)
         if curve.dimension == 3:
-            data["torsion"] = value_of(torsion_value, curve, f.root, digits)
+            data["torsion"] = value_of(values_along.torsion, curve, f.root, digits)
     return data
 
 
@@ -56,12 +56,7 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
     if angle is None:
         return None
     degrees = str(nstr(angle.degrees(digits), digits, strip_zeros=True)).removesuffix(".0")
-    return {"cosine": exactly(angle.cosine), "sine": exactly(angle.sine), "degrees": degrees}
-
-
-def exactly(number: mpq | Surd) -> str:
-    """A number ``a√b`` with an ASCII minus sign."""
-    return str(number).replace("−", "-")
+    return {"cosine": str(angle.cosine), "sine": str(angle.sine), "degrees": degrees}
 
 
 def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
@@ -79,12 +74,12 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
         "at_seam": joint.at_seam,
         "geometric_continuity": joint.order,
         "angle": angle_data(joint.angle, digits),
-        "gap": None if joint.gap is None else exactly(joint.gap),
+        "gap": None if joint.gap is None else str(joint.gap),
         "gap_decimal": None
         if joint.gap is None
-        else str(nstr(significant(joint.gap, digits + 8), digits, strip_zeros=True)),
-        "curvatures": [exactly(x) for x in joint.curvatures] if joint.curvatures is not None else None,
-        "curvature": value_of(curvature_value, curve, root, digits) if jump else None,
+        else str(nstr(joint.gap.significant(digits + 8), digits, strip_zeros=True)),
+        "curvatures": [str(x) for x in joint.curvatures] if joint.curvatures is not None else None,
+        "curvature": value_of(values_along.curvature, curve, root, digits) if jump else None,
     }
 
 
@@ -99,7 +94,7 @@ def decimal_of(root: Root, digits: int) -> str:
         )
 
 
-def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, root: Root, digits: int) -> str:
+def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
     """κ or τ at a root to so many significant digits, 0 where it is exactly 0; at a joint the limits from both sides
     where they differ; the reason where there is none.
     """
@@ -111,7 +106,7 @@ def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, 
     def shown(side: Side | str) -> str:
         at = root if joint is None else knot_root(facts.sides(root.low)[side == Side.RIGHT])
         with mp.workdps(digits + 10):
-            value = quantity(curve, at, digits + 8, side)
+            value = quantity(curve, at, side).significant(digits + 8)
             return str(nstr(value, digits, strip_zeros=True)) if value else "0"
 
     try:
@@ -124,29 +119,37 @@ def value_of(quantity: Callable[[Nurbs, Root, int, str], object], curve: Nurbs, 
 def inspection_data(
     curve: Nurbs, found: Inspection, digits: int, tick: Callable[[], None] = lambda: None
 ) -> dict[str, object]:
-    """The whole inspection as data; `tick` is called after every feature.
-
-    A piece is the list of its intervals: two where it runs across the seam of a closed curve.
+    """The whole inspection as data, each answer under the name of its question (see `answer_data`); `tick` is called
+    after every feature.
     """
-    groups = {name: getattr(found, name) for name in groups_of(curve)}
     data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
-    for name, features in groups.items():
-        data[name] = []
-        for f in features:
-            data[name].append(feature_data(curve, f, digits))
+    return data | {name: answer_data(curve, answer, digits, tick) for name, answer in found.answers.items()}
+
+
+def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], None] = lambda: None) -> object:
+    """The answer to a question as data: points one by one, and the intervals on which all are; joints; pieces, each as
+    the list of its intervals (two where it runs across the seam of a closed curve), planar ones with their planes.
+    """
+    if isinstance(answer, Places):
+        points = []
+        for f in answer:
+            points.append(feature_data(curve, f, digits))
             tick()
-    data["joints"] = [joint_data(curve, joint, digits) for joint in found.joints]
-    data |= {
-        "straight": [intervals_data(piece) for piece in found.straight],
-        "constant_curvature": [intervals_data(piece) for piece in found.constant],
-        "standing_still": [intervals_data(piece) for piece in found.standing],
-    }
-    if curve.dimension == 3:
-        data["planar"] = [
-            {"intervals": intervals_data(piece), "plane": str(lies_in)} for piece, lies_in in found.planar
-        ]
-        data["plane"] = str(found.plane) if found.plane else None
-    return data
+        return {"points": points, "everywhere": [intervals_data(piece) for piece in answer.everywhere]}
+    return [_element_data(curve, each, digits) for each in answer] if isinstance(answer, tuple) else _text(answer)
+
+
+def _text(answer: object) -> str | None:
+    return None if answer is None else str(answer)
+
+
+def _element_data(curve: Nurbs, each: Joint | CurvePiece | tuple[CurvePiece, Plane], digits: int) -> object:
+    if isinstance(each, Joint):
+        return joint_data(curve, each, digits)
+    if isinstance(each, CurvePiece):
+        return intervals_data(each)
+    piece, lies_in = each
+    return {"intervals": intervals_data(piece), "plane": str(lies_in)}
 
 
 def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]]:
@@ -154,18 +157,13 @@ def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]
     return [
         feature_data(curve, f, digits) | {"coordinate": axis}
         for axis in range(curve.dimension)
-        for f in turning_points(curve, axis)
+        for f in analyse(curve).turning_points(axis)
     ]
 
 
 def intervals_data(piece: CurvePiece) -> list[list[str]]:
     """The intervals of a piece."""
     return [[str(a), str(b)] for a, b in piece.parts]
-
-
-def groups_of(curve: Nurbs) -> tuple[str, ...]:
-    """The lists of features of an `Inspection` that a curve has."""
-    return ("singular_points", "inflections", "critical", *(("torsion",) if curve.dimension == 3 else ()))
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, object]:

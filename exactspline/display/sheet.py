@@ -5,6 +5,7 @@ also as CSV and Markdown.
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from io import StringIO
 
@@ -23,7 +24,13 @@ NARROWEST = 24
 #: In a pipe a longer cell shifts only its own row.
 LONGEST_ALIGNED = 72
 #: Colours of verdicts, which are also given in words.
-COLOURS = {"PROVED": "bold green", "VERIFIED": "green", "REFUTED": "bold magenta", "UNDECIDED": "yellow"}
+COLOURS = {
+    "PROVED": "bold green",
+    "VERIFIED": "green",
+    "REFUTED": "bold magenta",
+    "UNDECIDED": "yellow",
+    "CONTRADICTION": "bold red",
+}
 
 
 class Sheet:
@@ -188,9 +195,35 @@ class Sheet:
         | \|κ\| | 2 |
         """
         rules = ["---:" if name in self.numbers else "---" for name in self.columns]
-        rows = [self.columns, rules, *[[cell.replace("|", "\\|") for cell in row] for row in self.rows]]
-        head = f"**{self.title}**\n\n" if self.title else ""
+        rows = [self.columns, rules, *[[in_markdown(cell) for cell in row] for row in self.rows]]
+        head = f"**{in_markdown(self.title)}**\n\n" if self.title else ""
         return head + "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+#: What has a meaning in a cell of Markdown: HTML, the end of a cell, the address of a link.
+_MEANT = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "\\|", "](": "]\\(", "\n": " ", "\r": " "}
+#: How a text begins that a spreadsheet computes.
+_COMPUTED = tuple("=+-@\t\r")
+#: A number as it is printed, cut or not, a fraction, an infinite one.
+_NUMBER = re.compile(r"[-+−]?(∞|[\d.,/…]+([eE][-+]?\d+)?)")
+
+
+def in_markdown(text: str) -> str:
+    r"""A text in a cell of Markdown, where it means nothing but itself.
+
+    >>> in_markdown("<img src=x> a | b [here](http://x)")
+    '&lt;img src=x&gt; a \\| b [here]\\(http://x)'
+    """
+    return re.sub(r"[&<>|\n\r]|\]\(", lambda found: _MEANT[found[0]], text)
+
+
+def in_csv(text: str) -> str:
+    """A text in a cell of a spreadsheet, which would compute what begins like a formula; numbers stay as they are.
+
+    >>> in_csv("=1+1"), in_csv("-x"), in_csv("-1/2"), in_csv("x = 1")
+    ("'=1+1", "'-x", '-1/2', 'x = 1')
+    """
+    return f"'{text}" if text[:1] in _COMPUTED and not _NUMBER.fullmatch(text) else text
 
 
 def longest_word(cells: Iterable[str]) -> int:
@@ -198,8 +231,9 @@ def longest_word(cells: Iterable[str]) -> int:
     return max((cell_len(word) for cell in cells for word in words_in(cell)), default=0)
 
 
-def csv_of(sheets: Sequence[Sheet], by: str = "") -> str:
+def csv_of(sheets: Sequence[Sheet], by: str = "", unchecked: Sequence[str] = ()) -> str:
     """Several tables with the same columns as one text of comma-separated values; `by` heads the column of their names.
+    Where files of formulas ran `unchecked`, a last column names them.
 
     >>> sheet = Sheet("form", "degree", name="circle")
     >>> sheet.add_row("f2", "3")
@@ -209,7 +243,10 @@ def csv_of(sheets: Sequence[Sheet], by: str = "") -> str:
     out = StringIO()
     writer = csv.writer(out, lineterminator="\n")
     if sheets:
-        writer.writerow([*([by] if by else []), *sheets[0].columns])
+        writer.writerow([*([by] if by else []), *sheets[0].columns, *(["unchecked"] if unchecked else [])])
     for sheet in sheets:
-        writer.writerows([*([sheet.name] if by else []), *row] for row in sheet.rows)
+        writer.writerows(
+            map(in_csv, [*([sheet.name] if by else []), *row, *([", ".join(unchecked)] if unchecked else [])])
+            for row in sheet.rows
+        )
     return out.getvalue()

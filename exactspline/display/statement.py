@@ -1,52 +1,12 @@
-"""A claim spelled out as text, and claims found by their place."""
+"""A claim spelled out as text."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from exactspline.errors import ClaimError, nearest
-from exactspline.verification.claim import Claim
-from exactspline.verification.claims import all_claims, matches
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import name_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity
 from exactspline.verification.statement import Statement
 from exactspline.verification.vocabulary import Status
-
-#: A shorter text is not searched for in statements.
-SHORTEST = 4
-
-
-def located(wanted: str, claims: Iterable[Claim] | None = None) -> tuple[Claim, ...]:
-    """The claims with this id or one that begins with it, those at this place of the paper, or those that mention it.
-
-    >>> [claim.id for claim in located("eq. (8)")][:2], located("C4.1c")[0].id
-    (['E8', 'C4.1a'], 'C4.1c')
-    >>> located("rectifying developable")[0].id
-    'C5.4a'
-
-    They are sought among `claims`, by default among those of the default papers. Raises
-    `ClaimError` with the nearest ids.
-    """
-    known = all_claims() if claims is None else tuple(claims)
-    chosen = tuple(c for c in known if c.key == wanted or matches(c.id, wanted))
-    chosen = chosen or tuple(c for c in known if _stands(c.source, wanted) or _stands(c.place, wanted))
-    if len(wanted) >= SHORTEST:
-        chosen = chosen or tuple(c for c in known if wanted.lower() in c.statement.lower())
-    if not chosen:
-        ids = dict.fromkeys(claim.id for claim in known)
-        raise ClaimError(f"no claim has the id {wanted!r}", remedy=nearest(wanted, ids, listed_by="exactspline show"))
-    return chosen
-
-
-def _stands(source: str, wanted: str) -> bool:
-    """Whether a place is the wanted one: the equation with this number, a remark, a figure, a section."""
-    a, b = (" ".join(text.lower().replace("equation", "eq.").split()) for text in (source, wanted))
-    if b.startswith("(") and b.endswith(")"):
-        return b in a
-    position = a.find(b)
-    after = a[position + len(b) :]
-    return len(b) > 1 and position >= 0 and not (b[-1].isdigit() and after[:1].isdigit())
 
 
 def heading(s: Statement) -> str:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from math import prod
 
+from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.exact import mpq, text
 from exactspline.geometry.surface.chains import Piece
 from exactspline.geometry.surface.degenerate import Gap
-from exactspline.geometry.surface.forms import in_parameters
+from exactspline.geometry.surface.forms import Patch, in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.surface.places import Place, enclosing
-from exactspline.geometry.surface.planar_maps import MapInspection, MapKind
+from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
+from exactspline.geometry.surface.places import Parameter, Place, enclosing
+from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
-from exactspline.splines.patch_forms import Box, Interval, box_text
+from exactspline.roots.root import Root
+from exactspline.splines.patch_forms import Box, Interval, clusters
 from exactspline.splines.surface import Along, NurbsSurface
 
 #: What poles of one line have in common.
@@ -22,6 +26,8 @@ _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
 #: Digits of boxes around points on borders.
 DIGITS_OF_BOXES = 6
+#: Digits of angles in the table.
+DIGITS_OF_ANGLES = 10
 #: The description of a patch of a kind.
 CURVATURE = {
     PatchKind.ELLIPTIC: "K > 0",
@@ -33,7 +39,14 @@ CURVATURE = {
     PatchKind.PLANAR: "K = H = 0",
     PatchKind.CURVE: "no tangent planes",
     PatchKind.POINT: "no tangent planes",
+    PatchKind.UNDECIDED: "the sign of K is not decided everywhere",
 }
+
+
+#: The order of geometric continuity from which a joint has no row in the table.
+SMOOTH = 2
+#: What the title of a table says of an inspection in which something is undecided.
+INCOMPLETE = " – incomplete: see the rows that are undecided"
 
 
 def described_surface(surface: NurbsSurface) -> str:
@@ -71,7 +84,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
         "parabolic_lines": [
             {
                 "along": line.along.value,
-                "value": text(line.value),
+                **_parameter_data(line.value, digits),
                 "interval": _ends(line.interval),
                 "closed": line.closed,
                 "one_sided": line.one_sided,
@@ -86,10 +99,7 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
             }
             for curve in found.parabolic_curves
         ],
-        "parabolic_points": [
-            {"u": text(u), "v": text(v)}
-            for u, v in dict.fromkeys(point for one in found.patches for point in one.parabolic_points)
-        ],
+        "parabolic_points": [_place_data(place, digits) for place in found.parabolic_points],
         "singular_points": [_place_data(place, digits) for place in found.singular_points],
         "poles": [
             {
@@ -101,12 +111,22 @@ def surface_inspection_data(found: SurfaceInspection, digits: int) -> dict[str, 
             }
             for pole in found.poles
         ],
-        "jumps": [{"across": jump.across.value, "value": text(jump.value), "open": jump.open} for jump in found.jumps],
+        "joints": [
+            {
+                "across": joint.across.value,
+                "value": text(joint.value),
+                "interval": _ends(joint.interval),
+                "at_seam": joint.at_seam,
+                "kind": joint.kind.value,
+                "geometric_continuity": joint.order,
+                "angle": angle_data(joint.angle, digits),
+            }
+            for joint in found.joints
+        ],
     }
 
 
 def _patch_data(one: PatchInspection) -> dict[str, object]:
-    boxes = [*one.singular.undecided, *one.umbilics.undecided, *_open_boxes(one)]
     return {
         "patch": list(one.patch),
         **_hull_data(one.sides),
@@ -117,14 +137,8 @@ def _patch_data(one: PatchInspection) -> dict[str, object]:
         "umbilic_everywhere": one.umbilics.everywhere,
         "singular_curve": one.singular.along_curve,
         "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
-        "undecided": [_hull_data(box) for box in boxes],
+        "undecided": [_hull_data(box) for box in one.open_boxes],
     }
-
-
-def _open_boxes(one: PatchInspection) -> Iterator[Box]:
-    """The boxes of a patch in which the parabolic curve is not resolved."""
-    if one.curve is not None:
-        yield from (in_parameters(box, one.sides) for box in one.curve.undecided)
 
 
 def _umbilic_data(umbilic: Umbilic, digits: int) -> dict[str, object]:
@@ -147,6 +161,11 @@ def _place_data(place: Place, digits: int) -> dict[str, object]:
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
     }
     return {**sides, "patches": [list(patch) for patch in place.patches]}
+
+
+def _parameter_data(t: Parameter, digits: int) -> dict[str, str | None]:
+    """A parameter exactly, if it is rational, and to so many digits."""
+    return {"value": None if isinstance(t, Root) else text(t), "decimal": shown(*enclosing(t, digits + 2), digits)}
 
 
 def _hull_data(box: Box) -> dict[str, list[str]]:
@@ -203,19 +222,19 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
     """The features of a surface, one per row."""
     surface = found.surface
     closed = f", closed in {' and '.join(along.value for along in found.closed)}" if found.closed else ""
-    title = f"{surface.name}: {described_surface(surface)}{closed}"
+    title = f"{surface.name}: {described_surface(surface)}{closed}{'' if found.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
     for kind, box, remark in _regions(found):
         made.add_row(kind, *(_side(side) for side in box), remark)
     for line in found.parabolic_lines:
         told = ", ".join(["closed"] * line.closed + ["seen from one side only"] * line.one_sided)
-        made.add_row("parabolic line", *_line(line.along, line.value, line.interval), told)
+        made.add_row("parabolic line", *_line(line.along, line.value, line.interval, digits), told)
     for curve in found.parabolic_curves:
         extent = _around(_extent(piece) for piece in curve.pieces)
         across = f", across {len(curve.patches)} patches" if len(curve.patches) > 1 else ""
         made.add_row("parabolic curve", *(_near(side, 2) for side in extent), curve.shape.value + across)
-    for spot in dict.fromkeys(point for one in found.patches for point in one.parabolic_points):
-        made.add_row("parabolic point", *(text(x) for x in spot), "K = 0 there alone")
+    for place in found.parabolic_points:
+        made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point alone")
     for umbilic in found.umbilics:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
     for place in found.singular_points:
@@ -225,12 +244,11 @@ def surface_sheet(found: SurfaceInspection, digits: int) -> Sheet:
         at = f"{told}, {gap.value}"
         for interval in intervals:
             made.add_row("pole" if point else "singular line", *_line(along, value, interval), at)
-    for jump in found.jumps:
-        values = ("", text(jump.value)) if jump.across is Along.V else (text(jump.value), "")
-        made.add_row("C⁻¹ knot", *values, "torn" if jump.open else "the sides fit together")
-    for one in found.patches:
-        for box in [*one.singular.undecided, *one.umbilics.undecided, *_open_boxes(one)][:1]:
-            made.add_row("undecided", *(_near(side) for side in box), "left open there")
+    for joint in found.joints:
+        if joint.order is not None and joint.order < SMOOTH:
+            along = Along.V if joint.across is Along.U else Along.U
+            made.add_row(joint.kind.value, *_line(along, joint.value, joint.interval), _of_joint(joint))
+    _add_open_boxes(made, [box for one in found.patches for box in one.open_boxes])
     return made
 
 
@@ -284,6 +302,25 @@ def _of_umbilic(umbilic: Umbilic) -> str:
     return ", ".join(filter(None, parts))
 
 
+def _of_joint(joint: SurfaceJoint) -> str:
+    """The description of a joint."""
+    angle = angle_data(joint.angle, DIGITS_OF_ANGLES)
+    parts = [
+        "at the seam" if joint.at_seam else "at a knot",
+        "the surface turns back" if joint.kind is SurfaceJointKind.FOLD else "",
+        f"the tangent plane turns by {angle['degrees']}°" if angle else "",
+        f"G{joint.order}" if joint.order is not None and joint.order >= 0 else "the sides are different curves",
+    ]
+    return ", ".join(filter(None, parts))
+
+
+def _add_open_boxes(made: Sheet, boxes: Sequence[Box]) -> None:
+    """Every box in which something is undecided; those that touch as one row."""
+    for box, own in clusters(boxes):
+        remark = "not decided here" if len(own) == 1 else f"not decided in {len(own)} boxes, which --json lists"
+        made.add_row("undecided", *(_near(side, DIGITS_OF_BOXES) for side in box), remark)
+
+
 def _poles(found: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Interval]]]:
     """Poles along one line at one point together."""
     groups: dict[_PoleKey, list[Interval]] = {}
@@ -302,8 +339,9 @@ def _parameters(place: Place, digits: int) -> Iterator[str]:
         yield text(exact[k]) if exact else text(a) if a == b else shown(a, b, digits)
 
 
-def _line(along: Along, value: mpq, interval: Interval) -> tuple[str, str]:
-    return (_side(interval), text(value)) if along is Along.U else (text(value), _side(interval))
+def _line(along: Along, value: Parameter, interval: Interval, digits: int = 0) -> tuple[str, str]:
+    at = shown(*enclosing(value, digits + 2), digits) if isinstance(value, Root) else text(value)
+    return (_side(interval), at) if along is Along.U else (at, _side(interval))
 
 
 def _side(side: Interval) -> str:
@@ -330,11 +368,11 @@ def map_data(found: MapInspection) -> dict[str, object]:
         "surface": surface.name,
         "degree": list(surface.degree),
         "polynomial": surface.polynomial,
-        "complete": found.kind is not MapKind.UNDECIDED,
+        "complete": found.complete,
         "kind": found.kind.value,
         "positive": point(found.positive),
         "negative": point(found.negative),
-        "zeros": [point(place) for place in found.zeros],
+        "zeros": [point(place.exact) for place in found.zeros],
         "undecided": [_hull_data(box) for box in found.undecided],
     }
 
@@ -342,20 +380,28 @@ def map_data(found: MapInspection) -> dict[str, object]:
 def map_sheet(found: MapInspection) -> Sheet:
     """The sign of a Jacobian determinant, with the places that show it."""
     surface = found.surface
-    title = f"{surface.name}: {described_surface(surface)}"
+    title = f"{surface.name}: {described_surface(surface)}{'' if found.complete else INCOMPLETE}"
     made = Sheet("what", "u", "v", "remark", title=title, name=surface.name, prose=["remark"], heads=1)
     made.add_row("map", *(_side(side) for side in surface.domain), found.kind.value)
     for place, remark in ((found.positive, "det > 0"), (found.negative, "det < 0")):
         if place and not found.regular:
             made.add_row("point", *(text(x) for x in place), remark)
-    for place in found.zeros:
-        made.add_row("point", *(text(x) for x in place), "det = 0")
+    for zero in found.zeros:
+        sides = (
+            len(zero.patches),
+            prod(int(t in mesh.breaks[1:-1]) + 1 for t, mesh in zip(zero.spot, surface.meshes, strict=True)),
+        )
+        seen = "" if sides[0] == sides[1] else f" as seen from {_patches(zero.patches)}"
+        made.add_row("point", *_parameters(zero, DIGITS_OF_BOXES), f"det = 0{seen}")
     for patch, edge in found.edges:
         line = f"{'u' if edge.direction == 0 else 'v'} {'highest' if edge.end else 'lowest'}"
         made.add_row("edge", "", "", f"det = 0 where {line} on patch {patch[0]}, {patch[1]}")
-    for box in found.undecided[:1]:
-        made.add_row("undecided", "", "", f"left open where {box_text(box)}")
+    _add_open_boxes(made, found.undecided)
     return made
+
+
+def _patches(patches: Sequence[Patch]) -> str:
+    return ("patch " if len(patches) == 1 else "patches ") + " and ".join(f"{i}, {j}" for i, j in patches)
 
 
 __all__ = ["described_surface", "map_data", "map_sheet", "shown", "surface_inspection_data", "surface_sheet"]

@@ -13,7 +13,7 @@ from exactspline.display.plot.canvas import BLACK, BLUE, GREY, SILVER, Point, po
 from exactspline.exact import mpq
 from exactspline.language.choices import Side
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import greville_abscissae
+from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.nurbs import Nurbs
 
 #: Size in pixels, margin, samples in all and at least so many per segment.

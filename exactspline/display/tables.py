@@ -9,7 +9,7 @@ from exactspline.display import console
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
 from exactspline.geometry.inspection import compare_approaches
-from exactspline.language.services import Displayed
+from exactspline.hooks import Displayed
 from exactspline.papers import find
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.reduction import reduce
@@ -20,11 +20,16 @@ from exactspline.verification.kinds import Count, DegreeClaim
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.measure import measurable, measure
 from exactspline.verification.statement import Statement, statement
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Row
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED, Row
 from exactspline.verification.vocabulary import Status, Verdict
 
 #: Colours of verdicts that colour-blind readers can distinguish too (they are also given in words).
-COLOURS = {PROVED: "#009E73", VERIFIED: "#0072B2", REFUTED: "#D55E00", UNDECIDED: "#7A7A7A"}
+COLOURS = dict.fromkeys(Verdict, "#7A7A7A") | {
+    PROVED: "#009E73",
+    VERIFIED: "#0072B2",
+    REFUTED: "#D55E00",
+    CONTRADICTION: "#B00020",
+}
 #: How the ids of claims beyond the paper begin.
 BEYOND = "L"
 #: A remark in a table is cut when it has more characters.

@@ -8,26 +8,36 @@ from __future__ import annotations
 from threading import Lock
 
 from exactspline.errors import ShapeError
+from exactspline.exact import Number, rational
 from exactspline.geometry import plane_features, space_features
-from exactspline.geometry.constructions import Variant
-from exactspline.geometry.facts import Fact
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind
+from exactspline.geometry.constructions import Variant, construction
+from exactspline.geometry.extent import slope_zeros, turning_points
+from exactspline.geometry.facts import ZeroForm
+from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.space_features import SpaceFacts
+from exactspline.language.rational import Rational
+from exactspline.questions.answers import CurvePiece, Places
+from exactspline.questions.entry import CURVES, Answered, Entry, Of, question, question_with, questions_of
+from exactspline.roots.root import knot_root
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 _LOCK = Lock()
 
 
 class Analysis(SpaceFacts):
-    """Everything that can be computed of one curve in the plane or in space (see `exactspline.geometry.features` for
-    what each list holds).
+    """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
+    registry (`exactspline.questions.entry.questions_of`).
+
+    All parameters are certified roots. A point where γ′ = 0 is a singular point and nothing else. On a closed curve the
+    seam is a knot like any other and counts once, at the start of the domain; no parameter is outside the domain.
 
     >>> from exactspline.splines.examples import example
     >>> found = analyse(example("ellipse"))
     >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
-    (['maximum', 'minimum', 'maximum', 'minimum'], (), [])
+    (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
     """
 
     @property
@@ -41,56 +51,196 @@ class Analysis(SpaceFacts):
         """The construction whose zeros are the critical points of the curvature."""
         return "space_critical_curvature" if self.in_space else "critical_curvature"
 
-    @Fact
-    def inflections(self) -> tuple[Feature, ...]:
-        """The zeros of the curvature at regular points."""
-        return tuple(space_features.flat_points(self) if self.in_space else plane_features.inflections(self))
+    @question(*CURVES, proof=lambda facts: facts.flatness.zeros, known=lambda known: known.inflections)
+    def inflections(self) -> Places[Feature]:
+        """The zeros of the curvature at regular points.
 
-    def critical_points(self, variant: Variant | str = Variant.MINIMAL) -> tuple[Feature, ...]:
-        """The extrema of the curvature and the points where κ′ = 0 without one, from the form of a variant."""
+        ``inflection``: its sign changes, in space the direction of κN is reversed; ``undulation``: it is kept; ``flat
+        end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes of the two sides
+        differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`). Everywhere on
+        straight pieces.
 
-        def compute() -> tuple[Feature, ...]:
+        >>> from exactspline import Nurbs, example
+        >>> [f.kind.value for f in analyse(example("six_segment_cubic")).inflections]
+        ['inflection', 'inflection']
+        >>> [(f.kind.value, f.root.exact) for f in analyse(example("flat_point")).inflections]
+        [('inflection', mpq(1,2))]
+        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])).inflections
+        everywhere on [0, 1]
+
+        Raises `ShapeError` for a curve that is neither in the plane nor in space.
+        """
+        found = space_features.flat_points(self) if self.in_space else plane_features.inflections(self)
+        return Places(tuple(found), self.straight_pieces)
+
+    @question(
+        *CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros, known=lambda known: known.extrema
+    )
+    def critical_points(self) -> Places[Feature]:
+        """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
+
+        Everywhere on pieces of constant curvature.
+
+        >>> from exactspline import example
+        >>> len(analyse(example("ellipse")).critical_points), analyse(example("circle")).critical_points
+        (4, everywhere on [0, 4])
+        """
+        return self.critical_points_by(Variant.MINIMAL)
+
+    def critical_points_by(self, variant: Variant | str) -> Places[Feature]:
+        """The same from the form of a variant."""
+
+        def compute() -> Places[Feature]:
             module = space_features if self.in_space else plane_features
-            return tuple(module.critical_points(self, variant))
+            return Places(tuple(module.critical_points(self, variant)), self.constant_pieces)
 
         return self.once(("critical points", variant), compute)
 
-    @property
-    def curvature_extrema(self) -> list[Feature]:
-        """The extrema of the curvature."""
-        return [f for f in self.critical_points() if f.kind is not FeatureKind.STATIONARY]
+    @question(
+        *CURVES,
+        part_of="critical_points",
+        proof=lambda facts: facts.zero_form(facts.critical_form).zeros,
+        known=lambda known: known.extrema,
+    )
+    def curvature_extrema(self) -> Places[Feature]:
+        """The extrema of the curvature (in space except those with κ = 0).
 
-    @Fact
-    def torsion_zeros(self) -> tuple[Feature, ...]:
-        """The zeros of the torsion at regular points; `ShapeError` for a plane curve."""
+        Inside segments, and at knots where κ is continuous and κ′ changes its sign, with or without a jump. Everywhere
+        on pieces of constant curvature.
+
+        >>> from exactspline import example
+        >>> found = analyse(example("six_segment_cubic")).curvature_extrema
+        >>> len(found), sum(f.by_jump for f in found)
+        (8, 2)
+        >>> [f.kind.value for f in analyse(example("rational_space_cubic")).curvature_extrema]
+        ['maximum', 'minimum']
+
+        Raises `ShapeError` for a curve that is neither in the plane nor in space.
+        """
+        return self.critical_points.where(lambda f: f.kind is not FeatureKind.STATIONARY)
+
+    @question(Of.SPACE_CURVE, proof=lambda facts: facts.zero_form("zero_torsion", Variant.PAPER).zeros)
+    def torsion_zeros(self) -> Places[Feature]:
+        """The zeros of the torsion at regular points.
+
+        ``torsion zero``: τ changes its sign; ``torsion touch``: it does not; ``torsion end``: the domain ends there. At
+        a knot with one osculating plane the sign may change by a jump. Everywhere on planar pieces.
+
+        >>> from exactspline import example
+        >>> analyse(example("space_quartic")).torsion_zeros
+        nowhere
+
+        Raises `ShapeError` for a curve that is not in space.
+        """
         if not self.in_space:
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
-        return tuple(space_features.torsion_zeros(self))
+        return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
-    @property
-    def corners(self) -> list[Joint]:
-        """The joints at which the tangent turns."""
-        return [joint for joint in self.joints if joint.angle is not None]
-
-    @Fact
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
-        """The pieces on which the curve is straight."""
-        return tuple(space_features.straight_pieces(self) if self.in_space else plane_features.straight_pieces(self))
+        """The pieces on which the curve is straight.
 
-    @Fact
+        They are cut at corners and where the curve stands still, and continue across the seam of a closed curve where
+        that is smooth.
+
+        >>> from exactspline import example
+        >>> [str(piece) for piece in analyse(example("straight_between_arcs")).straight_pieces]
+        ['[1, 2]']
+        """
+        return tuple(self.pieces_where_zero(self.flatness))
+
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
-        """The pieces on which the curvature is constant."""
-        return tuple(space_features.constant_pieces(self) if self.in_space else plane_features.constant_pieces(self))
+        """The pieces on which the curvature is constant.
 
-    @Fact
+        Circular arcs and straight pieces, in space also other curves; cut where the curvature or the tangent jumps.
+
+        >>> from exactspline import example
+        >>> [str(piece) for piece in analyse(example("circle")).constant_pieces]
+        ['[0, 4]']
+        """
+        return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
+
+    @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES)
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
         return tuple(planar_pieces(self.curve)) if self.in_space and not self._twists_everywhere else ()
 
-    @Fact
+    @question(Of.SPACE_CURVE, answered=Answered.PLANE)
     def plane(self) -> Plane | None:
         """The plane of a space curve that has one."""
         return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
+
+    @question_with("0", *CURVES, proof=lambda facts, axis: slope_zeros(facts.curve, axis))
+    def turning_points(self, axis: int | str) -> Places[Feature]:
+        """The extrema of a coordinate (0 is x): where it changes from increasing to decreasing or back.
+
+        These are the places where type designers put points. Everywhere where the coordinate is constant.
+
+        >>> from exactspline import example
+        >>> [(f.kind.value, f.root.exact) for f in analyse(example("circle")).turning_points(1)]
+        [('maximum', mpq(1,1)), ('minimum', mpq(3,1))]
+
+        Raises `ShapeError` for a coordinate that the curve does not have.
+        """
+        return turning_points(self.curve, axis)
+
+    @question_with("1/10", Of.PLANE_CURVE, proof=lambda facts, distance: facts.offset_form(distance).zeros)
+    def offset_cusps(self, distance: Number) -> Places[Feature]:
+        """The points where the curve at a signed distance d (positive to the left) has its cusps: κ = 1/d.
+
+        ``cusp``: 1 − dκ, the speed of that curve by the speed of this one, changes its sign; ``stop``: it does not.
+        Everywhere on arcs whose centre the other curve is.
+
+        >>> from exactspline import example
+        >>> [(f.kind.value, round(float(f.root), 3)) for f in analyse(example("ellipse")).offset_cusps(1)]
+        [('cusp', 0.233), ('cusp', 1.767), ('cusp', 2.233), ('cusp', 3.767)]
+        >>> analyse(example("circle")).offset_cusps(1), analyse(example("circle")).offset_cusps(-1)
+        (everywhere on [0, 4], nowhere)
+
+        Raises `ShapeError` for a space curve and for the distance 0. Source: Farouki and Neff, Analytic properties of
+        plane offset curves, CAGD 1990.
+        """
+        d, found = rational(distance), self.offset_form(distance)
+        side = 1 if d > 0 else -1
+        points = []
+        for root, _ in self.regular_pairs([(root, False) for root in found.zeros]):
+            joint = self.joint(root.low) if root.at_knot else None
+            smooth = joint is None or (joint.tangent_continuous and joint.curvatures is None)
+            if smooth and self.sign_of("zero_curvature", root) == side:
+                kind = FeatureKind.CUSP if root.sign_change else FeatureKind.STOP
+                points.append(Feature(kind, root, "offset"))
+        for joint in self.joints:
+            if joint.curvatures is not None:
+                before, behind = (1 - d * curvature for curvature in joint.curvatures)
+                if before.sign * behind.sign < 0:
+                    points.append(Feature(FeatureKind.CUSP, knot_root(joint.parameter), "offset", by_jump=True))
+        points.sort(key=lambda feature: feature.root)
+        pieces = [piece for piece in self.pieces_where_zero(found) if self._turns_to(side, piece)]
+        return Places(tuple(points), tuple(pieces))
+
+    def _turns_to(self, side: int, piece: CurvePiece) -> bool:
+        """Whether the curvature has this sign on a piece of constant curvature."""
+        return self.zero_form("zero_curvature").sign_at(knot_root(piece.start)) == side
+
+    def offset_form(self, distance: Number) -> ZeroForm:
+        """d²κ² − 1 without its denominator, and its zeros."""
+        d = rational(distance)
+        if self.in_space or not d:
+            raise ShapeError("the curve at a distance", remedy="this needs a plane curve, and a distance that is not 0")
+
+        def form() -> BSpline:
+            squared = construction("curvature_squared").on(self.operands, Variant.MINIMAL, self.value_of)
+            assert isinstance(squared, Rational)
+            found: BSpline = squared.scalar * (d * d) - squared.denominator
+            return found
+
+        return self.once(("offset", d), lambda: self.solved(form))
+
+    @property
+    def flatness(self) -> ZeroForm:
+        """The form that vanishes where the curvature does, and its zeros."""
+        return self.bending if self.in_space else self.zero_form("zero_curvature")
 
 
 def analyse(curve: Nurbs) -> Analysis:
@@ -101,9 +251,27 @@ def analyse(curve: Nurbs) -> Analysis:
     >>> analyse(curve) is analyse(curve), [f.kind.value for f in analyse(curve).singular_points]
     (True, ['cusp'])
     """
+    curve = curve_of(curve)
     with _LOCK:
         if curve._analysis is None:
             object.__setattr__(curve, "_analysis", Analysis(curve))
         found = curve._analysis
     assert isinstance(found, Analysis)
     return found
+
+
+#: The registry: what can be asked of a curve, by name.
+QUESTIONS: dict[str, Entry] = questions_of(Analysis)
+
+
+def questions_about(curve: Nurbs) -> dict[str, Entry]:
+    """The questions that can be asked of a curve.
+
+    >>> from exactspline.splines.examples import example
+    >>> ["torsion_zeros" in questions_about(example(name)) for name in ("circle", "twisted_cubic")]
+    [False, True]
+
+    Raises `ShapeError` for a curve that is neither in the plane nor in space.
+    """
+    of = Of.SPACE_CURVE if analyse(curve).in_space else Of.PLANE_CURVE
+    return {name: entry for name, entry in QUESTIONS.items() if of in entry.about.of}

@@ -3,51 +3,77 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from exactspline.exact import mpq
 from exactspline.language.vector import Vector, dot
-from exactspline.splines.surd import Surd, significant, square_root
+from exactspline.reals.real import Real, square_root
 
 if TYPE_CHECKING:
     from mpmath import mpf
 
 
-@dataclass(frozen=True)
 class Angle:
-    """The angle between two directions by its cosine and sine, exactly; in the plane positive to the left.
+    """The angle from one rational direction to another, neither of them zero, by its cosine and sine, exactly; in the
+    plane positive to the left. They are computed when they are first needed: many angles are only counted.
 
     In space it is without a sign: between 0° and 180°.
 
-    >>> angle = angle_between((mpq(1), mpq(0)), (mpq(1), mpq(-1)))
+    >>> angle = Angle((mpq(1), mpq(0)), (mpq(1), mpq(-1)))
     >>> print(angle.cosine, angle.sine, angle.degrees(10))
     √2/2 -√2/2 -45.0
+    >>> Angle((mpq(1), mpq(0), mpq(0)), (mpq(0), mpq(0), mpq(2))).sine
+    <Real 1>
     """
 
-    cosine: mpq | Surd
-    sine: mpq | Surd
+    def __init__(self, first: Sequence[mpq], second: Sequence[mpq]) -> None:
+        self._directions = Vector(*first), Vector(*second)
+
+    @cached_property
+    def cosine(self) -> Real:
+        """The cosine."""
+        a, b = self._directions
+        product = dot(a, b)
+        size = square_root(product * product / self._lengths)
+        return -size if product < 0 else size
+
+    @cached_property
+    def sine(self) -> Real:
+        """The sine."""
+        a, b = self._directions
+        size = square_root(1 - dot(a, b) ** 2 / self._lengths)
+        to_the_right = len(a) == 2 and a[0] * b[1] < a[1] * b[0]
+        return -size if to_the_right else size
+
+    @property
+    def _lengths(self) -> mpq:
+        """The product of the squared lengths."""
+        a, b = self._directions
+        return dot(a, a) * dot(b, b)
+
+    @property
+    def reverses(self) -> bool:
+        """Whether the second direction is opposite to the first."""
+        a, b = self._directions
+        product = dot(a, b)
+        return bool(product < 0 and product * product == self._lengths)
 
     def degrees(self, digits: int) -> mpf:
-        """The angle in degrees, in (−180, 180], as an mpmath number to so many significant digits."""
+        """The angle in degrees, in (−180, 180], as an mpmath number to this many significant digits."""
         from mpmath import mp
 
         with mp.workdps(digits + 10):
-            turned = mp.atan2(significant(self.sine, digits + 10), significant(self.cosine, digits + 10))
+            turned = mp.atan2(self.sine.significant(digits + 10), self.cosine.significant(digits + 10))
             if self.sine == 0 or self.cosine == 0:
                 return mp.mpf(int(mp.nint(turned * 180 / mp.pi)))
             return +(turned * 180 / mp.pi)
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Angle) and (self.cosine, self.sine) == (other.cosine, other.sine)
 
-def angle_between(a: Sequence[mpq], b: Sequence[mpq]) -> Angle:
-    """The angle from one direction to another, neither of them zero.
+    def __hash__(self) -> int:
+        return hash((self.cosine, self.sine))
 
-    >>> angle_between((mpq(1), mpq(0), mpq(0)), (mpq(0), mpq(0), mpq(2))).sine
-    mpq(1,1)
-    """
-    lengths = dot(Vector(*a), Vector(*a)) * dot(Vector(*b), Vector(*b))
-    product = dot(Vector(*a), Vector(*b))
-    sine = square_root((lengths - product * product) / lengths)
-    cosine = square_root(product * product / lengths)
-    to_the_right = len(a) == 2 and a[0] * b[1] < a[1] * b[0]
-    return Angle(-cosine if product < 0 else cosine, -sine if to_the_right else sine)
+    def __repr__(self) -> str:
+        return f"<Angle: cos = {self.cosine}, sin = {self.sine}>"

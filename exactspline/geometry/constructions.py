@@ -13,7 +13,7 @@ from enum import StrEnum
 from functools import cache
 from typing import cast
 
-from exactspline.errors import FormulaError, nearest
+from exactspline.errors import FormulaError, as_text, nearest
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import choice
 from exactspline.language.formula import Formula
@@ -181,7 +181,7 @@ def construction(name: str) -> Construction:
 
     Raises `FormulaError` naming those that exist.
     """
-    if name not in all_constructions():
+    if as_text(name, "the name of a construction") not in all_constructions():
         raise FormulaError(
             f"there is no construction called {name!r}",
             remedy=nearest(name, all_constructions(), listed_by="exactspline derive"),

@@ -8,15 +8,17 @@ from flint import fmpz_poly
 
 from exactspline.exact import mpq, ratio
 from exactspline.geometry.domain import plane, segments
-from exactspline.geometry.kinds import Interval
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.papers import find
+from exactspline.polynomials.factors import factorize_square_free
+from exactspline.questions.answers import Interval
+from exactspline.reals.radicals import square_root_parts
 from exactspline.splines.bernstein import ONE, is_square_class, primitive, zero_on_segment
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.surd import parts, square_root
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,7 @@ class CurvaturePiece:
     reason: str = ""
 
 
-def curvature(curve: Nurbs) -> list[CurvaturePiece]:
+def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant
     square root.
 
@@ -37,12 +39,12 @@ def curvature(curve: Nurbs) -> list[CurvaturePiece]:
     C4.1d; Farouki and Sakkalis 1990).
 
     >>> from exactspline.splines.examples import example
-    >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature(example("circle"))][:2]
+    >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature_function(example("circle"))][:2]
     [(1, mpq(1,1)), (1, mpq(1,1))]
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    return [_curvature_on(c, interval) for interval, c in segments(plane(curve))]
+    return [_curvature_on(c, interval) for interval, c in segments(plane(curve_of(curve)))]
 
 
 def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
@@ -59,7 +61,7 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     if _vanishes(m):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
-    coefficient, radicand = parts(square_root(up / down))
+    coefficient, radicand = square_root_parts(up / down)
     # [γ′ γ″] is f2/w³: its sign is that of f2 only where w > 0
     sign = 1 if n(t) * m(t) * turning(t) * c.w(t) > 0 else -1
     return CurvaturePiece(interval, radicand, n.scaled(sign * coefficient) / m)
@@ -79,7 +81,7 @@ def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
     c, m = primitive(f.forms[0])
     if f.degree % 2 or not is_square_class(c, f.degree):
         return None
-    unit, factors = c.factor_squarefree()
+    unit, factors = factorize_square_free(c)
     root = fmpz_poly([1])
     for p, e in factors:
         root = root * p ** (e // 2)

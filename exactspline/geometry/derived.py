@@ -8,19 +8,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
-from exactspline.geometry.kinds import Interval
+from exactspline.hooks import Displayed
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 from exactspline.papers import find
+from exactspline.questions.answers import Interval
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs
 
@@ -102,6 +103,9 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where it
     exists nowhere.
     """
+    curve = curve_of(curve)
+    if not isinstance(what, str | Formula):
+        raise FormulaError(f"a construction called {shown(what)}", remedy="give its name, or a formula")
     name = what if isinstance(what, str) else what.name
     if isinstance(what, str) and name in all_constructions():
         made = construction(name)
@@ -163,11 +167,12 @@ def focal_curve(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Deriv
     return derive("focal_curve", curve, variant)
 
 
-def torsion(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
-    """The torsion of a space curve, in lowest terms (`exactspline degrees --generic` prints the degree for all curves).
+def torsion_function(curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
+    """The torsion of a space curve as a function of the parameter, in lowest terms (`exactspline degrees --generic`
+    prints the degree for all curves).
 
     >>> from exactspline.splines.examples import example
-    >>> torsion(example("twisted_cubic")).pieces[0].value.degree
+    >>> torsion_function(example("twisted_cubic")).pieces[0].value.degree
     4
 
     Raises `ShapeError` for a curve that is not in space or is straight.

@@ -8,9 +8,9 @@ from typing import TypeVar
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq
-from exactspline.geometry.kinds import Interval
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
+from exactspline.questions.answers import Interval
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs

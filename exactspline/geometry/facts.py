@@ -12,13 +12,13 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from time import perf_counter
-from typing import Any, Generic, TypeVar, cast, overload
+from typing import Any, TypeVar
 
 from flint import fmpz
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq, ratio
-from exactspline.geometry.angles import angle_between
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.domain import plane, space
 from exactspline.geometry.joints import (
@@ -34,50 +34,27 @@ from exactspline.geometry.joints import (
     same_direction,
     turned,
 )
-from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
+from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
+from exactspline.polynomials.factors import certainly_coprime
 from exactspline.programs.invariants import INVARIANTS, bending, invariants, tangent
 from exactspline.programs.program import Given, operands_of
+from exactspline.questions.answers import CurvePiece, Places
+from exactspline.questions.entry import CURVES, Answered, Fact, question
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bernstein import ONE, variations
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import certainly_coprime, common_factor
+from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineValue
 
 T = TypeVar("T")
-F = TypeVar("F", bound="Facts")
-
-
-class Fact(Generic[F, T]):
-    """A property that is computed once for its object, under the object's lock, and kept: among the object's own
-    attributes, where Python looks first.
-    """
-
-    def __init__(self, compute: Callable[[F], T]) -> None:
-        self.compute, self.__doc__ = compute, compute.__doc__
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
-
-    @overload
-    def __get__(self, facts: None, owner: type) -> Fact[F, T]: ...
-
-    @overload
-    def __get__(self, facts: Facts, owner: type) -> T: ...
-
-    def __get__(self, facts: Facts | None, owner: type) -> T | Fact[F, T]:
-        if facts is None:
-            return self
-        found: T = facts.once(self.name, lambda: self.compute(cast(F, facts)))
-        vars(facts)[self.name] = found
-        return found
 
 
 @dataclass(frozen=True)
@@ -188,8 +165,8 @@ class Facts:
 
     @Fact
     def _given(self) -> Given | None:
-        kind = PLANE if self.curve.dimension == 2 else SPACE
-        return operands_of(kind, self.operands)
+        kind = {2: PLANE, 3: SPACE}.get(self.curve.dimension)
+        return operands_of(kind, self.operands) if kind else None
 
     def value_of(self, formula: Formula) -> SplineValue:
         """The value of a formula on the curve (with a positive weight function)."""
@@ -251,9 +228,17 @@ class Facts:
         """The derivatives at both ends of every segment."""
         return Ends(self.operands)
 
-    @Fact
+    @question(*CURVES, answered=Answered.JOINTS)
     def joints(self) -> tuple[Joint, ...]:
-        """All joints in the order of the parameter, the seam of a closed curve first."""
+        """How the curve continues at every knot inside its domain and at the seam of a closed curve: kind, order of
+        geometric continuity, the angle of a corner, the width of a gap, the curvatures of both sides where they differ.
+
+        In the order of the parameter, the seam first.
+
+        >>> from exactspline import analyse, example
+        >>> [(joint.parameter, joint.order) for joint in analyse(example("straight_between_arcs")).joints]
+        [(mpq(1,1), 1), (mpq(2,1), 1)]
+        """
         count = len(self.breaks) - 1
         return tuple(self._joint(i) for i in range(0 if self.closed else 1, count))
 
@@ -284,7 +269,7 @@ class Facts:
         t, seam = self.breaks[behind], before < 0
         if (tangents := self._tangents(before, behind)) is not None:
             first, second = ([ratio(x, ONE) for x in tangent] for tangent in tangents)
-            return Joint(t, JointKind.CORNER, 0, seam, angle_between(first, second))
+            return Joint(t, JointKind.CORNER, 0, seam, Angle(first, second))
         left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
             return Joint(t, JointKind.GAP, -1, seam, gap=distance(left[0], right[0]))
@@ -330,9 +315,17 @@ class Facts:
 
     # ---- singular points
 
-    @Fact
-    def singular_points(self) -> tuple[Feature, ...]:
-        """The parameters where γ′ = 0; of an interval on which γ′ vanishes identically its ends."""
+    @question(*CURVES, proof=lambda facts: facts.speed.zeros, known=lambda _: ())
+    def singular_points(self) -> Places[Feature]:
+        """The points with γ′ = 0.
+
+        ``cusp``, ``stop`` or ``corner``: the direction of the curve is reversed, kept, or turned by another angle;
+        ``rest``: an end of an interval on which the curve stands still; ``singular end``: the domain ends there.
+
+        >>> from exactspline import analyse, example
+        >>> [(f.kind.value, f.root.exact) for f in analyse(example("cusp")).singular_points]
+        [('cusp', mpq(1,2))]
+        """
         inner = [
             Feature(FeatureKind.CUSP if root.multiplicity % 2 else FeatureKind.STOP, root, "D1")
             for root in (() if self._moves_between_knots else self.speed.zeros)
@@ -345,7 +338,40 @@ class Facts:
             stands = all(c[0][0] == 0 for c, _ in ends), all(c[-1][n] == 0 for c, n in ends)
             where = [t for t, still in zip((self.breaks[0], self.breaks[-1]), stands, strict=True) if still]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in where]
-        return tuple(sorted(inner + knots, key=lambda f: f.root))
+        return Places(tuple(sorted(inner + knots, key=lambda f: f.root)), self.standing_pieces)
+
+    @question(*CURVES, part_of="singular_points", proof=lambda facts: facts.speed.zeros, known=lambda _: ())
+    def cusps(self) -> Places[Feature]:
+        """The singular points at which the direction of the curve is reversed.
+
+        >>> from exactspline import analyse, example
+        >>> len(analyse(example("cusp")).cusps), len(analyse(example("cubic_s")).cusps)
+        (1, 0)
+        """
+        return Places(tuple(f for f in self.singular_points if f.kind is FeatureKind.CUSP))
+
+    @question(*CURVES, answered=Answered.JOINTS, part_of="joints")
+    def corners(self) -> tuple[Joint, ...]:
+        """The joints at which the direction of the tangent jumps, whether or not γ′ = 0 there, each with its angle.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])
+        >>> [(joint.parameter, joint.angle.degrees(5)) for joint in analyse(square).corners][:2]
+        [(mpq(0,1), mpf('90.0')), (mpq(1,1), mpf('90.0'))]
+        """
+        self.check_dimension()
+        smooth = [0, *self.curve.p[0].continuity]
+        found = []
+        for i in range(0 if self.closed else 1, len(self.breaks) - 1):
+            left = end_direction(self.operands, i - 1, Side.LEFT)
+            right = end_direction(self.operands, i, Side.RIGHT)
+            if smooth[i] > 0 and any(left) and any(right):
+                continue
+            if smooth[i] == 0 and any(left) and any(right) and same_direction(left, right):
+                continue
+            if (joint := self._joint(i)).angle is not None:
+                found.append(joint)
+        return tuple(found)
 
     @property
     def _moves_between_knots(self) -> bool:
@@ -370,7 +396,7 @@ class Facts:
 
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:
-            return FeatureKind.CUSP if joint.angle.sine == 0 else FeatureKind.CORNER
+            return FeatureKind.CUSP if joint.angle.reverses else FeatureKind.CORNER
         directions = self._directions(self.velocity, joint.parameter)
         return FeatureKind.STOP if all(map(any, directions)) else FeatureKind.REST
 
@@ -396,14 +422,24 @@ class Facts:
 
     def pieces_where_zero(self, found: ZeroForm) -> list[CurvePiece]:
         """The pieces on which a form vanishes and the curve does not stand still, cut where its curvature jumps."""
+        if not found.zeros.intervals:
+            return []
         vanishes = found.vanishes_on(self.breaks)
         holds = [zero and not still for zero, still in zip(vanishes, self.standing, strict=True)]
-        joined = [joint.same_curvature for joint in self.joints]
-        return pieces(self.breaks, runs(holds, joined if self.closed else [False, *joined]))
 
-    @Fact
+        def joined(i: int) -> bool:
+            """Whether a piece can go on at the i-th breakpoint: only asked where it could."""
+            if not (holds[i - 1] and holds[i]) or (i == 0 and not self.closed):
+                return False
+            return self._tangents(i - 1, i) is None and self._joint(i).same_curvature
+
+        return pieces(self.breaks, runs(holds, [joined(i) for i in range(len(holds))]))
+
+    @question(*CURVES, answered=Answered.PIECES, known=lambda _: ())
     def standing_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve stands still."""
+        if not any(self.standing):
+            return ()
         joined = [joint.kind is JointKind.STILL for joint in self.joints]
         return tuple(pieces(self.breaks, runs(self.standing, joined if self.closed else [False, *joined])))
 

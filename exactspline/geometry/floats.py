@@ -1,26 +1,23 @@
-"""Correctly rounded doubles of exact values: one number, or rows of them in one call; behind
-`exactspline.Nurbs.at_floats`, `curvature_floats` and `torsion_floats`.
-"""
+"""Correctly rounded doubles of exact values: one number, or rows of them in one call."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import inf, isfinite
 from typing import TYPE_CHECKING, TypeAlias, cast, overload
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, Rounding, from_float, is_float, mpq
 from exactspline.geometry.kinds import Feature
-from exactspline.geometry.values_along import curvature_at, point_at, torsion_at
-from exactspline.roots.enclosure import exact_place
-from exactspline.roots.real import Real, real
-from exactspline.roots.root import Root
-from exactspline.splines.surd import Surd
+from exactspline.geometry.values_along import point_at
+from exactspline.reals.real import Real, real
+from exactspline.roots.values import exact_place
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 #: Values with a correctly rounded double; a feature stands for its parameter.
-Exact: TypeAlias = Number | Surd | Root | Real | Feature
+Exact: TypeAlias = Number | Real | Feature
 
 
 # text is one number here, though for a type checker it is a sequence of texts
@@ -33,18 +30,18 @@ def floats(values: Iterable[Iterable[Exact]], rounding: str = ...) -> list[list[
 def floats(
     values: Exact | Iterable[Exact] | Iterable[Iterable[Exact]], rounding: str = Rounding.NEAREST
 ) -> float | list[float] | list[list[float]]:
-    """The correctly rounded double (``nearest``, ``down`` or ``up``) of a number, a `Root`, a `Surd`, of the parameter
+    """The correctly rounded double (``nearest``, ``down`` or ``up``) of a number, of the parameter
     of a feature; of every number in a sequence or in rows: knots, control points, zeros, inflections.
 
-    >>> from exactspline import example, inflections
+    >>> from exactspline import analyse, example
     >>> curve = example("cubic_s")
-    >>> floats(inflections(curve)), floats(curve.control_points[1]), floats(mpq(1, 10), "up") - 0.1
+    >>> floats(analyse(curve).inflections), floats(curve.control_points[1]), floats(mpq(1, 10), "up") - 0.1
     ([0.5], [1.0, 2.0], 0.0)
 
     Raises `NumberError` for anything that is not an exact number, `OverflowError` beyond the largest double.
     """
     if isinstance(values, Feature):
-        return Real.of(values.root).double(rounding)
+        return values.root.double(rounding)
     if isinstance(values, Iterable) and not isinstance(values, str):
         return [floats(value, rounding) for value in values]  # type: ignore[return-value]  # all numbers, or all rows
     return real(values).double(rounding)
@@ -52,32 +49,47 @@ def floats(
 
 def at_floats(
     curve: Nurbs,
-    ts: Iterable[float | Number | Root],
+    ts: Iterable[float | Number | Real],
     *,
     order: int = 0,
     rounding: str = Rounding.NEAREST,
     side: str = "right",
 ) -> list[tuple[float, ...]]:
-    """Points or derivatives at many parameters (see `exactspline.Nurbs.at_floats`)."""
+    """The points (of `order` k: the k-th derivatives) at many parameters, every coordinate the correctly rounded
+    double: ``nearest``, ``down`` or ``up``, infinite beyond the largest. A float among the parameters counts with its
+    binary value; where that is outside the domain, the double nearest to an end is this end.
+
+    >>> from exactspline import example
+    >>> at_floats(example("circle"), [0.5, "1/3"])
+    [(0.6, 0.8), (0.8, 0.6)]
+    >>> at_floats(example("circle"), [0.1], order=2, rounding="down")
+    [(-3.7658897739592607, -1.160825816921463)]
+
+    Raises `FormulaError` for a negative order, `DomainError` outside the domain.
+    """
     if type(order) is not int or order < 0:
         raise FormulaError(f"a derivative of order {order!r}", remedy="orders are 0, 1, 2, …")
-    return [tuple(x.double(rounding) for x in point_at(curve, place_of(t), order, side)) for t in ts]
+    return [tuple(_rounded(x, rounding) for x in point_at(curve, place_of(t, curve), order, side)) for t in ts]
 
 
-def curvature_floats(
-    curve: Nurbs, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
-) -> list[float]:
-    """The curvature at many parameters (see `exactspline.Nurbs.curvature_floats`)."""
-    return [curvature_at(curve, place_of(t), side).double(rounding) for t in ts]
+def _rounded(x: Real, rounding: str) -> float:
+    """The double as IEEE 754 rounds, infinite beyond the largest: one overflow does not end the others."""
+    try:
+        return x.double(rounding)
+    except OverflowError:
+        return inf if x.sign > 0 else -inf
 
 
-def torsion_floats(
-    curve: Nurbs, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
-) -> list[float]:
-    """The torsion at many parameters (see `exactspline.Nurbs.torsion_floats`)."""
-    return [torsion_at(curve, place_of(t), side).double(rounding) for t in ts]
-
-
-def place_of(t: float | Number | Root) -> mpq | Root:
-    """A parameter; a float counts with its binary value."""
-    return from_float(t) if is_float(t) else exact_place(cast(Number | Root, t))
+def place_of(t: float | Number | Real, curve: Nurbs) -> mpq | Real:
+    """A parameter of a curve. A float counts with its binary value; where that is outside the domain, the double
+    nearest to an end is this end.
+    """
+    if not is_float(t):
+        return exact_place(cast(Number | Real, t))
+    low, high = curve.domain
+    value = from_float(t)
+    for end, outside in ((low, value < low), (high, value > high)):
+        nearest = _rounded(Real(end), Rounding.NEAREST)
+        if outside and isfinite(nearest) and value == from_float(nearest):
+            return end
+    return value

@@ -4,16 +4,15 @@ curvature.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import StrEnum
 
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis import Analysis, analyse, questions_about
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.facts import among, located
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import CurvePiece, Feature
-from exactspline.geometry.planarity import Plane
+from exactspline.geometry.kinds import Feature
 from exactspline.language.choices import choice
+from exactspline.questions.answers import Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
@@ -38,50 +37,42 @@ class Approach(StrEnum):
 
 @dataclass(frozen=True)
 class Inspection:
-    """The features of a curve, each list in the order of the parameter; its joints; and pieces on which it is straight,
-    of constant curvature, or stands still.
-
-    Of a space curve also the zeros of the torsion and the pieces that lie in one plane, with that plane; `inflections`
-    are then all regular points with κ = 0.
-    """
+    """The analysis of a curve, its critical points by one approach."""
 
     approach: Approach
-    singular_points: list[Feature]
-    inflections: list[Feature]
-    critical: list[Feature]
-    joints: list[Joint]
-    straight: list[CurvePiece]
-    constant: list[CurvePiece]
-    standing: list[CurvePiece]
-    torsion: list[Feature] = field(default_factory=list)
-    planar: list[tuple[CurvePiece, Plane]] = field(default_factory=list)
-    plane: Plane | None = None
+    curve: Nurbs
+
+    @property
+    def analysis(self) -> Analysis:
+        """The analysis that is kept with the curve."""
+        return analyse(self.curve)
+
+    @property
+    def critical_points(self) -> Places[Feature]:
+        """The extrema of the curvature and the points where κ′ = 0 without one."""
+        return self.analysis.critical_points_by(self.approach.variant(self.curve))
+
+    @property
+    def answers(self) -> dict[str, object]:
+        """The answers to all questions that need no argument and are not part of another, by name."""
+        return {
+            name: self.critical_points if name == "critical_points" else entry.answer(self.analysis)
+            for name, entry in questions_about(self.curve).items()
+            if not entry.about.part_of and not entry.about.argument
+        }
 
 
 def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> Inspection:
     """The features of a curve in the plane or in space by one approach (`Approach`) to critical curvature.
 
     >>> from exactspline.splines.examples import example
-    >>> len(inspect_curve(example("ellipse")).critical), len(inspect_curve(example("rational_space_cubic")).critical)
-    (4, 2)
+    >>> [len(inspect_curve(example(name)).critical_points) for name in ("ellipse", "rational_space_cubic")]
+    [4, 2]
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space, `FormulaError` for an unknown approach.
     """
-    chosen = choice(Approach, approach, "approach")
-    found = analyse(curve)
-    return Inspection(
-        approach=chosen,
-        critical=list(found.critical_points(chosen.variant(curve))),
-        inflections=list(found.inflections),
-        singular_points=list(found.singular_points),
-        joints=list(found.joints),
-        straight=list(found.straight_pieces),
-        constant=list(found.constant_pieces),
-        standing=list(found.standing_pieces),
-        torsion=list(found.torsion_zeros) if found.in_space else [],
-        planar=list(found.planar_pieces),
-        plane=found.plane,
-    )
+    analyse(curve).check_dimension()
+    return Inspection(choice(Approach, approach, "approach"), curve)
 
 
 def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
@@ -128,7 +119,7 @@ def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
     """
     found = analyse(curve)
     true = [root for root, _ in located(found.zero_form(found.critical_form).zeros)]
-    wanted = [f.root for f in found.critical_points()]
+    wanted = [f.root for f in found.critical_points]
     rows = []
     for approach in Approach:
         form = found.zero_form(found.critical_form, approach.variant(curve))

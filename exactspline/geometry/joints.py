@@ -19,13 +19,13 @@ from typing import TypeVar
 from flint import fmpz
 
 from exactspline.exact import mpq, ratio
-from exactspline.geometry.angles import Angle, angle_between
+from exactspline.geometry.angles import Angle
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.vector import Vector, cross, norm2
+from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.surd import Surd, square_root
 
 N = TypeVar("N", mpq, fmpz)
 Point = tuple[mpq, ...]
@@ -51,8 +51,8 @@ class Joint:
     order: int | None
     at_seam: bool = False
     angle: Angle | None = None
-    gap: mpq | Surd | None = None
-    curvatures: tuple[mpq | Surd, mpq | Surd] | None = None
+    gap: Real | None = None
+    curvatures: tuple[Real, Real] | None = None
 
     @property
     def tangent_continuous(self) -> bool:
@@ -186,13 +186,13 @@ def geometric_order(left: Jet, right: Jet) -> int:
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
 
-def distance(a: Point, b: Point) -> mpq | Surd:
+def distance(a: Point, b: Point) -> Real:
     """The distance of two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
     return square_root(inner(difference, difference))
 
 
-def curvature_of(jet: Jet) -> mpq | Surd:
+def curvature_of(jet: Jet) -> Real:
     """κ from a jet with γ′ ≠ 0: with its sign in the plane, not negative in space.
 
     >>> print(curvature_of(((0, 0), (1, 1), (0, 1), (0, 0))))
@@ -202,8 +202,7 @@ def curvature_of(jet: Jet) -> mpq | Surd:
     speed = mpq(inner(v, v))
     if len(v) == 2:
         turning = v[0] * a[1] - v[1] * a[0]
-        signed: mpq | Surd = square_root(speed) * (turning / (speed * speed))
-        return signed
+        return square_root(speed) * (turning / (speed * speed))
     return square_root(norm2(cross(Vector(*v), Vector(*a))) / (speed * speed * speed))
 
 
@@ -216,4 +215,4 @@ def turned(left: Point, right: Point) -> Angle | None:
     """The angle between two directions, None where there is none or one of them is zero."""
     if not any(left) or not any(right) or same_direction(left, right):
         return None
-    return angle_between(left, right)
+    return Angle(left, right)

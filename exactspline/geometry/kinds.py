@@ -5,10 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from exactspline.exact import mpq, text
 from exactspline.roots.root import Root
-
-Interval = tuple[mpq, mpq]
 
 
 class FeatureKind(StrEnum):
@@ -38,9 +35,17 @@ class FeatureKind(StrEnum):
     TORSION_END = "torsion end"
 
     @property
+    def is_singular(self) -> bool:
+        """Whether γ′ = 0 there, so that there is no curvature."""
+        return self in _SINGULAR
+
+    @property
     def opposite(self) -> FeatureKind:
         """Maximum for minimum and minimum for maximum."""
         return {FeatureKind.MAXIMUM: FeatureKind.MINIMUM, FeatureKind.MINIMUM: FeatureKind.MAXIMUM}[self]
+
+
+_SINGULAR = (FeatureKind.CUSP, FeatureKind.STOP, FeatureKind.CORNER, FeatureKind.SINGULAR_END, FeatureKind.REST)
 
 
 class JointKind(StrEnum):
@@ -79,37 +84,3 @@ class Feature:
     def at_knot(self) -> bool:
         """Whether the parameter is a knot."""
         return self.root.at_knot
-
-
-@dataclass(frozen=True)
-class CurvePiece:
-    """A piece of a curve by its parameters: one interval, or two where it runs across the seam of a closed curve.
-
-    The parts are in the order in which the curve runs through them, all inside the domain.
-
-    >>> print(CurvePiece(((mpq(3), mpq(4)), (mpq(0), mpq(1, 2)))))
-    [3, 4] ∪ [0, 1/2]
-    """
-
-    parts: tuple[Interval, ...]
-
-    @property
-    def start(self) -> mpq:
-        """The parameter at which the piece begins."""
-        return self.parts[0][0]
-
-    @property
-    def end(self) -> mpq:
-        """The parameter at which the piece ends: below `start` where it runs across the seam."""
-        return self.parts[-1][1]
-
-    @property
-    def across_seam(self) -> bool:
-        """Whether the piece runs across the seam of a closed curve."""
-        return len(self.parts) > 1
-
-    def __contains__(self, t: object) -> bool:
-        return any(a <= t <= b for a, b in self.parts)  # type: ignore[operator]  # any type comparable with mpq
-
-    def __str__(self) -> str:
-        return " ∪ ".join(f"[{text(a)}, {text(b)}]" for a, b in self.parts)

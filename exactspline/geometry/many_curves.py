@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from math import comb
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -50,6 +50,16 @@ class ManyFeatures(NamedTuple):
     high: Floats
     exact: Integers
     refused: Mapping[int, ExactSplineError] = MappingProxyType({})
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restored, (*self[:5], dict(self.refused))  # a read-only mapping cannot be pickled
+
+
+def _restored(
+    curve: Integers, kind: NDArray[np.str_], low: Floats, high: Floats, exact: Integers, refused: dict[int, Any]
+) -> ManyFeatures:
+    """The unpickled features."""
+    return ManyFeatures(curve, kind, low, high, exact, MappingProxyType(refused))
 
 
 def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> ManyFeatures:

@@ -22,7 +22,9 @@ from exactspline.geometry.filtered import programs_at_true_degree
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_segments import Jumps, Segments, components, rounded, whole
 from exactspline.geometry.many_splines import of_few_segments
+from exactspline.immutable import fill
 from exactspline.programs.program import Program
+from exactspline.reals.real import Real
 from exactspline.roots.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
 from exactspline.roots.modular import without_rational_zero
 from exactspline.roots.root import Root, knot_root
@@ -46,33 +48,49 @@ class OnSegment:
         """Its zeros."""
         return zeros(BSpline.from_forms(self.degree, Mesh(self.ends), (), [(self.polynomial, ONE)])).roots
 
-    def irrational(self, number: int, low: float, high: float) -> Irrational:
+    def irrational(self, number: int, low: float, high: float) -> LateRoot:
         """The zero with this number, irrational, between two places on the segment, from 0 to 1."""
         a, b = self.ends
-        return Irrational(a + (b - a) * mpq(low), a + (b - a) * mpq(high), self, number)
+        return LateRoot(a + (b - a) * mpq(low), a + (b - a) * mpq(high), self, number)
 
 
-class Irrational(NamedTuple):
+class LateRoot(Real):
     """An irrational zero strictly between two numbers, and where it is computed to any number of digits: on a segment,
     the zero with this number there.
     """
 
+    __slots__ = ("high", "low", "number", "on")
     low: mpq
     high: mpq
     on: OnSegment
     number: int
+
+    def __init__(self, low: mpq, high: mpq, on: OnSegment, number: int) -> None:
+        fill(self, low=low, high=high, on=on, number=number, _exact=False, _isolating=None, _minimal=None)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return LateRoot, (self.low, self.high, self.on, self.number)
 
     @property
     def root(self) -> Root:
         """The zero in exact arithmetic."""
         return self.on.roots[self.number]
 
+    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+        return self.root.refine(digits)
+
+    def _against_number(self, t: mpq) -> int:
+        return self.root._against_number(t)
+
+    def _annihilator(self) -> fmpz_poly:
+        return self.root._annihilator()
+
 
 class Point(NamedTuple):
     """An inflection or an extremum: its kind (the value of a `FeatureKind`) and its parameter."""
 
     kind: str
-    place: Root | Irrational
+    place: Root | LateRoot
 
     @property
     def order(self) -> tuple[mpq, mpq]:

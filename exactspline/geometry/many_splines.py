@@ -13,11 +13,12 @@ from itertools import islice
 
 import numpy as np
 
-from exactspline.errors import ExactSplineError, ShapeError
+from exactspline.errors import ExactSplineError, ShapeError, as_items
 from exactspline.geometry.filtered import AT_ONCE
 from exactspline.geometry.many_curves import Found, ManyFeatures, exactly, in_order, joined
 from exactspline.geometry.many_segments import Segments
 from exactspline.roots.doubles import Flags
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -36,7 +37,7 @@ def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
 
 def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) -> Iterator[ManyFeatures]:
     """The same, for so many curves at a time, so that partial results are available."""
-    source, start = iter(curves), 0
+    source, start = iter(as_items(curves, "curves")), 0
     while some := list(islice(source, at_once)):
         found = _features(some)
         refused = {i + start: error for i, error in found.refused.items()}
@@ -48,10 +49,12 @@ def _features(curves: Sequence[Nurbs]) -> ManyFeatures:
     groups: dict[tuple[int, bool], list[int]] = {}
     refused: dict[int, ExactSplineError] = {}
     for i, curve in enumerate(curves):
-        if not isinstance(curve, Nurbs):
-            told = f"is of type {type(curve).__name__}"
-            refused[i] = ShapeError(told, where=f"curves[{i}]", remedy="a `Nurbs` curve; for arrays `features_of_many`")
-        elif curve.dimension != 2:
+        try:
+            curve_of(curve)
+        except ShapeError as error:
+            refused[i] = ShapeError(error.problem, where=f"curves[{i}]", remedy=error.remedy)
+            continue
+        if curve.dimension != 2:
             refused[i] = ShapeError(f"a curve in {curve.dimension} dimensions", where=f"curves[{i}]", remedy="in 2")
         else:
             groups.setdefault((curve.degree, curve.polynomial), []).append(i)

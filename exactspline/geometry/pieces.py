@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactspline.exact import mpq
-from exactspline.geometry.kinds import CurvePiece
+from exactspline.questions.answers import CurvePiece
 
 
 def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]:

@@ -15,8 +15,8 @@ from flint import fmpz, fmpz_mat
 
 from exactspline.exact import mpq, ratio, text
 from exactspline.geometry.domain import space
-from exactspline.geometry.kinds import CurvePiece
 from exactspline.geometry.pieces import pieces
+from exactspline.questions.answers import CurvePiece
 from exactspline.splines.bernstein import Form
 from exactspline.splines.nurbs import Nurbs
 

@@ -1,14 +1,13 @@
 """Inflections, curvature extrema and special pieces of a plane curve, from its facts. All are zeros of a form of the
 curve (see `exactspline.geometry.constructions`), found by `exactspline.roots`; a zero where γ′ vanishes is a singular
-point and nothing else. On a closed curve the seam is a knot like any other and counts once. The user's interface is
-`exactspline.geometry.features`.
+point and nothing else. On a closed curve the seam is a knot like any other and counts once.
 """
 
 from __future__ import annotations
 
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.facts import Facts, ZeroForm, among, located
-from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind
+from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.roots.root import Root
 
 #: The form whose sign is that of κκ′; the sign of all others is that of κ′.
@@ -62,13 +61,3 @@ def _extremum(curvature: ZeroForm, root: Root, variant: Variant | str, *, by_jum
     sign = curvature.sign_at(root)
     of_absolute = FeatureKind.MINIMUM if sign == 0 else kind if sign > 0 else kind.opposite
     return Feature(kind, root, variant, by_jump, of_absolute)
-
-
-def straight_pieces(facts: Facts) -> list[CurvePiece]:
-    """The pieces on which the curve is straight."""
-    return facts.pieces_where_zero(facts.zero_form("zero_curvature"))
-
-
-def constant_pieces(facts: Facts) -> list[CurvePiece]:
-    """The pieces on which the curvature is constant."""
-    return facts.pieces_where_zero(facts.zero_form("critical_curvature"))

@@ -22,6 +22,7 @@ from exactspline.language.ruled import RuledSurface, development, differences
 from exactspline.language.vector import Vector, dot, norm2
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.expected import curve_of
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms, where_it_exists
 from exactspline.splines.nurbs import Nurbs
@@ -57,6 +58,7 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     Raises `ShapeError` for a curve that is not in space, and where the construction is not a ruled surface;
     `ReductionError` where it does not exist on a whole segment.
     """
+    curve = curve_of(curve)
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is not a ruled surface", remedy="choose a developable, a scroll or the focal surface")

@@ -3,7 +3,7 @@
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it is smallest: these points are listed as inflections,
 undulations and flat points and not once more among the extrema. The form [D1 D2 D3] of the torsion vanishes there
 whatever τ does, so that τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing
-else. The user's interface is `exactspline.geometry.features`.
+else.
 """
 
 from __future__ import annotations
@@ -13,13 +13,14 @@ from bisect import bisect_left
 from exactspline.exact import mpq
 from exactspline.geometry.constructions import Variant
 from exactspline.geometry.domain import space
-from exactspline.geometry.facts import Fact, Facts, ZeroForm, among
+from exactspline.geometry.facts import Facts, ZeroForm, among
 from exactspline.geometry.joints import Point, limit_direction, same_direction
-from exactspline.geometry.kinds import CurvePiece, Feature, FeatureKind, JointKind
+from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import norm2
 from exactspline.programs.invariants import twisting
+from exactspline.questions.entry import Fact
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor, where_it_exists
@@ -166,13 +167,3 @@ def _extremum(root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
         return Feature(FeatureKind.STATIONARY, root, variant)
     kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
     return Feature(kind, root, variant, by_jump, kind)
-
-
-def straight_pieces(facts: SpaceFacts) -> list[CurvePiece]:
-    """The pieces on which a space curve is straight."""
-    return facts.pieces_where_zero(facts.bending)
-
-
-def constant_pieces(facts: SpaceFacts) -> list[CurvePiece]:
-    """The pieces on which the curvature of a space curve is constant."""
-    return facts.pieces_where_zero(facts.zero_form("space_critical_curvature"))

@@ -1,7 +1,4 @@
-"""Curvature and torsion at a parameter: exact values at rational parameters, enclosures at irrational roots.
-
-Behind `exactspline.Nurbs.curvature` and `exactspline.Nurbs.torsion`.
-"""
+"""Curvature and torsion of a curve at a parameter, rational or not, as real numbers."""
 
 from __future__ import annotations
 
@@ -15,33 +12,18 @@ from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.papers import find
-from exactspline.roots.enclosure import Enclosure, exact_place, sign_at
-from exactspline.roots.real import Real
-from exactspline.roots.root import Root
+from exactspline.reals.real import Real
+from exactspline.roots.values import exact_place, segment_of, sign_at, signed_root, value_at, within
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.given import checked_side
 from exactspline.splines.lowest_terms import in_lowest_terms
-from exactspline.splines.surd import Surd, square_root
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-def curvature(
-    curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT
-) -> mpq | Surd | Enclosure:
-    """The curvature of a curve at a parameter or a root (see `exactspline.Nurbs.curvature`)."""
-    return curvature_at(curve, exact_place(t), side).told(digits)
-
-
-def torsion(curve: Nurbs, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
-    """The torsion of a space curve at a parameter or a root (see `exactspline.Nurbs.torsion`)."""
-    found = torsion_at(curve, exact_place(t), side).told(digits)
-    assert not isinstance(found, Surd)
-    return found
-
-
-def point_at(curve: Nurbs, place: mpq | Root, order: int = 0, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
+def point_at(curve: Nurbs, place: mpq | Real, order: int = 0, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
     """The point or a derivative of a curve at a rational parameter or an irrational root.
 
     >>> from exactspline import example, zeros
@@ -49,10 +31,11 @@ def point_at(curve: Nurbs, place: mpq | Root, order: int = 0, side: Side | str =
     >>> [x.double() for x in point_at(circle, zeros(circle.p[0] - circle.p[1]).roots[0], 1)]
     [-1.2071067811865475, 1.2071067811865475]
     """
-    if not isinstance(place, Root):
-        return tuple(map(Real.of, curve.derivative(order, place, side) if order else curve(place, side)))
+    if not isinstance(place, Real):
+        return tuple(map(Real, curve.derivative(order, place, side) if order else curve(place, side)))
+    within(curve.domain, place)
     numerators, denominator = _derivative(curve, order)
-    return tuple(Real.quotient_at(f, denominator, place) for f in numerators)
+    return tuple(value_at(f, denominator, place) for f in numerators)
 
 
 def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
@@ -67,17 +50,27 @@ def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
     return found, denominator
 
 
-def curvature_at(curve: Nurbs, place: mpq | Root, side: Side | str = Side.RIGHT) -> Real:
-    """The curvature of a curve at a rational parameter or an irrational root."""
+def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
+    """The curvature of a curve at a parameter: in the plane signed (positive where the curve turns left), in space not
+    negative; at a knot the one from the `side`.
+
+    >>> from exactspline import Nurbs, zeros
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+    >>> curvature(parabola, 0), curvature(parabola, "1/2")
+    (<Real 2>, <Real √2/2>)
+    >>> curvature(parabola, zeros(parabola.p[1].scaled(2) - 1).roots[0]).minimal_polynomial()
+    [-4, 0, 27]
+
+    Raises `DomainError` where γ′ = 0 and outside the domain, `ShapeError` unless in the plane or in space.
+    """
+    curve, place = curve_of(curve), exact_place(t)
     if curve.dimension not in (2, 3):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
     i = _segment(curve, place, side)
     _refuse_singular(curve, i, place, side)
     squared, turning = analyse(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
     sign = 1 if turning is None else sign_at(turning, place, side)
-    if not isinstance(place, Root):
-        return Real.of(square_root(_quotient(squared, place, side)) * sign)
-    return Real.root_of_quotient_at(sign, squared.scalar, squared.denominator, place)
+    return signed_root(sign, _value(squared, place, side))
 
 
 def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline | None]:
@@ -88,16 +81,24 @@ def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline |
     return find("curvature_squared")(c), find("f2")(c) * c.w
 
 
-def torsion_at(curve: Nurbs, place: mpq | Root, side: Side | str = Side.RIGHT) -> Real:
-    """The torsion of a space curve at a rational parameter or an irrational root."""
+def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
+    """The torsion of a space curve at a parameter (its limit where κ = 0), positive for a right-handed helix; at a knot
+    the one from the `side`.
+
+    >>> from exactspline import example
+    >>> torsion(example("twisted_cubic"), 0)
+    <Real 3>
+
+    Raises `DomainError` where γ′ = 0 or the torsion has a pole, `ShapeError` unless the curve is in space and not
+    straight there.
+    """
+    curve, place = curve_of(curve), exact_place(t)
     i = _segment(space(curve), place, side)
     _refuse_singular(curve, i, place, side)
     tau = analyse(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
     if sign_at(tau.denominator, place, side) == 0:
         raise DomainError(f"the torsion has a pole {_named(place)}", remedy="choose another parameter")
-    if not isinstance(place, Root):
-        return Real.of(_quotient(tau, place, side))
-    return Real.quotient_at(tau.scalar, tau.denominator, place)
+    return _value(tau, place, side)
 
 
 def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
@@ -109,10 +110,13 @@ def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
     return reduced
 
 
-def _segment(curve: Nurbs, place: mpq | Root, side: Side | str) -> int:
+def _segment(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
     """The number of the segment that holds a parameter or a root."""
     left = checked_side(side)
-    return _segment_of_root(curve, place) if isinstance(place, Root) else curve.mesh.locate(place, left=left)
+    if not isinstance(place, Real):
+        return curve.mesh.locate(place, left=left)
+    within(curve.domain, place)
+    return segment_of(curve.w, place)
 
 
 def _part(curve: Nurbs, i: int) -> Curve[BSpline]:
@@ -120,23 +124,17 @@ def _part(curve: Nurbs, i: int) -> Curve[BSpline]:
     return part(curve, *curve.breakpoints[i : i + 2])
 
 
-def _segment_of_root(curve: Nurbs, root: Root) -> int:
-    """The number of the segment with an irrational root inside."""
-    a, b = curve.domain
-    if not a < root < b:
-        raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
-    return next(i for i, t in enumerate(curve.breakpoints[1:]) if root < t)
+def _value(value: Rational[BSpline], place: mpq | Real, side: Side | str) -> Real:
+    if not isinstance(place, Real):
+        return Real(value.number(place, side=side))
+    return value_at(value.scalar, value.denominator, place)
 
 
-def _quotient(value: Rational[BSpline], t: mpq, side: Side | str) -> mpq:
-    return value.number(t, side=side)
-
-
-def _refuse_singular(curve: Nurbs, i: int, place: mpq | Root, side: Side | str) -> None:
+def _refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
     velocity = analyse(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
     if all(sign_at(x, place, side) == 0 for x in velocity):
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
 
 
-def _named(place: mpq | Root) -> str:
-    return "at the root" if isinstance(place, Root) else f"at the parameter {text(place)}"
+def _named(place: mpq | Real) -> str:
+    return "at the root" if isinstance(place, Real) else f"at the parameter {text(place)}"

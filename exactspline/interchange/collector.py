@@ -20,22 +20,32 @@ class Collector:
         self.format, self.source, self.limits = format_name, source, source.limits
         self.curves: list[NamedCurve] = []
         self.skipped: list[Skipped] = []
+        self._notes: dict[str, None] = {}
         self._objects = 0
 
     def reading(self) -> Reading:
         """Everything that was found."""
-        return Reading(self.format, tuple(self.curves), tuple(self.skipped))
+        return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes))
 
     def taken(self) -> Reading:
         """What was found since the last time."""
         found = self.reading()
-        self.curves, self.skipped = [], []
+        self.curves, self.skipped, self._notes = [], [], {}
         return found
 
-    def skip(self, what: str, where: str, why: str) -> None:
-        """Record something that is not read."""
+    def skip(self, what: str, where: str, why: str, *, curve: bool = True) -> None:
+        """Record something that is not read; `curve` says whether a curve is missing because of it."""
         self.count(1)
-        self.skipped.append(Skipped(what, where, why))
+        self.skipped.append(Skipped(what, where, why, curve))
+
+    def note(self, text: str) -> None:
+        """Record what the file says of all of its curves, once."""
+        self._notes[text] = None
+
+    def room(self, objects: int) -> None:
+        """Raise `ShapeError` where so many more objects would be too many: before they are built."""
+        if self._objects + objects > self.limits.objects:
+            self.count(objects)
 
     def count(self, objects: int) -> None:
         """Raise `ShapeError` when the file holds more than the limits allow."""
@@ -57,9 +67,10 @@ class Collector:
         homogeneous: bool = False,
         name: str = "",
         notes: Sequence[str] = (),
+        within: tuple[mpq, mpq] | None = None,
     ) -> None:
-        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. Where the data are not a
-        curve, it is skipped with the reason.
+        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`; `within` is the part of its
+        domain that the file uses. Where the data are not a curve, it is skipped with the reason.
         """
         name = name or f"{self.format} {len(self.curves) + 1}"
         try:
@@ -70,6 +81,8 @@ class Collector:
                 curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
             else:
                 curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
+            if within is not None and within != curve.domain:
+                curve = curve.restrict(*within)
         except ExactSplineError as error:
             self.skip(what, where, str(error))
             return

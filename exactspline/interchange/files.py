@@ -9,11 +9,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, ExactSplineError, as_items, as_path
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Format, NamedCurve, Piece, Reading, Source
+from exactspline.splines.examples import example_names, example_text
 from exactspline.splines.nurbs import Nurbs
 
 #: How many bytes of a file are used to recognize its format.
@@ -55,7 +56,7 @@ def read_in_pieces(place: str) -> Iterator[Piece]:
     >>> [(len(piece.reading.curves), piece.done, piece.total) for piece in read_in_pieces("curve.xyz")]
     Traceback (most recent call last):
     ...
-    exactspline.errors.CurveFileError: curve.xyz: cannot be read (No such file or directory); name a curve file
+    exactspline.errors.CurveFileError: curve.xyz: cannot be read (No such file or directory); name a file or an example
 
     Raises what `read` raises, but pieces before a defect have been handed out by then.
     """
@@ -81,7 +82,7 @@ def _located(
     if isinstance(place, bytes):
         data, name = place, ""
     else:
-        data, name, found_part = _bytes(os.fspath(place), limits)
+        data, name, found_part = _bytes(as_path(place), limits)
         part = part or found_part
     if len(data) > limits.megabytes << 20:
         raise CurveFileError(f"{len(data)} bytes", where=name, remedy=f"at most {limits.megabytes} MB are read")
@@ -105,7 +106,7 @@ def write(
     unless `rounding` asks for the nearest doubles, and another `ExactSplineError` for anything else that it cannot
     hold.
     """
-    chosen = named_format(format) if format else _by_suffix(os.fspath(place))
+    chosen = named_format(format) if format else _by_suffix(as_path(place))
     try:
         data, notes = encoded(curves, chosen.name, rounding=rounding)
     except ExactSplineError as error:
@@ -119,6 +120,7 @@ def encoded(
 ) -> tuple[bytes, tuple[str, ...]]:
     """The bytes that `write` writes, and notes on what was lost."""
     chosen = named_format(format)
+    curves = [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves")
     if chosen.write is None:
         written = ", ".join(sorted(known.name for known in FORMATS if known.write))
         raise CurveFileError(f"{chosen.title}: read, not written", remedy=f"written are {written}")
@@ -169,6 +171,8 @@ def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
     if path == "-":
         return sys.stdin.buffer.read(most), "standard input", ""
     part = ""
+    if not os.path.lexists(path) and path in example_names():
+        return example_text(path).encode(), f"{path}.json", ""
     if not os.path.lexists(path) and ":" in path:
         path, _, part = path.partition(":") if path.count(":") == 1 else path.rpartition(":")
     try:
@@ -180,4 +184,4 @@ def _bytes(path: str, limits: Limits) -> tuple[bytes, str, str]:
         if isinstance(error, ExactSplineError):
             raise
         reason = getattr(error, "strerror", None) or "no file name"
-        raise CurveFileError(f"cannot be read ({reason})", where=path, remedy="name a curve file") from None
+        raise CurveFileError(f"cannot be read ({reason})", where=path, remedy="name a file or an example") from None

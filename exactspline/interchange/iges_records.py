@@ -12,8 +12,8 @@ from exactspline.interchange.numbers import whole
 
 @dataclass
 class Entry:
-    """A directory entry: its number (odd), type, form, matrix (a number or 0), use flag and status, label, the
-    parameters as text.
+    """A directory entry: its number (odd), type, form, matrix (a number or 0), use flag, whether it is blanked, label,
+    the parameters as text.
     """
 
     number: int
@@ -21,6 +21,7 @@ class Entry:
     form: int
     matrix: int
     use: str
+    blanked: bool
     label: str
     parameters: list[str]
 
@@ -81,6 +82,28 @@ def parameters(text: str, separator: str, ending: str, limits: Limits) -> list[s
     raise CurveFileError("a record is not ended", remedy=f"records end with {ending!r}")
 
 
+#: Flags of units of length in the global section.
+UNITS = {"1": "inches", "2": "millimetres", "4": "feet", "5": "miles", "6": "metres", "7": "kilometres", "8": "mils",
+         "9": "microns", "10": "centimetres", "11": "microinches"}  # fmt: skip
+
+
+def unit_of(text: str) -> str:
+    """The unit of length that the global section names, "" where it names none."""
+    lines = sections(text)["G"]
+    separator, ending = delimiters(lines)
+    # the two delimiters are written as strings that hold themselves
+    words = "".join(line[:72] for line in lines).lstrip()
+    position = 4 if words[:2] == "1H" else 1
+    position += 4 if words[position : position + 2] == "1H" else 1
+    try:
+        found = parameters(words[position:], separator, ending, Limits())
+    except CurveFileError:
+        return ""
+    # parameters 14 and 15 of the section, the first two of which are the delimiters
+    flag, name = (found[i] if i < len(found) else "" for i in (11, 12))
+    return name if flag == "3" else UNITS.get(flag, "")
+
+
 def entries(text: str, limits: Limits) -> list[Entry]:
     """All directory entries with their parameters."""
     lines = sections(text)
@@ -102,6 +125,7 @@ def entries(text: str, limits: Limits) -> list[Entry]:
                 _field(second, 4),
                 _field(first, 6),
                 first[64:72].replace(" ", "0")[4:6],
+                first[64:72].replace(" ", "0")[:2] == "01",
                 second[56:64].strip(),
                 parameters(block, separator, ending, limits) if block else [],
             )

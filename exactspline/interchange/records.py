@@ -24,11 +24,14 @@ class NamedCurve:
 
 @dataclass(frozen=True)
 class Skipped:
-    """Something in a file that is not read: what it is, where it is, why it is skipped."""
+    """Something in a file that is not read: what it is, where it is, why it is skipped, and whether a curve is missing
+    from the reading because of it (not for surfaces, texts, or definitions that are not drawn).
+    """
 
     what: str
     where: str
     why: str
+    curve: bool = True
 
     def __str__(self) -> str:
         return f"{self.where}: {self.what} skipped, {self.why}"
@@ -36,11 +39,19 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, and what was skipped."""
+    """The curves of a file in their order, what was skipped, and notes on what the file says of all of them (a unit of
+    length, say).
+    """
 
     format: str
     curves: tuple[NamedCurve, ...]
     skipped: tuple[Skipped, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def complete(self) -> bool:
+        """Whether no curve of the file was left out."""
+        return not any(skipped.curve for skipped in self.skipped)
 
 
 class Piece(NamedTuple):

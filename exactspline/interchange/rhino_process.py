@@ -18,11 +18,16 @@ def _hex(*values: float) -> list[str]:
     return [float(value).hex() for value in values]
 
 
-def _described(rhino: Any, geometry: Any, where: str, name: str) -> list[dict[str, Any]]:
-    entry: dict[str, Any] = {"kind": type(geometry).__name__, "where": where, "name": name}
+#: The processor time that it may take, in seconds: it ends even where the process that waits for it was killed.
+SECONDS = 60
+
+
+def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str]) -> list[dict[str, Any]]:
+    entry: dict[str, Any] = {"kind": type(geometry).__name__, "where": where, "name": name, "notes": notes}
     if isinstance(geometry, rhino.PolyCurve):
         segments = [(i, geometry.SegmentCurve(i)) for i in range(geometry.SegmentCount)]
-        return [row for i, part in segments for row in _described(rhino, part, f"{where}, segment {i + 1}", name)]
+        inside = [_described(rhino, part, f"{where}, segment {i + 1}", name, notes) for i, part in segments]
+        return [row for rows in inside for row in rows]
     if isinstance(geometry, rhino.ArcCurve):
         plane = geometry.Arc.Plane
         vectors = [_hex(v.X, v.Y, v.Z) for v in (plane.XAxis, plane.YAxis, plane.Origin)]
@@ -54,13 +59,19 @@ def entries(data: bytes) -> list[dict[str, object]]:
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     except (ImportError, ValueError, OSError):
         # no such limits on this system; the time is still bounded
         pass
     model = rhino3dm.File3dm.FromByteArray(data)
-    rows = []
+    rows: list[dict[str, object]] = [{"unit": str(model.Settings.ModelUnitSystem).rpartition(".")[2].lower()}]
     for number, entry in enumerate(model.Objects, 1):
-        rows += _described(rhino3dm, entry.Geometry, f"object {number}", str(entry.Attributes.Name or ""))
+        attributes, notes = entry.Attributes, []
+        if attributes.Mode == rhino3dm.ObjectMode.InstanceDefinitionObject:
+            notes.append("as its block defines it, before any copy is placed")
+        elif not attributes.Visible:
+            notes.append("marked invisible")
+        rows += _described(rhino3dm, entry.Geometry, f"object {number}", str(attributes.Name or ""), notes)
     return rows
 
 

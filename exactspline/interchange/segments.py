@@ -67,6 +67,8 @@ def _times(point: Sequence[mpq], factor: mpq) -> Point:
 
 def mapped(segments: Sequence[Segment], affine: Affine) -> list[Segment]:
     """The images of segments."""
+    if affine.is_identity:
+        return list(segments)
     return [tuple(affine.homogeneous(point) for point in segment) for segment in segments]
 
 
@@ -148,6 +150,8 @@ def elevated(segment: Segment, degree: int) -> Segment:
     """The segment with a higher degree."""
     n = len(segment) - 1
     rise = degree - n
+    if not rise:
+        return segment
     return tuple(
         tuple(
             sum(

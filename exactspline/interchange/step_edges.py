@@ -15,6 +15,8 @@ from exactspline.interchange.step_records import StepFile, Value
 EDGE, ELEMENTARY = "EDGE_CURVE", ("LINE", "CIRCLE", "ELLIPSE")
 #: Curves that say on which surfaces they are; the first they name is the curve in space.
 ON_SURFACES = ("SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE")
+#: What holds the curves in the parameter plane of a surface.
+PARAMETERS = "DEFINITIONAL_REPRESENTATION"
 ONE = (mpq(1), mpq(0))
 _TEXT = re.compile(r"'[^']*'")
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
@@ -26,11 +28,23 @@ class Edges:
     def __init__(self, file: StepFile) -> None:
         self.file = file
         self.used: set[str] = set()
+        self.in_parameters: set[str] = set()
         for text in file.instances.values():
             kind, _, rest = text.partition("(")
+            if kind.strip() == PARAMETERS:
+                self.in_parameters.update(_REFERENCE.findall(_TEXT.sub("", rest).partition(")")[0]))
             if kind.strip() == EDGE or kind.strip() in ON_SURFACES:
                 # the curve that they lie on, in a continued text
                 self.used.update(_REFERENCE.findall(_TEXT.sub("", rest))[2 * (kind.strip() == EDGE) :][:1])
+
+    def notes(self, number: int) -> list[str]:
+        """What is to be said of a spline: how edges and surfaces use it."""
+        used = f"#{number}" in self.used
+        in_parameters = f"#{number}" in self.in_parameters
+        return [
+            *(["edges may use a part of it, or run backwards"] if used else []),
+            *(["in the parameter plane of a surface"] if in_parameters else []),
+        ]
 
     def read(self, keyword: str, number: int, where: str) -> None:
         """Add the curve of an edge, or an elementary curve that no edge uses."""
@@ -38,7 +52,8 @@ class Edges:
             self._edge(number, where)
         elif f"#{number}" not in self.used:
             if keyword == "LINE":
-                raise ShapeError("a line without ends", remedy="edges have them")
+                self.file.found.skip(keyword, where, "a line without ends; edges have them", curve=False)
+                return
             frame, _ = self._frame(keyword, f"#{number}")
             self._add(keyword, where, arc_of(frame, ONE, ONE), "the whole curve")
 

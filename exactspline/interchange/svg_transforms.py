@@ -1,8 +1,9 @@
-"""The transform attribute of SVG, exactly."""
+"""The transform attribute of SVG and the point about which it acts, and lengths, exactly."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from exactspline.errors import NumberError, ShapeError
 from exactspline.exact import mpq
@@ -13,6 +14,54 @@ from exactspline.interchange.numbers import decimal
 
 _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
 _TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))
+
+
+#: CSS pixels per unit of length (CSS Values and Units, absolute lengths).
+UNITS = {"px": mpq(1), "in": mpq(96), "cm": mpq(9600, 254), "mm": mpq(960, 254), "q": mpq(240, 254), "pt": mpq(4, 3),
+         "pc": mpq(16)}  # fmt: skip
+_SIDES = {"left": "0", "top": "0"}
+_LENGTH = re.compile(r"(.*?)(px|in|cm|mm|q|pt|pc)?", re.ASCII | re.IGNORECASE | re.DOTALL)
+
+
+def length(text: str, limits: Limits) -> mpq:
+    """A length in user units.
+
+    >>> length("2.5", Limits()), length("1in", Limits()), length("25.4mm", Limits())
+    (mpq(5,2), mpq(96,1), mpq(96,1))
+
+    Raises `NumberError` for anything else, a percentage or a size of a font.
+    """
+    match = _LENGTH.fullmatch(text.strip())
+    assert match is not None
+    return decimal(match[1], limits) * UNITS[(match[2] or "px").lower()]
+
+
+def about(own: Affine, attributes: Mapping[str, str], style: Mapping[str, str], limits: Limits) -> Affine:
+    """A transform about the point that `transform-origin` names, in the coordinates of the nearest viewport.
+
+    >>> about(transform("scale(2)", Limits()), {"transform-origin": "5 1in"}, {}, Limits())((5, 0))
+    (mpq(5,1), mpq(-96,1))
+
+    Raises `ShapeError` where the point depends on a box: of the viewport (percentages) or of the shape.
+    """
+    given = style.get("transform-origin", attributes.get("transform-origin", "")).lower()
+    box = style.get("transform-box", attributes.get("transform-box", "view-box")).strip().lower()
+    words = [_SIDES.get(word, word) for word in given.split()]
+    if not words:
+        return own
+    try:
+        if box != "view-box" or not 2 <= len(words) <= 3:
+            raise NumberError("a box is needed")
+        if "transform-origin" in style and any(word.strip("+-.0") and not word[-1].isalpha() for word in words):
+            raise NumberError("CSS has no lengths without a unit")
+        x, y = (length(word, limits) for word in words[:2])
+    except NumberError:
+        raise ShapeError(
+            f"the transform-origin {given[:40]!r} in the transform-box {box[:20]!r}",
+            remedy="two lengths in the view-box are read",
+        ) from None
+    there, back = (Affine([[1, 0, sign * x], [0, 1, sign * y]]) for sign in (1, -1))
+    return there @ own @ back
 
 
 def transform(text: str, limits: Limits) -> Affine:

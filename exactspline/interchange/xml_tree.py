@@ -1,4 +1,6 @@
-"""XML read as a small tree: no entity is declared or expanded, nothing is fetched, depth and size are bounded."""
+"""XML read as a small tree: nothing is fetched, depth and size are bounded. Of entities only those are expanded that
+the file itself declares as text without further entities, and only as far as the text stays within the limits.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +14,11 @@ from exactspline.interchange.limits import Limits
 
 #: Characters that XML 1.0 leaves out, escaped or not (section 2.2).
 NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+
+#: The entities that XML itself declares.
+PREDEFINED = frozenset(("lt", "gt", "amp", "apos", "quot"))
+_REFERENCE = re.compile(r"&([^\s#&;<>'\"]{1,200});")
+_NOT_MARKUP = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)", re.S)
 
 
 @dataclass
@@ -42,13 +49,17 @@ def parse(data: bytes, limits: Limits) -> Element:
 
     >>> parse(b"<a><b c='1'>x</b></a>", Limits()).children[0].attributes
     {'c': '1'}
-    >>> parse(b'<!DOCTYPE a [<!ENTITY x "y">]><a>&x;</a>', Limits())
+    >>> parse(b'<!DOCTYPE a [<!ENTITY x "y">]><a>&x;</a>', Limits()).text
+    'y'
+    >>> parse(b'<!DOCTYPE a [<!ENTITY x SYSTEM "y.txt">]><a>&x;</a>', Limits())
     Traceback (most recent call last):
-    exactspline.errors.CurveFileError: line 1: declares the entity 'x'; entities are not expanded: write the text itself
+    exactspline.errors.CurveFileError: line 1: the entity 'x' is text of another file; write the text itself
 
-    Raises `CurveFileError` for what is not well formed, declares entities, or is beyond the limits.
+    Raises `CurveFileError` for what is not well formed, for entities that are in other files, nested, not declared, or
+    too long, and beyond the limits.
     """
     parser = expat.ParserCreate()
+    entities = _Entities(parser, data, limits)
     parser.buffer_text = True
     open_elements: list[Element] = []
     texts: list[list[str]] = []
@@ -75,15 +86,9 @@ def parse(data: bytes, limits: Limits) -> Element:
     def characters(data: str) -> None:
         texts[-1].append(data)
 
-    def entity(name: str, *_: object) -> None:
-        raise CurveFileError(
-            f"declares the entity {name[:40]!r}",
-            where=f"line {parser.CurrentLineNumber}",
-            remedy="entities are not expanded: write the text itself",
-        )
-
     parser.StartElementHandler, parser.EndElementHandler = start, end
-    parser.CharacterDataHandler, parser.EntityDeclHandler = characters, entity
+    parser.CharacterDataHandler, parser.EntityDeclHandler = characters, entities.declared
+    parser.EndDoctypeDeclHandler = entities.all_known
     try:
         parser.Parse(data, True)
     except (expat.ExpatError, LookupError, ValueError) as error:
@@ -91,6 +96,53 @@ def parse(data: bytes, limits: Limits) -> Element:
             raise
         raise CurveFileError(f"is not well-formed XML ({error})", remedy="correct the text there") from None
     return roots[0]
+
+
+class _Entities:
+    """The entities that a file declares, checked before any is expanded."""
+
+    def __init__(self, parser: expat.XMLParserType, data: bytes, limits: Limits) -> None:
+        self.parser, self.data, self.limits = parser, data, limits
+        self.names = set(PREDEFINED)
+        self.longest = 0
+
+    def declared(
+        self,
+        name: str,
+        is_parameter: bool,
+        value: str | None,
+        _base: object,
+        system: object,
+        public: object,
+        *_: object,
+    ) -> None:
+        """See that a declaration is harmless."""
+        if is_parameter:
+            self._refuse(f"the parameter entity {name[:40]!r}")
+        if value is None or system or public:
+            self._refuse(f"the entity {name[:40]!r} is text of another file")
+        elif set(_REFERENCE.findall(value)) - PREDEFINED:
+            self._refuse(f"the entity {name[:40]!r} holds entities")
+        self.names.add(name)
+        self.longest = max(self.longest, len(value or ""))
+
+    def all_known(self) -> None:
+        """See that all references in the file are to these: what a declaration that was not read may hold, expat leaves
+        out without a word. Raises `CurveFileError`, also where the text would become too long.
+        """
+        if self.data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+            text = self.data.decode("utf-16", "replace")
+        else:
+            text = self.data.decode("utf-8", "replace")
+        references = _REFERENCE.findall(_NOT_MARKUP.sub("", text))
+        if unknown := [name for name in references if name not in self.names]:
+            self._refuse(f"the entity {unknown[0][:40]!r} is not declared in the file")
+        if len(references) * self.longest > self.limits.megabytes << 20:
+            self._refuse(f"entities of {self.longest} characters, {len(references)} times")
+
+    def _refuse(self, problem: str) -> None:
+        line = f"line {self.parser.CurrentLineNumber}"
+        raise CurveFileError(problem, where=line, remedy="write the text itself")
 
 
 def attribute(value: str) -> str:

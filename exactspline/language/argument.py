@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
+from exactspline.hooks import Displayed
 from exactspline.language.operand import Operand
-from exactspline.language.services import Displayed
 from exactspline.language.vector import Vector
 
-if TYPE_CHECKING:
-    from exactspline.language.formula import Formula
+
+class Callee(Protocol):
+    """What an argument needs of a formula that is called on it."""
+
+    function: Callable[..., Any]
+    symbol: str
 
 
 class Argument(Displayed, ABC):
     """The argument of a formula."""
 
     @abstractmethod
-    def calls(self, formula: Formula) -> object:
+    def calls(self, formula: Callee) -> object:
         """The value of a formula."""
 
 
@@ -30,9 +34,9 @@ class Evaluated(Argument):
     """
 
     #: Values of the formulas that were called, in a copy that remembers.
-    _values: dict[Formula, object] | None = None
+    _values: dict[Callee, object] | None = None
 
-    def calls(self, formula: Formula) -> object:
+    def calls(self, formula: Callee) -> object:
         """The value of a formula."""
         if self._values is None:
             return self.remembering().calls(formula)

@@ -9,7 +9,7 @@ from typing import Any, overload
 
 from exactspline.language.operand import C
 from exactspline.language.rational import Rational
-from exactspline.language.vector import F, S, Vector, join, norm2
+from exactspline.language.vector import F, S, Vector, expect_vector, join, norm2
 
 
 def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
@@ -19,6 +19,8 @@ def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
     >>> complex_product(Vector(1, 2), Vector(3, 4))
     Vector(-5, 10)
     """
+    expect_vector(a)
+    expect_vector(b)
     return join(a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0])
 
 
@@ -29,6 +31,7 @@ def conjugate(a: Vector[S]) -> Vector[S]:
     >>> conjugate(Vector(1, 2))
     Vector(1, -2)
     """
+    expect_vector(a)
     return join(a[0], -a[1])
 
 

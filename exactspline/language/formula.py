@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.hooks import Displayed
 from exactspline.language.argument import Argument
 from exactspline.language.kinds import CURVE, Kind, kind_of
-from exactspline.language.services import Displayed
+from exactspline.language.letters import Letter
 
 
 class Formula(Displayed):
@@ -24,6 +25,8 @@ class Formula(Displayed):
         self.function: Callable[..., Any] = function
         self.source, self.kind, self.symbol = source, kind, symbol
         self.name = self.__name__ = function.__name__
+        #: The dimensions in which its derivatives have been looked through.
+        self._lettered: set[int] = set()
         self.__doc__, self.__module__ = function.__doc__, function.__module__
 
     def __reduce__(self) -> str:
@@ -35,8 +38,26 @@ class Formula(Displayed):
         return self.kind.name
 
     def __call__(self, c: object) -> Any:
-        """The formula in the reading of `c`."""
-        return c.calls(self) if isinstance(c, Argument) else self.function(c)
+        """The formula in the reading of `c`.
+
+        Raises `FormulaError` for a derivative by a parameter that arguments of its kind do not have.
+        """
+        if not isinstance(c, Argument):
+            return self.function(c)
+        self._check_letters(getattr(c, "dimension", self.kind.dimensions[0]))
+        return c.calls(self)
+
+    def _check_letters(self, dimension: int) -> None:
+        """Refuse derivatives by parameters that there are not, once per dimension, whatever the reading; where there is
+        only one, each reading refuses any other.
+        """
+        if dimension in self._lettered or dimension not in self.kind.dimensions:
+            return
+        parameters = self.kind.parameters(dimension)
+        if len(parameters) > 1:
+            letter = Letter(parameters)
+            self.function(self.kind.argument(dimension, lambda _: letter, letter))
+        self._lettered.add(dimension)
 
     def __repr__(self) -> str:
         return f"<formula {self.name}, {self.source}>"

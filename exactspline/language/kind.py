@@ -12,7 +12,6 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import T
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Operand
-from exactspline.language.services import service
 
 
 @dataclass(frozen=True)
@@ -62,9 +61,6 @@ class Kind(ABC):
     counted: tuple[Parameter, ...] = (Parameter.FIRST,)
     #: Where a parameter of some operands is itself a function of the curve's parameter: the operand that it is.
     composed: Mapping[Parameter, str] = MappingProxyType({})
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return service("kind"), (self.name,)  # the one object with this name, since kinds are compared by identity
 
     @abstractmethod
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from typing import Any
@@ -292,6 +293,10 @@ def _constants(text: str) -> Sequence[str]:
             )
     return found
 
+
+for _kind in KINDS.values():
+    # pickled as the one object with its name, since kinds are compared by identity
+    copyreg.pickle(type(_kind), lambda kind: (kind_of, (kind.name,)))
 
 #: The dimensions in which there are formulas of a kind.
 DIMENSIONS = {name: kind.dimensions for name, kind in KINDS.items()}

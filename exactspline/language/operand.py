@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, cast, 
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq, mpz
-from exactspline.language.services import Displayed, service
+from exactspline.hooks import Displayed
 
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance
-    from exactspline.language.rational import Rational
-    from exactspline.language.vector import Vector
 
 #: The constants that may stand in a formula.
 Constant = int | mpz | mpq | Fraction
@@ -73,8 +71,24 @@ class Counted(Ring, Protocol):
     def elevated_to(self, other: Self, /) -> Self:
         """The same thing, of at least the degree of another."""
 
-    def hash_of_quotients(self, numerators: tuple[Self, ...]) -> int:
-        """A hash of the quotients by this that all equal ones share."""
+    equals_quotients: ClassVar[bool]
+
+    def hash_of_quotient(self, numerator: Self) -> int:
+        """A hash of the quotient by this that all equal ones share."""
+
+
+class Components(Protocol):
+    """What an operand needs of a vector of operands."""
+
+    def mapped(self, change: Callable[[Operand], Operand], /) -> object:
+        """The vector of the images of its components."""
+
+
+class Dividing(Protocol[D_co]):
+    """What a vector can be divided by."""
+
+    def dividing(self, numerator: object, /) -> D_co:
+        """A vector divided by this."""
 
 
 class HasDegree(Protocol[D_co]):
@@ -93,8 +107,8 @@ D = TypeVar("D")
 class Operand(Displayed, ABC):
     """The base of the scalars of all readings: a reading supplies what is abstract here, the rest follows.
 
-    ``/`` by an operand makes a `Rational`, which is Table 1's row T3; a reading with true quotients is a
-    `FieldOperand`.
+    A reading with true quotients is a `FieldOperand`; where ``/`` makes a `Rational`, it is a
+    `exactspline.language.rational.RingOperand`.
     """
 
     __slots__ = ()
@@ -102,6 +116,8 @@ class Operand(Displayed, ABC):
     is_vector: bool = False
     #: The parameter of an operand that has only one.
     parameter: ClassVar[str] = "s"
+    #: Whether an operand equals the quotients that are the same function, and its hash is that of theirs.
+    equals_quotients: ClassVar[bool] = False
 
     @property
     def is_zero(self) -> bool:
@@ -118,9 +134,9 @@ class Operand(Displayed, ABC):
         """Whether it is identically zero, if only on one segment of its domain."""
         return bool(self.is_zero)
 
-    def hash_of_quotients(self, numerators: tuple[Self, ...]) -> int:
-        """A hash of the quotients by this that all equal ones share; a reading may refine it."""
-        return len(numerators)
+    def hash_of_quotient(self, numerator: Self) -> int:
+        """A hash of the quotient by this that all equal ones share; a reading may refine it."""
+        return 1
 
     @abstractmethod
     def __add__(self, other: Self | Constant, /) -> Self: ...
@@ -158,13 +174,9 @@ class Operand(Displayed, ABC):
     @overload
     def __truediv__(self, other: Constant) -> Self: ...
     @overload
-    def __truediv__(self: C, other: C) -> Rational[C]: ...
-    @overload
     def __truediv__(self, other: Operand) -> Operand: ...
-    def __truediv__(self, other: object) -> object:
-        if isinstance(other, CONSTANTS):
-            return self.scaled(1 / mpq(other))
-        return other.dividing(self) if isinstance(other, Operand) else NotImplemented
+    @abstractmethod
+    def __truediv__(self, other: object) -> object: ...
 
     def __rtruediv__(self, other: Constant) -> Operand:
         return self.constant(other) / self if isinstance(other, CONSTANTS) else NotImplemented
@@ -186,11 +198,11 @@ class Operand(Displayed, ABC):
             return other
         return self.constant(other) if isinstance(other, CONSTANTS) else None
 
-    def dividing(self, numerator: Operand | Vector[Operand]) -> Operand | Vector[Operand]:
+    @abstractmethod
+    def dividing(self, numerator: object) -> object:
         """`numerator`, an operand or a vector of this reading, divided by this."""
-        return service("quotient")(numerator, self)
 
-    def times_vector(self, vector: Vector[Operand]) -> Operand | Vector[Operand]:
+    def times_vector(self, vector: Components) -> object:
         """A vector times this: component by component."""
         return vector.mapped(lambda component: component * self)
 
@@ -226,9 +238,9 @@ class FieldOperand(Operand):
         left = self.beside(other)
         return NotImplemented if left is None else left * self.reciprocal()
 
-    def dividing(self, numerator: Operand | Vector[Operand]) -> Operand | Vector[Operand]:
+    def dividing(self, numerator: object) -> object:
         """`numerator` times the reciprocal."""
-        return numerator * self.reciprocal()
+        return cast(Any, numerator) * self.reciprocal()
 
 
 class OwnProducts(ABC):

@@ -7,14 +7,15 @@ added; any two others are cross-multiplied.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Generic, Protocol, TypeVar, cast
+from typing import Any, Generic, Protocol, Self, TypeGuard, TypeVar, cast, overload
 
-from exactspline.errors import FormulaError
+from exactspline.errors import DomainError, FormulaError
 from exactspline.exact import Number, mpq
+from exactspline.immutable import Immutable, fill
 from exactspline.language.choices import Side
-from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
+    Components,
     Constant,
     Counted,
     D,
@@ -198,22 +199,44 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         """Whether both are the same function: cross-multiplied, so that common factors do not matter.
 
         Where a denominator vanishes identically, if only on one segment, there is no function: such a quotient equals
-        nothing, not even itself.
+        nothing, not even itself. A quotient that is a spline (or a vector of splines) equals it.
 
         >>> from exactspline import BSpline
         >>> t = BSpline.identity(0, 1)
         >>> t * t / t == t / 1, t * t / t == (t * t * t) / (t * t), (t - t) / (t - t) == t / (t + 1)
-        (False, True, False)
+        (True, True, False)
         """
-        if not isinstance(other, Rational) or self.is_vector != other.is_vector:
+        if isinstance(other, Rational):
+            if self.is_vector != other.is_vector:
+                return NotImplemented
+            numerator, denominator = other.numerator, other.denominator
+            if denominator.vanishes_somewhere:
+                return False
+        elif self._can_be(other):
+            numerator, denominator = other, self.denominator.constant(1)
+        else:
             return NotImplemented
-        if self.denominator.vanishes_somewhere or other.denominator.vanishes_somewhere:
+        if self.denominator.vanishes_somewhere:
             return False
-        return bool(self.numerator * other.denominator == other.numerator * self.denominator)
+        try:
+            return bool(self.numerator * denominator == numerator * self.denominator)
+        except DomainError:  # functions over different domains
+            return False
+
+    def _can_be(self, other: object) -> TypeGuard[Any]:
+        """Whether something that is not written as a quotient is a value of the same reading, scalar or vector."""
+        parts = other.components if isinstance(other, Vector) else (other,)
+        own = type(self.denominator)
+        return (
+            own.equals_quotients
+            and self.is_vector == isinstance(other, Vector)
+            and all(isinstance(part, own) for part in parts)
+        )
 
     def __hash__(self) -> int:
-        scalars = tuple(self.numerator) if isinstance(self.numerator, Vector) else (self.numerator,)
-        return hash((self.is_vector, self.denominator.hash_of_quotients(scalars)))
+        if self.is_vector:  # that of the vector of its components, as which it may be written
+            return hash(tuple(self[i] for i in range(len(self))))
+        return self.denominator.hash_of_quotient(self.scalar)
 
     def __add__(self, other: object) -> Rational[T]:
         """Rows T4 and T5."""
@@ -252,12 +275,12 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         factor: Any = other
         return Rational(self.numerator, self.product * Product(factor))
 
-    def dividing(self, numerator: Operand | Vector[Operand]) -> Rational[T]:
+    def dividing(self, numerator: object) -> Rational[T]:
         """`numerator`, an operand or a vector that is not a quotient, divided by this."""
         top: Any = numerator
         return Rational(top * self.denominator, self.scalar)
 
-    def times_vector(self, vector: Vector[Operand]) -> Rational[T]:
+    def times_vector(self, vector: Components) -> Rational[T]:
         """A vector times this: one quotient."""
         own: Any = vector
         return Rational(own * self.scalar, self.product)
@@ -321,6 +344,27 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     def elevated_to(self, other: T) -> Rational[T]:
         """The same rational, its numerator at least of the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
+
+
+class RingOperand(Operand):
+    """An operand without true quotients: ``/`` by it makes a `Rational`, which is Table 1's row T3."""
+
+    __slots__ = ()
+
+    @overload
+    def __truediv__(self, other: Constant) -> Self: ...
+    @overload
+    def __truediv__(self: T, other: T) -> Rational[T]: ...
+    @overload
+    def __truediv__(self, other: Operand) -> Operand: ...
+    def __truediv__(self, other: object) -> object:
+        if isinstance(other, CONSTANTS):
+            return self.scaled(1 / mpq(other))
+        return other.dividing(self) if isinstance(other, Operand) else NotImplemented
+
+    def dividing(self: T, numerator: object) -> Rational[T]:
+        """`numerator`, an operand or a vector of this reading, over this."""
+        return Rational(cast("T | Vector[T]", numerator), self)
 
 
 def _components(value: Any) -> list[Any]:

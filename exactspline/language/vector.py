@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar, cast, overload
+from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import FormulaError, ShapeError, a_kind
 from exactspline.exact import Number, mpq
+from exactspline.hooks import Displayed
+from exactspline.immutable import Immutable, fill
 from exactspline.language.choices import Side
-from exactspline.language.immutable import Immutable, fill
 from exactspline.language.operand import (
     CONSTANTS,
-    C,
     Constant,
     D,
+    Dividing,
     FieldOperand,
     HasDegree,
     Operand,
@@ -25,16 +26,14 @@ from exactspline.language.operand import (
     larger,
     no_truth_value,
 )
-from exactspline.language.services import Displayed
-
-if TYPE_CHECKING:
-    from exactspline.language.rational import Rational
 
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 U = TypeVar("U")
 S = TypeVar("S", bound=Scalar)
 F = TypeVar("F", bound=FieldOperand)
+#: What takes over products: a quotient, a node of a tree.
+Q = TypeVar("Q", bound=OwnProducts)
 P = ParamSpec("P")
 
 
@@ -82,7 +81,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return f"Vector({', '.join(map(repr, self.components))})"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Vector) and self.components == other.components
+        return self.components == other.components if isinstance(other, Vector) else NotImplemented
 
     def __hash__(self) -> int:
         return hash(self.components)
@@ -114,7 +113,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return Vector(*[-a for a in self.components])
 
     @overload
-    def __mul__(self: Vector[C], scalar: Rational[C]) -> Rational[C]: ...  # type: ignore[overload-overlap]  # quotients win
+    def __mul__(self, scalar: Q) -> Q: ...
     @overload
     def __mul__(self: Vector[S], scalar: S) -> Vector[S]: ...
     @overload
@@ -133,7 +132,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
     @overload
     def __truediv__(self: Vector[F], scalar: F) -> Vector[F]: ...
     @overload
-    def __truediv__(self: Vector[C], scalar: C | Rational[C]) -> Rational[C]: ...
+    def __truediv__(self, scalar: Dividing[U]) -> U: ...
     def __truediv__(self, scalar: object) -> object:
         if isinstance(scalar, CONSTANTS):
             return self.scaled(1 / mpq(scalar))
@@ -184,6 +183,12 @@ def _same_length(a: Vector[Any], b: Vector[Any]) -> None:
         raise ShapeError(f"vectors of {len(a)} and {len(b)} components", remedy="use vectors of one dimension")
 
 
+def expect_vector(given: object) -> None:
+    """`ShapeError` for anything but a vector of a reading."""
+    if not getattr(given, "is_vector", False):
+        raise ShapeError(f"{a_kind(given)}, where a vector is expected", remedy="give a Vector, such as curve.p")
+
+
 def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
     """Let a reading intercept a product of vectors: a quotient multiplies the denominators, a tree records a node."""
 
@@ -191,6 +196,7 @@ def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
         for vector in vectors:
             if type(vector) is not Vector and isinstance(vector, OwnProducts):
                 return cast(T, vector.multilinear(product, vectors))
+            expect_vector(vector)
         return function(*vectors, **no)
 
     product.__name__ = product.__qualname__ = function.__name__
@@ -339,5 +345,6 @@ def wronskian(a: Vector[R], order: int | None = None) -> R:
     It vanishes identically where the components are linearly dependent functions. `order` is the number of components
     where `a` does not know it (a node of a tree).
     """
+    expect_vector(a)
     n = len(a) if order is None else order
     return det(a, *[a.d(k) for k in range(1, n)])

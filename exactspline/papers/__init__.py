@@ -6,6 +6,8 @@ everything else (tables, proofs, LaTeX, programs) is derived from it.
 
 from __future__ import annotations
 
+import copyreg
+import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib import resources
@@ -25,6 +27,7 @@ __all__ = [
     "default_papers",
     "find",
     "formulas_by_module",
+    "known_as",
     "load_paper",
     "named_papers",
     "owner",
@@ -78,6 +81,9 @@ def paper(name: str) -> Paper:
         remedy = f"{nearest(name, known | _loaded)}; or name a folder"
         raise FormulaError(f"there is no paper called {name!r}", remedy=remedy)
     return known[name]
+
+
+copyreg.pickle(Paper, lambda each: (paper, (each.name,)))  # by reference: formulas are code
 
 
 @cache
@@ -166,21 +172,48 @@ def known_as(formula: Formula) -> str:
     >>> known_as(find("f2"))
     'f2'
     """
-    return next((name for name, known in all_formulas().items() if known is formula), formula.name)
+    source = next((each for each in (*default_papers(), *papers()) if each.formulas.get(formula.name) is formula), None)
+    if source is None or (source.default and len(_owners(formula.name)) < 2):
+        return formula.name
+    return f"{source.name}:{formula.name}"
+
+
+@cache
+def _owners(name: str) -> tuple[Paper, ...]:
+    """The papers of the library with a formula of this name. A paper that is not needed otherwise is not imported: its
+    files say whether they define one.
+    """
+    defined = re.compile(rf"^def {re.escape(name)}\(", re.MULTILINE)
+    return tuple(
+        each
+        for each in papers()
+        if (name in each.formulas if each.default else any(defined.search(text) for text in _sources(each)))
+        and name in each.formulas
+    )
+
+
+@cache
+def _sources(source: Paper) -> tuple[str, ...]:
+    files = (source.folder.joinpath(*f"{module}.py".split("/")) for module in source.modules)
+    return tuple(file.read_text(encoding="utf-8") for file in files if file.is_file())
 
 
 def find(name: str) -> Formula:
-    """The formula with this name, ``name`` or ``paper:name``.
+    """The formula of the library with this name: ``name``, if one paper alone has one, or ``paper:name``, also of a
+    paper that was loaded.
 
     >>> find("f2"), find("lifted:evolute_lifted").name
     (<formula f2, eq. (8)>, 'evolute_lifted')
 
-    Raises `FormulaError` with the nearest names.
+    Raises `FormulaError` with the nearest names, and for a name that several papers have.
     """
     source, _, own = name.rpartition(":")
     if source:
         return paper(source).find(own)
     known = all_formulas()
+    if len(owners := _owners(name) if name in known else ()) > 1:
+        told = " or ".join(f"{each.name}:{name}" for each in owners)
+        raise FormulaError(f"{len(owners)} papers have a formula called {name!r}", remedy=f"write {told}")
     if name not in known:
         remedy = nearest(name, known, listed_by="exactspline derive")
         raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)

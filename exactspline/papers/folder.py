@@ -15,7 +15,6 @@ from typing import Any, TypedDict, cast
 
 from exactspline.errors import ClaimError, FormulaError, nearest
 from exactspline.language.formula import Formula
-from exactspline.language.services import service
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
 try:  # compiled, and with bounds on the depth of what strangers write
@@ -88,9 +87,6 @@ class Paper:
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return service("paper"), (self.name,)  # by reference: formulas are code
-
     @property
     def formulas(self) -> dict[str, Formula]:
         """Its own formulas by name, in the order of the source."""
@@ -118,11 +114,16 @@ class Paper:
         >>> paper("chen_riesenfeld_cohen_2007").find("f2")
         <formula f2, eq. (8)>
 
-        Raises `FormulaError` with the nearest names.
+        Raises `FormulaError` with the nearest names, and where several papers that it uses have one.
         """
-        for source in (self, *self.uses):
-            if name in source.formulas:
-                return source.formulas[name]
+        if name in self.formulas:
+            return self.formulas[name]
+        having = [source for source in self.uses if name in source.formulas]
+        if len({source.formulas[name] for source in having}) > 1:
+            told = " and of ".join(source.name for source in having)
+            raise FormulaError(f"{name!r} is a formula of {told}", remedy="call the one meant in a formula of your own")
+        if having:
+            return having[0].formulas[name]
         known = [known for source in (self, *self.uses) for known in source.formulas]
         raise FormulaError(f"no formula of {self.name} is called {name!r}", remedy=nearest(name, known))
 
@@ -155,7 +156,14 @@ class Paper:
 
     def digests(self) -> dict[str, str]:
         """The SHA-256 digests of its files by their names."""
-        return {name: _digest(file) for name, file in sorted(_files(self.folder), key=lambda named: named[0])}
+        found = dict(_files(self.folder))
+        # what is read is listed also where it is a link; other links lead nowhere
+        names = ("paper.toml", "claims.toml", "constructions.toml", "README.md")
+        for path in (*names, *[f"{module}.py" for module in self.modules], *self.claim_files):
+            if (file := self.folder.joinpath(*path.split("/"))).is_file():
+                found[path] = file
+        found |= {f"curves/{file.name}": file for file in self.curve_files()}
+        return {name: _digest(file) for name, file in sorted(found.items())}
 
     def _read(self, file: str) -> dict[str, object]:
         return read_toml(self.folder.joinpath(*file.split("/")), f"{self.name}/{file}")
@@ -196,8 +204,15 @@ def read_toml(file: Traversable, place: str) -> dict[str, object]:
         raise ClaimError(f"not TOML:  {error}", where=place, remedy="correct the file") from None
 
 
+#: How the files of a folder are listed.
+LISTED = 'formulas = ["plane"] means plane.py, claims = ["section2.toml"] that file'
+
+
 def told_of(folder: Traversable, name: str) -> Told:
-    """The description of a folder. Raises `ClaimError` for an unknown field, or one of the wrong type."""
+    """The description of a folder.
+
+    Raises `ClaimError` for an unknown field, one of the wrong type, or a file that is listed and does not exist.
+    """
     file = "paper.toml"
     data = read_toml(folder.joinpath(file), f"{name}/{file}")
     if not data:
@@ -216,6 +231,11 @@ def told_of(folder: Traversable, name: str) -> Told:
     for path in (*told["formulas"], *told["claims"]):
         if any(part in ("", ".", "..") for part in path.split("/")):
             raise ClaimError(f"the file {path!r}", where=f"{name}/{file}", remedy="name files inside the folder")
+    listed = [f"{module}.py" for module in told["formulas"] if "formulas" in data]
+    listed += [claims for claims in told["claims"] if "claims" in data]
+    for path in listed:
+        if not folder.joinpath(*path.split("/")).is_file():
+            raise ClaimError(f"the file {path!r} does not exist", where=f"{name}/{file}", remedy=LISTED)
     return told
 
 

@@ -12,16 +12,18 @@ import ast
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from math import factorial
 from typing import Any
 
-from exactspline.errors import FormulaError, nearest
+from exactspline.errors import FormulaError, nearest, shown
 from exactspline.exact import rational
 from exactspline.language.choices import Parameter
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
-from exactspline.language.kinds import CURVE, KINDS, CurveKind, kind_of
+from exactspline.language.kinds import CURVE, KINDS, CurveKind, Kind, kind_of
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple, wronskian
+from exactspline.papers.symbols import not_a_symbol
 
 #: What a file of formulas may import from exactspline, and call.
 LANGUAGE: dict[str, Callable[..., Any]] = {
@@ -46,6 +48,10 @@ HOMES = {"exactspline", "exactspline.language.complex_numbers", "exactspline.lan
 TRUST = "--trust runs the file as it stands, which may do anything"
 #: Limits: of a file, of a formula with all calls expanded, of powers, of derivatives, of its degree.
 CHARACTERS, WRITTEN_OUT, POWER, ORDER, DEGREE, DIGITS = 200_000, 100_000, 64, 20, 2000, 200
+#: The most rows whose determinant is counted, and how many products it may have.
+LARGE, DETERMINANT = 20, 40_320
+#: Functions whose value has as many components as one of their arguments.
+PAIRS = {"complex_product", "complex_quotient", "conjugate"}
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
 _BRANCHES = (ast.If, ast.IfExp, ast.BoolOp, ast.Compare, ast.While, ast.Match, ast.Assert, ast.Try)
 _REPEATS = (ast.For, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
@@ -53,12 +59,16 @@ _REPEATS = (ast.For, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 @dataclass
 class Checked:
-    """The functions that were checked: the size of each with all calls expanded, and its degree."""
+    """The functions that were checked: the size of each with all calls expanded, and its degree; the number of
+    components of its value, at most, where its arguments are scalars.
+    """
 
     file: str
     functions: dict[str, tuple[int, int]] = field(default_factory=dict)
+    lengths: dict[str, int] = field(default_factory=dict)
     imported: set[str] = field(default_factory=set)
     attributes: set[str] = field(default_factory=set)
+    vectors: dict[str, int] = field(default_factory=dict)
     constants: set[str] = field(default_factory=set)
 
     def refuse(self, node: ast.AST, problem: str, remedy: str = TRUST) -> FormulaError:
@@ -165,17 +175,20 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
     if node.name in read.functions:
         raise read.refuse(node, f"the name {node.name!r} is taken", "choose another one")
     read.attributes, read.constants = _attributes(node, read)
+    read.vectors = _vectors(node, read)
     locals_ = {arg.arg for arg in a.args}
     if locals_ & set(read.functions):
         raise read.refuse(node, f"the name {sorted(locals_ & set(read.functions))[0]!r} is taken", "choose another one")
-    read.functions[node.name] = _Body(read, dict.fromkeys(locals_, (1, 1))).size(node)
+    body = _Body(read, dict.fromkeys(locals_, (1, 1)))
+    read.functions[node.name] = body.size(node)
+    read.lengths[node.name] = body.length
 
 
 def _attributes(node: ast.FunctionDef, read: Checked) -> tuple[set[str], set[str]]:
     """What the argument of a function has, and its constants: from its decorator; of a function without one, what any
     argument without constants has.
     """
-    kinds = [kind_of(_decorated(node, read))] if node.decorator_list else [*KINDS.values()]
+    kinds = _kinds(node, read)
     if node.decorator_list and "formula" not in read.imported:
         raise read.refuse(node, "the function 'formula' is unknown here", 'write "from exactspline import formula"')
     found = {"generator", "directrix"}
@@ -186,6 +199,21 @@ def _attributes(node: ast.FunctionDef, read: Checked) -> tuple[set[str], set[str
                 found |= set(part.names(n))
     constants = {name for kind in kinds if isinstance(kind, CurveKind) for name in kind.constants}
     return found - constants, constants
+
+
+def _vectors(node: ast.FunctionDef, read: Checked) -> dict[str, int]:
+    """The operands of a function that are vectors, with their components."""
+    found: dict[str, int] = {}
+    for kind in _kinds(node, read):
+        for each in (kind, *kind.parts.values()):
+            for n in each.dimensions:
+                found |= {name: max(n, found.get(name, 1)) for name, vector in each.names(n).items() if vector}
+    return found
+
+
+def _kinds(node: ast.FunctionDef, read: Checked) -> list[Kind]:
+    """The kind that a decorator names; without one any."""
+    return [kind_of(_decorated(node, read))] if node.decorator_list else [*KINDS.values()]
 
 
 def _decorated(node: ast.FunctionDef, read: Checked) -> str:
@@ -205,6 +233,13 @@ def _decorated(node: ast.FunctionDef, read: Checked) -> str:
     if not good or not isinstance(call, ast.Call):
         raise read.refuse(
             node, f"how {node.name} is marked", '@formula("place in the source", on="plane") and one argument'
+        )
+    symbol = next(
+        (str(k.value.value) for k in call.keywords if k.arg == "symbol" and isinstance(k.value, ast.Constant)), ""
+    )
+    if problem := not_a_symbol(symbol):
+        raise read.refuse(
+            node, f"the symbol {shown(symbol)}: {problem}", r'letters and signs, like symbol=r"\kappa_{1}"'
         )
     kind = next((k.value.value for k in call.keywords if k.arg == "on" and isinstance(k.value, ast.Constant)), "curve")
     try:
@@ -229,6 +264,7 @@ class _Body:
 
     def __init__(self, read: Checked, names: dict[str, tuple[int, int]]) -> None:
         self.read, self.names, self.argument = read, names, next(iter(names), "")
+        self.lengths, self.length = dict.fromkeys(names, 1), 1
 
     def size(self, node: ast.FunctionDef) -> tuple[int, int]:
         """The same for the value of a function."""
@@ -239,6 +275,7 @@ class _Body:
         for step in steps:
             self.assign(step)
         total, degree = self.expression(last.value)
+        self.length = self.components(last.value)
         return sum(n for n, _ in self.names.values()) + total, degree
 
     def assign(self, node: ast.stmt) -> None:
@@ -251,7 +288,7 @@ class _Body:
             if not isinstance(value, ast.Tuple) or len(value.elts) != len(target.elts):
                 raise self.read.refuse(node, "unpacking a value", "write a, b = v[0], v[1]")
             pairs = list(zip(target.elts, value.elts, strict=True))
-        made = {}
+        made, lengths = {}, {}
         for name, given in pairs:
             taken = isinstance(name, ast.Name) and (name.id in self.read.functions or name.id == self.argument)
             if not isinstance(name, ast.Name) or name.id.startswith("_") or taken:
@@ -259,7 +296,49 @@ class _Body:
                     node, "an assignment to what is not a name of its own", "write name = expression"
                 )
             made[name.id] = self.expression(given)
+            lengths[name.id] = self.components(given)
         self.names |= made
+        self.lengths |= lengths
+
+    def components(self, node: ast.expr) -> int:
+        """How many components a value has, at most; 1 for a scalar."""
+        if isinstance(node, ast.Name):
+            return self.lengths.get(node.id, 1)
+        if isinstance(node, ast.Attribute):
+            return self.read.vectors.get(node.attr, 1)
+        if isinstance(node, ast.Subscript):
+            return self.components(node.value) if isinstance(node.slice, ast.Slice) else 1
+        if isinstance(node, ast.UnaryOp):
+            return self.components(node.operand)
+        if isinstance(node, ast.BinOp):
+            return max(self.components(node.left), self.components(node.right))
+        if not isinstance(node, ast.Call):
+            return 1
+        if isinstance(node.func, ast.Attribute):
+            return self.components(node.func.value)
+        found, name = (
+            [self.components(arg) for arg in node.args],
+            node.func.id if isinstance(node.func, ast.Name) else "",
+        )
+        known = {
+            "join": sum(found),
+            "generalized_cross": len(found) + 1,
+            "cross": 3,
+            "perp": 2,
+            "ruled": max(found, default=1),
+        }
+        if name in known:
+            return known[name]
+        return 1 if name in LANGUAGE and name not in PAIRS else self.read.lengths.get(name, 2) * max(found, default=1)
+
+    def terms(self, name: str, node: ast.Call) -> int:
+        """How many products a determinant of indeterminates has, written out: of n rows n!."""
+        if name == "wronskian" and node.args:
+            order = next((k.value.value for k in node.keywords if isinstance(k.value, ast.Constant)), 0)
+            n = max(self.components(node.args[0]), order if isinstance(order, int) else 0)
+        else:
+            n = {"det": len(node.args), "triple": 3, "cross": 3, "generalized_cross": len(node.args) + 1}.get(name, 1)
+        return factorial(min(n, LARGE))
 
     def expression(self, node: ast.expr) -> tuple[int, int]:
         """An expression of the language."""
@@ -350,7 +429,11 @@ class _Body:
         found = [self.expression(arg) for arg in node.args]
         size, degree = self.read.functions[name]
         products = sum(d for _, d in found) or 1
-        return size + sum(n for n, _ in found) + 1, max(degree, 1) * products
+        if (terms := self.terms(name, node)) > DETERMINANT:
+            raise self.read.refuse(
+                node, f"a {name} of more than {DETERMINANT} products", "at most 8 vectors of 8 components"
+            )
+        return size + sum(n for n, _ in found) + terms, max(degree, 1) * products
 
     def _above(self, name: str) -> str:
         known = list(self.read.functions)

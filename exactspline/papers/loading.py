@@ -49,8 +49,26 @@ def trusted_formulas(file: Traversable) -> dict[str, Formula]:
     return {f.name: guarded(f, place) for f in found}
 
 
+#: The files that were run unchecked in this process.
+_ran_unchecked: dict[str, None] = {}
+
+
+def ran_unchecked() -> tuple[str, ...]:
+    """The files of formulas that were run as they stand (``--trust``): what they say is theirs.
+
+    >>> ran_unchecked()
+    ()
+    """
+    return tuple(_ran_unchecked)
+
+
+def forget_what_ran() -> None:
+    """Begin anew, as a command does."""
+    _ran_unchecked.clear()
+
+
 def run_file(file: Path) -> ModuleType:
-    """A Python file run as a temporary module.
+    """A Python file run as a temporary module, unchecked; `ran_unchecked` names it from then on.
 
     Raises `FormulaError` for any error in it.
     """
@@ -58,6 +76,7 @@ def run_file(file: Path) -> ModuleType:
     if spec is None or spec.loader is None or not file.is_file():
         raise FormulaError("there is no such file", where=str(file), remedy="write file.py:function")
     module = module_from_spec(spec)
+    _ran_unchecked[str(file)] = None
     try:
         spec.loader.exec_module(module)
     except ExactSplineError:

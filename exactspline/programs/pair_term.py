@@ -8,13 +8,14 @@ from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq, rational
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, same
+from exactspline.language.rational import RingOperand
 from exactspline.programs.denominators import Denominator
 from exactspline.programs.instructions import ZERO, Instructions
 from exactspline.programs.term import Orders, Term, multiple_of_sum
 from exactspline.splines.tensor import DIRECTION
-from exactspline.splines.tensor_lines import Degrees
+from exactspline.splines.tensor_parts import Degrees
 
 
 class Patches:
@@ -32,7 +33,7 @@ class Patches:
         return self.instructions.load(self.loads.index((which, node)), 0)
 
 
-class PairTerm(Operand):
+class PairTerm(RingOperand):
     """``number · node / below`` on every patch; `own` where it depends on one curve only: which, and its term.
 
     `orders` are those of a `Term`, of the operands of either curve.

@@ -82,8 +82,9 @@ class PairProgram:
     >>> from exactspline.splines.examples import example
     >>> from exactspline.splines.tensor import surface_pair
     >>> pair = surface_pair(example("rational_space_cubic"), example("ellipse_in_space"))
-    >>> given = operands_of_pair(find("chord").kind, pair)
-    >>> program_of_pair(find("chord"), given.signature).on(given) == find("chord")(pair)
+    >>> chord = find("chen_riesenfeld_cohen_2007:chord")
+    >>> given = operands_of_pair(chord.kind, pair)
+    >>> program_of_pair(chord, given.signature).on(given) == chord(pair)
     True
     """
 

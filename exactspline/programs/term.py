@@ -8,8 +8,9 @@ from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq, rational
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
+from exactspline.language.rational import RingOperand
 from exactspline.programs.compiled import Multiplier
 from exactspline.programs.denominators import ONE, Denominator, OfOperand, WidthNumerator
 from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
@@ -35,7 +36,7 @@ class Recorder:
         return self.multipliers.index(kind)
 
 
-class Term(Operand):
+class Term(RingOperand):
     """``number · bᵏ (u + v)ᵉ · node / below``, with b the denominator of the segment's width.
 
     `orders` are, operand by operand, the orders of the derivatives it was made from (−1: none), the constants last:

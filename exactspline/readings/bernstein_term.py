@@ -16,13 +16,14 @@ from exactspline.errors import FormulaError
 from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.parts import Value
+from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 
 
-class Monomials(Operand):
+class Monomials(RingOperand):
     """``Σ c_ij u^(U − i) v^(V − j)``: the exponents U and V and the c_ij are polynomials in d, a and b."""
 
     __slots__ = ("exponents", "terms")

@@ -16,9 +16,9 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Counting, Parameter, choice
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import CONSTANTS, Constant, Operand, PartlyOrdered
+from exactspline.language.operand import CONSTANTS, Constant, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
-from exactspline.language.rational import Rational
+from exactspline.language.rational import Rational, RingOperand
 from exactspline.language.reading import Reading
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
@@ -38,7 +38,7 @@ def _dominates(a: Term, b: Term, start: int = 1) -> bool:
     return all(k >= 0 for _, k in difference[0]) and sum(k for _, k in difference[0]) * start + difference[1] >= 0
 
 
-class Degree(Operand, PartlyOrdered):
+class Degree(RingOperand, PartlyOrdered):
     """A maximum of affine forms in named degrees, which are at least 1, in the parameter that is counted.
 
     A `still` one does not depend on that parameter: derivatives leave it unchanged.

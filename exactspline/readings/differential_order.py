@@ -9,13 +9,14 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.parts import joined
+from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 
 
-class Order(Operand):
+class Order(RingOperand):
     """The highest derivative in an expression.
 
     >>> (Order(1) * Order(0)).d(2).order

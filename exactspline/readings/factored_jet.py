@@ -11,11 +11,12 @@ from flint.utils.flint_exceptions import DomainError
 
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
-from exactspline.language.factorization import Factorization
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
+from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
+from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.jet import Jet, JetReading, JetRing, bounded_product
 
 #: Longer sums are tried for the factors that were met before, which are shorter.
@@ -27,7 +28,7 @@ Powers = Factorization[fmpq_mpoly]
 ONE = Powers()
 
 
-class FactoredJet(Operand):
+class FactoredJet(RingOperand):
     """``unit · Π baseᵉ``; the bases are monic but need not be irreducible.
 
     >>> from exactspline.language.kinds import CURVE

@@ -14,11 +14,12 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 
 
-class Generic(Operand):
+class Generic(RingOperand):
     """Scaled Bernstein coefficients ``c_i = C(n, i) b_i``, n+1 of them."""
 
     __slots__ = ("coefficients", "context")

@@ -17,11 +17,13 @@ from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.choices import Parameter
-from exactspline.language.factorization import superscript
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import Constant, Operand
+from exactspline.language.letters import refuse_letter
+from exactspline.language.operand import Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
+from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
+from exactspline.polynomials.factorization import superscript
 
 PRIMES = ("", "′", "″", "‴")
 
@@ -53,6 +55,7 @@ class JetRing:
 
     def __init__(self, kind: Kind, dimension: int, order: int, *, polynomial: bool = False) -> None:
         self.kind, self.dimension, self.order, self.polynomial = kind, dimension, order, polynomial
+        self.parameters = kind.parameters(dimension)
         self.symbols = {s.name: s for s in kind.symbols(dimension, polynomial=polynomial)}
         self.rules = {n: rule for n, rule in kind.rules(dimension).items() if n in self.symbols}
         free = [symbol for name, symbol in self.symbols.items() if symbol.parameters and name not in self.rules]
@@ -189,7 +192,7 @@ def bounded_product(a: fmpq_mpoly, b: fmpq_mpoly, pairs: int = PAIRS) -> fmpq_mp
 SHORTER = f"at most {TERMS} are allowed: factor the formula, or name its parts"
 
 
-class Jet(Operand):
+class Jet(RingOperand):
     """A differential polynomial."""
 
     __slots__ = ("polynomial", "provenance", "ring")
@@ -234,9 +237,10 @@ class Jet(Operand):
     def d(self, order: int = 1, *, by: str | None = None) -> Jet:
         """The total derivative, or that by one parameter.
 
-        Raises `FormulaError` when the ring lacks the variable that it needs.
+        Raises `FormulaError` when the ring lacks the variable that it needs, and for a parameter that it does not have.
         """
         ring, result, provenance = self.ring, self.polynomial, self.provenance
+        refuse_letter(by, ring.parameters)
         for _ in range(order):
             total = ring.context.constant(0)
             for i, used in enumerate(result.degrees()):

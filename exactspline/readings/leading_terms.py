@@ -19,9 +19,11 @@ from exactspline.language.arguments import PARAMETERS
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import factorize
 from exactspline.readings.degree import Degree, parse
 from exactspline.readings.differential_order import order_of
 
@@ -46,7 +48,7 @@ class Across(NamedTuple):
         return coefficient
 
 
-class Expansion(Operand):
+class Expansion(RingOperand):
     """A sum of parts ``t^(k d − m) (c_0 + c_1/t + …)``, one for each degree k and weight m: the c_i are polynomials in
     d and the coefficients of the curve, known to a few terms. Zero has no part at all; a part whose known terms vanish
     need not be zero.
@@ -175,7 +177,7 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
     return tuple(
         sorted(
             int(-p[0] / p[1])
-            for p, _ in common.numer().factor()[1]
+            for p in factorize(common.numer()).bases
             if p.degree() == 1 and p[0] % p[1] == 0 and -p[0] / p[1] >= 1
         )
     )

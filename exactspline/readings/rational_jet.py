@@ -9,7 +9,7 @@ from __future__ import annotations
 from flint import fmpq, fmpq_mpoly
 from flint.utils.flint_exceptions import DomainError
 
-from exactspline.errors import FormulaError
+from exactspline.errors import VanishingDivisorError
 from exactspline.exact import rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
@@ -72,9 +72,11 @@ class JetFraction(FieldOperand):
         return JetFraction(self.ring, bounded_product(first, second), bounded_product(beneath, below))
 
     def reciprocal(self) -> JetFraction:
-        """``1 / a``; `FormulaError` for zero."""
+        """``1 / a``; `VanishingDivisorError` for zero."""
         if not self.top:
-            raise FormulaError("division by an expression that vanishes on every curve", remedy="check the formula")
+            raise VanishingDivisorError(
+                "division by an expression that vanishes on every curve", remedy="check the formula"
+            )
         unit = self.top.leading_coefficient()
         return JetFraction(self.ring, self.bottom / unit, self.top / unit)
 

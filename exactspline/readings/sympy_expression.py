@@ -22,10 +22,10 @@ from exactspline.errors import FormulaError
 from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.choices import Parameter
-from exactspline.language.factorization import Factorization, multiplied
 from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
+from exactspline.polynomials.factorization import Factorization, multiplied
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
 FIRST = PARAMETER[Parameter.FIRST]

@@ -8,19 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import factorial
-from typing import TYPE_CHECKING, Any, Protocol, Self, cast
+from typing import Any, Protocol, Self, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
-from exactspline.language.arguments import Curve
+from exactspline.language.arguments import Curve, T
 from exactspline.language.choices import Side
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand, Scalar
 from exactspline.language.reading import Reading
-
-if TYPE_CHECKING:
-    from exactspline.splines.bspline import BSpline
 
 
 class Coefficient(Scalar, Protocol):
@@ -106,7 +103,21 @@ class Series(FieldOperand):
         return f"Series({', '.join(map(str, self.coefficients))})"
 
 
-def taylor(spline: BSpline, t: Number, terms: int, side: Side | str = Side.RIGHT) -> Series:
+class Function(Protocol):
+    """A piecewise polynomial: what is expanded."""
+
+    @property
+    def degree(self) -> int:
+        """The degree."""
+
+    def d(self, order: int = 1) -> Self:
+        """The derivative of the given order."""
+
+    def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
+        """The value at a parameter."""
+
+
+def taylor(spline: Function, t: Number, terms: int, side: Side | str = Side.RIGHT) -> Series:
     """The expansion of a spline at a parameter (at a knot the one on the given side).
 
     >>> from exactspline import BSpline
@@ -137,14 +148,14 @@ class TaylorReading(Reading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The expansion of the given argument."""
-        # what is given is made of splines: an argument of a constructor that this room cannot name
+        # what is given is made of functions
         expanded: Evaluated = self.given.mapped(
-            lambda operand: taylor(cast("BSpline", operand), self.t, self.terms, self.side)
+            lambda operand: taylor(cast(Function, operand), self.t, self.terms, self.side)
         )
         return expanded
 
 
-def series_curve(curve: Curve[BSpline], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:
+def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:
     """The expansion of a concrete curve at a parameter."""
-    expanded: Curve[Series] = curve.mapped(lambda spline: taylor(spline, t, terms, side))
+    expanded: Curve[Series] = curve.mapped(lambda spline: taylor(cast(Function, spline), t, terms, side))
     return expanded

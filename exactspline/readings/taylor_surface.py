@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import factorial
-from typing import TYPE_CHECKING, cast
+from typing import Protocol, Self, cast
 
 from exactspline.errors import FormulaError
 from exactspline.exact import Number, mpq
@@ -16,9 +16,6 @@ from exactspline.language.choices import Parameter
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
-
-if TYPE_CHECKING:
-    from exactspline.splines.tensor import TensorSpline
 
 #: Coefficients by the exponents of the two variables; what is zero is left out.
 Coefficients = dict[tuple[int, int], mpq]
@@ -114,7 +111,17 @@ class DoubleSeries(FieldOperand):
         return f"DoubleSeries({self.coefficients}, {self.terms})"
 
 
-def double_taylor(spline: TensorSpline, u: Number, v: Number, terms: int) -> DoubleSeries:
+class Function(Protocol):
+    """A function of two parameters: what is expanded."""
+
+    def partial(self, i: int, j: int) -> Self:
+        """The derivative of order i by the first and j by the second."""
+
+    def __call__(self, s: Number, t: Number) -> mpq:
+        """The value at two parameters."""
+
+
+def double_taylor(spline: Function, u: Number, v: Number, terms: int) -> DoubleSeries:
     """The expansion of a spline in two parameters at a point, at a knot the one from the right.
 
     >>> from exactspline import TensorSpline
@@ -147,5 +154,5 @@ class DoubleTaylorReading(Reading):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The expansion of the surface at hand."""
         u, v = self.place
-        # what is given is made of splines: a constructor's argument that this room cannot name
-        return self.given.mapped(lambda operand: double_taylor(cast("TensorSpline", operand), u, v, self.terms))
+        # what is given is made of functions
+        return self.given.mapped(lambda operand: double_taylor(cast(Function, operand), u, v, self.terms))

@@ -6,12 +6,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from enum import StrEnum
 from operator import add, attrgetter, getitem, mul, neg, pow, sub, truediv
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple, cast
 
 from exactspline.errors import FormulaError
-from exactspline.language.argument import Argument
+from exactspline.language.argument import Argument, Callee
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.language.linear_system import level
@@ -19,58 +18,19 @@ from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVector
 from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
-from exactspline.language.services import service
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
-
-
-class Operation(StrEnum):
-    """What a node does; products of vectors have the names of their functions."""
-
-    #: An operand, a constant, and a formula called by its name.
-    LEAF = "leaf"
-    NUMBER = "number"
-    NAMED = "named"
-    PLUS = "+"
-    MINUS = "-"
-    TIMES = "*"
-    OVER = "/"
-    NEGATIVE = "neg"
-    DERIVATIVE = "d"
-    POWER = "**"
-    COMPONENT = "[]"
-    DOT = "dot"
-    CROSS = "cross"
-    DET = "det"
-    PERP = "perp"
-    GENERALIZED_CROSS = "generalized_cross"
-    JOIN = "join"
-    #: A directrix with its generator; a normal with its height, brought to one denominator.
-    RULED = "ruled"
-    LEVEL = "level"
-    #: A part of a ruled surface that is called by its name.
-    DIRECTRIX = "directrix"
-    GENERATOR = "generator"
-
-
-#: Operations that compute nothing.
-ATOMS = (Operation.LEAF, Operation.NUMBER, Operation.NAMED)
+from exactspline.readings.expression import ATOMS, Expression, Operation
+from exactspline.readings.printing.text import print_text
 
 #: Products of vectors whose value is again a vector.
 VECTOR_PRODUCTS = {Operation.CROSS, Operation.PERP, Operation.GENERALIZED_CROSS, Operation.JOIN}
 
 
-class Node(Operand, OwnVectors):
-    """A node of an expression tree: an operation, its arguments, and a value (a name, a number, …)."""
+class Node(Expression, Operand, OwnVectors):
+    """A node of an expression tree, with the operations of a reading."""
 
-    __slots__ = ("args", "is_vector", "op", "value")
-    is_vector: bool
-    #: The name of a leaf, a number, the order of a derivative, …, depending on the operation.
-    value: Any
-
-    def __init__(
-        self, op: Operation | str, args: tuple[Node, ...] = (), value: object = None, *, vector: bool = False
-    ) -> None:
-        self.op, self.args, self.value, self.is_vector = Operation(op), args, value, vector
+    __slots__ = ()
+    args: tuple[Node, ...]
 
     def _node(self, other: object) -> Node | None:
         if isinstance(other, Node):
@@ -134,7 +94,7 @@ class Node(Operand, OwnVectors):
         left = self._node(numerator)
         return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
-    def times_vector(self, vector: Vector[Operand]) -> Node:
+    def times_vector(self, vector: object) -> Node:
         """A tree has no vectors except its own."""
         refused: Node = NotImplemented
         return refused
@@ -169,7 +129,7 @@ class Node(Operand, OwnVectors):
         return self.args[0]
 
     def __repr__(self) -> str:
-        return service("formula_text")(self)
+        return print_text(self)
 
 
 class Derivation(NamedTuple):
@@ -214,7 +174,7 @@ class Traced(Argument):
             )
         return Node(Operation.LEAF, value=self._path + name, vector=names[name])
 
-    def calls(self, formula: Formula) -> object:
+    def calls(self, formula: Callee) -> object:
         """A formula called by another one: a node with its symbol (or its body, where it has none or is to be
         expanded).
         """

@@ -5,7 +5,8 @@
 (<Root 0.211325…: multiplicity 1, sign + to −>, <Root 0.788675…: multiplicity 1, sign − to +>)
 """
 
-from exactspline.roots.root import Root, between
+from exactspline.reals.real import between
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import Jump, ZeroInterval, ZeroSet, zeros
 
 __all__ = ["Jump", "Root", "ZeroInterval", "ZeroSet", "between", "zeros"]

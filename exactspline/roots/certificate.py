@@ -10,34 +10,39 @@ vanishes is given by its two ends, the end before the beginning where it crosses
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 from exactspline.exact import mpq, text
-
-if TYPE_CHECKING:
-    from exactspline.roots.isolation import Isolation
-    from exactspline.roots.zero_set import ZeroSet
+from exactspline.roots.isolation import Isolation
+from exactspline.roots.root import Root
+from exactspline.splines.bspline import BSpline
 
 FORMAT = "exactspline zeros 1"
 
 
-def certificate(found: ZeroSet) -> dict[str, object]:
-    """The proof of a zero set as JSON data.
+def certificate(
+    f: BSpline,
+    isolations: Iterable[Isolation | None],
+    roots: Iterable[Root],
+    jumps: Iterable[tuple[mpq, int, int]],
+    intervals: Iterable[tuple[mpq, mpq]],
+    *,
+    periodic: bool,
+) -> dict[str, object]:
+    """The proof of a zero set as JSON data; of jumps the parameter with the signs on both sides, of intervals the ends.
 
-    >>> from exactspline import BSpline
-    >>> from exactspline.roots.zero_set import zeros
-    >>> certificate(zeros(BSpline.bezier([1, -2, 1])))["segments"][0]["leaves"]
+    >>> from exactspline import zeros
+    >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
     [['0', '1/2', 1], ['1/2', '1', 1]]
     """
-    f = found.spline
     return {
         "format": FORMAT,
         "degree": f.degree,
-        "periodic": found.periodic,
+        "periodic": periodic,
         "breakpoints": [text(t) for t in f.mesh.breaks],
         "segments": [
             _segment([str(c[k]) for k in range(f.degree + 1)], i)
-            for c, i in zip(f.polynomials, found.isolations, strict=True)
+            for c, i in zip(f.polynomials, isolations, strict=True)
         ],
         "roots": [
             {
@@ -46,10 +51,10 @@ def certificate(found: ZeroSet) -> dict[str, object]:
                 "multiplicities": [root.left_multiplicity, root.right_multiplicity],
                 "signs": list(root.signs),
             }
-            for root in found.roots
+            for root in roots
         ],
-        "jumps": [{"at": text(jump.parameter), "signs": [jump.left.sign, jump.right.sign]} for jump in found.jumps],
-        "intervals": [[text(interval.low), text(interval.high)] for interval in found.intervals],
+        "jumps": [{"at": text(t), "signs": [left, right]} for t, left, right in jumps],
+        "intervals": [[text(low), text(high)] for low, high in intervals],
     }
 
 

@@ -11,40 +11,82 @@ from typing import Any
 
 
 def check(certificate: dict[str, object], sturm: bool = True) -> dict[str, int]:
-    """Number of roots, jumps and intervals that the certificate proves; any exception means that it proves nothing, and
-    a ValueError names the flaw.
+    """Number of roots, jumps and intervals that the certificate proves; a ValueError names what is wrong with it, and
+    then it proves nothing.
 
     With `sturm` false the second route is skipped (it is slow for degrees beyond 100).
     """
-    told: Any = certificate
+    try:
+        return _checked(certificate, sturm)
+    except (TypeError, AttributeError, LookupError) as error:  # data of another shape: a field missing, or no list
+        raise ValueError(f"not a certificate of a zero set: {type(error).__name__}: {error}") from error
+
+
+def _checked(told: Any, sturm: bool) -> dict[str, int]:
     _require(told["format"] == "exactspline zeros 1", "unknown format")
-    n, breaks = told["degree"], [Fraction(t) for t in told["breakpoints"]]
+    _require(type(told["periodic"]) is bool, "periodic is neither true nor false")
+    n, breaks = _count(told["degree"]), [_fraction(t) for t in told["breakpoints"]]
     _require(
-        all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(told["segments"]) + 1,
+        all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(told["segments"]) + 1 > 1,
         "breakpoints do not fit the segments",
     )
     parts = []
     for segment in told["segments"]:
-        c = [int(x) for x in segment["coefficients"]]
-        _require(len(c) == n + 1, "wrong number of coefficients")
+        c = [_integer(x) for x in segment["coefficients"]]
+        # a form that vanishes for every curve may have a negative degree, and then no coefficients
+        _require(len(c) == max(n + 1, 0), "wrong number of coefficients")
         parts.append(_segment(c, segment, sturm) if any(c) else None)
     roots, jumps, intervals = _whole(breaks, parts, told["periodic"])
     _require(len(told["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
-    for claim, (low, high, where, facts) in zip(told["roots"], roots, strict=True):
-        a, b = Fraction(claim["low"]), Fraction(claim["high"])
-        _require(low <= a <= b <= high and (where is None or _inside(where, a, b)), f"no root in [{a}, {b}]")
+    for i, (claim, (low, high, where, facts)) in enumerate(zip(told["roots"], roots, strict=True)):
+        a, b = _fraction(claim["low"]), _fraction(claim["high"])
         _require(
-            (tuple(claim["multiplicities"]), tuple(claim["signs"])) == facts,
-            f"wrong multiplicity or sign at [{a}, {b}]",
+            low <= a <= b <= high and (where is None or _inside(where, a, b)), f"no root in the interval of root {i}"
         )
-    _require([(Fraction(j["at"]), tuple(j["signs"])) for j in told["jumps"]] == jumps, "wrong jumps")
-    _require([tuple(map(Fraction, s)) for s in told["intervals"]] == intervals, "wrong intervals")
+        claimed = _sides(claim["multiplicities"]), _sides(claim["signs"])
+        _require(claimed == facts, f"wrong multiplicity or sign of root {i}")
+    _require([(_fraction(j["at"]), _sides(j["signs"])) for j in told["jumps"]] == jumps, "wrong jumps")
+    _require([tuple(map(_fraction, s)) for s in told["intervals"]] == intervals, "wrong intervals")
     return {"roots": len(roots), "jumps": len(jumps), "intervals": len(intervals)}
 
 
 def _require(condition: bool, flaw: str) -> None:
     if not condition:
         raise ValueError(flaw)
+
+
+def _count(told: Any) -> int:
+    _require(type(told) is int, "not an integer, where one is counted")
+    return int(told)
+
+
+def _sides(told: list[Any]) -> tuple[int | None, ...]:
+    """A number for each side of a point, None where the domain ends."""
+    return tuple(None if x is None else _count(x) for x in told)
+
+
+def _integer(told: Any) -> int:
+    """An integer written in decimal digits."""
+    _require(type(told) is str, "a number that is not written as text")
+    digits = told.removeprefix("-")
+    _require(digits.isascii() and digits.isdigit(), "a text that is not an integer")
+    return -_digits(digits) if told != digits else _digits(digits)
+
+
+def _digits(told: str) -> int:
+    """Piece by piece: Python refuses to read thousands of digits at once."""
+    if len(told) <= 600:
+        return int(told)
+    half = len(told) // 2
+    return int(_digits(told[:-half]) * 10**half + _digits(told[-half:]))
+
+
+def _fraction(told: Any) -> Fraction:
+    _require(type(told) is str, "a number that is not written as text")
+    above, line, below = told.partition("/")
+    denominator = _integer(below) if line else 1
+    _require(denominator > 0, "a denominator that is not positive")
+    return Fraction(_integer(above), denominator)
 
 
 def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fraction) -> bool:
@@ -85,7 +127,14 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     """
     start, end = (next(i for i, x in enumerate(d) if x) for d in (c, c[::-1]))
     inner = c[start : len(c) - end]
-    factors = [([int(x) for x in g], k) for g, k in segment["factors"]] or [(inner, 1)]
+    factors = [([_integer(x) for x in g], _count(k)) for g, k in segment["factors"]] or [(inner, 1)]
+    # a power of 0 or less, or a factor that vanishes, would have zeros that the form has not, or hide those it has
+    _require(all(k > 0 for _, k in factors), "a factor whose power is not positive")
+    _require(
+        factors == [(inner, 1)]
+        or (all(len(g) > 1 for g, _ in factors) and sum(k * (len(g) - 1) for g, k in factors) < len(inner)),
+        "factors of degree 0, or of too high a degree together",
+    )
     product, searched = [1], [1]
     for g, k in factors:
         searched = _times(searched, g)
@@ -94,18 +143,21 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     while len(product) < len(inner):
         product = _times(product, [1, 1])
     _require(
-        len(product) == len(inner) and all(x * product[0] == y * inner[0] for x, y in zip(inner, product, strict=True)),
+        len(product) == len(inner)
+        and product[0] != 0
+        and all(x * product[0] == y * inner[0] for x, y in zip(inner, product, strict=True)),
         "the factors do not multiply to the form",
     )
-    points = {Fraction(t) for t in segment["points"]}
-    leaves = [(Fraction(a), Fraction(b), changes) for a, b, changes in segment["leaves"]]
+    points = {_fraction(t) for t in segment["points"]}
+    leaves = [(_fraction(a), _fraction(b), _count(changes)) for a, b, changes in segment["leaves"]]
+    _require(all(a < b for a, b, _ in leaves), "a leaf that is empty or reversed")
     _require([a for a, _, _ in leaves] + [1] == [0] + [b for _, b, _ in leaves], "the leaves do not cover the segment")
     _require(points <= {a for a, _, _ in leaves if a}, "a point is not between two leaves")
     zeros = []
     for a, b, changes in leaves:
         values, own = _restricted(searched, a, b), _restricted(inner, a, b)
-        _require(_changes(values) == changes <= 1, f"wrong number of sign changes on [{a}, {b}]")
-        _require(a == 0 or (values[0] == 0) == (a in points), f"a zero at {a}, or none")
+        _require(_changes(values) == changes <= 1, "wrong number of sign changes on a leaf")
+        _require(a == 0 or (values[0] == 0) == (a in points), "a zero between two leaves that is not a point, or none")
         if a in points:
             order = next(i for i, x in enumerate(own) if x)
             zeros.append((a, a, inner, order, (_beside(_restricted(inner, Fraction(0), a))[1], _beside(own)[0])))

@@ -14,16 +14,16 @@ from __future__ import annotations
 from functools import cached_property
 from typing import NamedTuple
 
-from flint import fmpz, fmpz_poly, nmod_poly
+from flint import fmpz, fmpz_poly
 
-from exactspline.exact import PRIME, mpq, ratio
-from exactspline.language.factorization import Factorization, multiplied
+from exactspline.exact import mpq, ratio
+from exactspline.polynomials.factorization import Factorization, multiplied
+from exactspline.polynomials.factors import certainly_square_free, factorize_square_free
+from exactspline.reals.annihilating import without_rational_zero
 from exactspline.splines.bernstein import NOTHING, ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
-#: Modulo these it is tried whether a zero can be rational.
-PRIMES = (5, 7, 11, 13, 17, 19)
 
 
 class LocalPolynomial:
@@ -57,19 +57,12 @@ class LocalPolynomial:
 
     @cached_property
     def without_rational_zero(self) -> bool:
-        """Whether it is certain that no zero is rational: a rational one is a zero modulo every prime that does not
-        divide the leading coefficient. False says nothing.
+        """Whether it is certain that no zero is rational; False says nothing.
 
         >>> [LocalPolynomial(fmpz_poly(c)).without_rational_zero for c in ([-2, 0, 1], [-4, 0, 1])]
         [True, False]
         """
-        return any(_no_zero_modulo(self.polynomial, p) for p in PRIMES)
-
-
-def _no_zero_modulo(polynomial: fmpz_poly, p: int) -> bool:
-    """Whether a polynomial keeps its degree modulo a prime and has no zero there."""
-    residues = nmod_poly(polynomial, p)
-    return residues.degree() == polynomial.degree() and all(int(residues(x)) for x in range(p))
+        return without_rational_zero(self.polynomial)
 
 
 def _local(*coefficients: int) -> LocalPolynomial:
@@ -140,7 +133,7 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     search = _Search(inner, DEPTH)
     if search.finished:
         return Isolation(at_left, at_right, signs, search.zeros(), search.leaves, search.points(), None)
-    factors = Factorization((LocalPolynomial(g), int(k)) for g, k in inner.factor_squarefree()[1])
+    factors = Factorization((LocalPolynomial(g), int(k)) for g, k in factorize_square_free(inner).powers)
     radical = multiplied(Factorization((factor.polynomial, 1) for factor, _ in factors), fmpz_poly([1]))
     search = _Search(radical, None)
     zeros = _attributed(inner, factors, search.zeros())
@@ -197,17 +190,6 @@ class _Search:
                 _exact_if_linear(LocalZero(low, high, times or 1, signs, self.factor, 0 if times else signs[0]))
             )
         return sorted(result, key=lambda zero: zero.low + zero.high)
-
-
-def certainly_square_free(c: fmpz_poly) -> bool:
-    """Whether the polynomial has no multiple factor modulo `PRIME`, which proves that it has none; False proves
-    nothing.
-
-    >>> certainly_square_free(fmpz_poly([1, -3, 1])), certainly_square_free(fmpz_poly([1, -2, 1]))
-    (True, False)
-    """
-    image = nmod_poly(c, PRIME)
-    return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
 
 
 def _attributed(c: fmpz_poly, factors: Factorization[LocalPolynomial], zeros: list[LocalZero]) -> list[LocalZero]:

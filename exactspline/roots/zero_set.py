@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 
 from exactspline.errors import ShapeError
 from exactspline.exact import mpq, ratio, text
-from exactspline.language.immutable import Immutable, fill
-from exactspline.language.services import Displayed
+from exactspline.hooks import Displayed
+from exactspline.immutable import Immutable, fill
+from exactspline.roots.certificate import certificate
 from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
@@ -143,9 +144,14 @@ class ZeroSet(Immutable, Displayed):
 
     def certificate(self) -> dict[str, object]:
         """A proof, as JSON data with exact strings, that these are all zeros (see `exactspline.roots.checker`)."""
-        from exactspline.roots.certificate import certificate
-
-        return certificate(self)
+        return certificate(
+            self.spline,
+            self.isolations,
+            self.roots,
+            [(jump.parameter, jump.left.sign, jump.right.sign) for jump in self.jumps],
+            [(interval.low, interval.high) for interval in self.intervals],
+            periodic=self.periodic,
+        )
 
 
 def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:

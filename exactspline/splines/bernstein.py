@@ -16,7 +16,9 @@ from math import comb
 
 from flint import fmpq, fmpz, fmpz_poly
 
+from exactspline.errors import ReachError
 from exactspline.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 
 Form = tuple[fmpz_poly, fmpz]
 
@@ -24,6 +26,8 @@ NOTHING, ONE = fmpz(0), fmpz(1)
 ZERO_FORM: Form = (fmpz_poly([]), ONE)
 U_PLUS_V = fmpz_poly([1, 1])
 ONE_PLUS_2Z = fmpz_poly([1, 2])
+#: The degree from which on linear polynomials are substituted by shifts.
+BY_SHIFTS = 24
 
 
 @cache
@@ -118,11 +122,31 @@ def _long_value(form: Form, n: int, t: mpq) -> mpq:
 
 def substituted(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
     """``Σ c_i uⁿ⁻ⁱ vⁱ`` for two polynomials: restriction, reversal and composition are this."""
+    if n >= BY_SHIFTS and u.degree() == 1 and v.degree() <= 1:
+        return _by_shifts(c, n, u, v)
     result, power = fmpz_poly([]), fmpz_poly([1])
     for i in range(n, -1, -1):
         result = result * v + c[i] * power if i < n else fmpz_poly([c[n]])
         power = power * u if i < n else u
     return result
+
+
+def _by_shifts(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
+    """The same for linear ones, u not constant: with ``u₁ v = v₁ u + Δ`` it is ``uⁿ h(1/u)/u₁ⁿ`` for a polynomial
+    ``h(y) = Σ c_i u₁ⁿ⁻ⁱ (v₁ + Δ y)ⁱ``, so that two substitutions of linear polynomials inside FLINT suffice.
+
+    >>> c, u, v = fmpz_poly([1, 2, 3]), fmpz_poly([5, -2]), fmpz_poly([-1, 3])
+    >>> _by_shifts(c, 2, u, v) == u * u + 2 * u * v + 3 * v * v
+    True
+    """
+    first, second = u[1], v[1]
+    scaled, power = c.coeffs(), fmpz(1)
+    for i in range(n, -1, -1):
+        if i < len(scaled):
+            scaled[i] = scaled[i] * power
+        power = power * first
+    h = fmpz_poly(scaled)(fmpz_poly([second, first * v[0] - second * u[0]]))
+    return backwards(h, n)(u) // first**n
 
 
 def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
@@ -202,7 +226,7 @@ def is_square_class(c: fmpz_poly, n: int) -> bool:
     """
     c, times = divide_u_plus_v(c, n) if c else (c, 0)
     n -= times
-    return bool(c) and (n - c.degree()) % 2 == 0 and all(e % 2 == 0 for _, e in c.factor_squarefree()[1])
+    return bool(c) and (n - c.degree()) % 2 == 0 and all(e % 2 == 0 for _, e in factorize_square_free(c).powers)
 
 
 def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
@@ -246,7 +270,7 @@ def rational_roots(c: fmpz_poly) -> list[mpq]:
     >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
     [mpq(1,2)]
     """
-    ratios = [ratio(-p[0], p[1]) for p, _ in c.factor()[1] if p.degree() == 1]
+    ratios = [ratio(-p[0], p[1]) for p in factorize(c).bases if p.degree() == 1]
     return sorted(z / (1 + z) for z in ratios if z > 0)
 
 
@@ -269,16 +293,27 @@ def zero_on_segment(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
         return mpq(0), mpq(0)
     if c[n] == 0:
         return mpq(1), mpq(1)
-    repeated = c.gcd(c.derivative())
+    repeated = greatest_common_divisor([c, c.derivative()])
     if repeated.degree() > 0:
         n, c = n - repeated.degree(), c // repeated
+    found = _crossing(c, n)
+    if found is None or found[0] == found[1]:
+        return found
+    try:
+        exact = [t for t in rational_roots(c) if found[0] < t < found[1]]
+    except ReachError:
+        return found
+    return (exact[0], exact[0]) if exact else found
+
+
+def _crossing(c: fmpz_poly, n: int) -> tuple[mpq, mpq] | None:
+    """An interval with one inner zero of a square-free form that is not zero at either end, or None."""
     todo = [(mpq(0), mpq(1), c)]
     while todo:
         a, b, part = todo.pop()
         changes = variations(part)
         if changes == 1 and part[0] * part[n] < 0:
-            exact = [t for t in rational_roots(c) if a < t < b]
-            return (exact[0], exact[0]) if exact else (a, b)
+            return a, b
         if changes > 0:
             mid = (a + b) / 2
             left, right = halves(part, n)
@@ -304,12 +339,11 @@ def is_nonnegative(c: fmpz_poly, n: int) -> bool:
 
 def odd_factors(c: fmpz_poly) -> list[fmpz_poly]:
     """Square-free factors of odd multiplicity; roots at the right end of the segment (z = ∞) left out."""
-    _, factors = c.factor_squarefree()
-    return [p for p, multiplicity in factors if multiplicity % 2 and p.degree() > 0]
+    return [p for p, multiplicity in factorize_square_free(c).powers if multiplicity % 2 and p.degree() > 0]
 
 
 def crosses(p: fmpz_poly) -> bool:
     """Whether a square-free form has a root strictly inside the segment (z > 0)."""
     while p[0] == 0:
         p = p.right_shift(1)
-    return p.degree() > 0 and zero_on_segment(p, p.degree()) is not None
+    return p.degree() > 0 and _crossing(p, p.degree()) is not None

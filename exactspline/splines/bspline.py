@@ -11,18 +11,21 @@ from collections.abc import Callable, Iterable, Sequence
 from operator import add as plus
 from operator import mul as times
 from operator import sub as minus
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.exact import Number, mpq, rational, text, to_fmpz
+from exactspline.hooks import FunctionsOutside
+from exactspline.immutable import Immutable, fill
 from exactspline.language.choices import Side
-from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
+from exactspline.language.rational import RingOperand
 from exactspline.splines import blossom, refinement
 from exactspline.splines.bernstein import ONE, Form, bezier, common_denominators, derivative, raiser, true_degree, value
+from exactspline.splines.composition import composed
 from exactspline.splines.forms import Forms, Polynomials
 from exactspline.splines.given import checked_degree, checked_side, exact_points
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
@@ -55,7 +58,7 @@ class _Parts:
     _points: tuple[mpq, ...] | None
 
 
-class BSpline(Immutable, _Parts, Operand):
+class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
     `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
@@ -69,6 +72,7 @@ class BSpline(Immutable, _Parts, Operand):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
 
+    equals_quotients: ClassVar[bool] = True
     __slots__ = ()
 
     def __init__(self, degree: int, knots: Iterable[Number], control_points: Iterable[Number]) -> None:
@@ -325,19 +329,22 @@ class BSpline(Immutable, _Parts, Operand):
         return self is other or (self.domain == other.domain and (self - other).is_zero)
 
     def __hash__(self) -> int:
+        """That of the quotients that are this function."""
+        return hash((*self.domain, *map(self, self._places)))
+
+    @property
+    def _places(self) -> list[mpq]:
         a, b = self.domain
-        return hash((a, b, *[self(a + (b - a) * mpq(i, 5)) for i in range(6)]))
+        return [a + (b - a) * mpq(i, 5) for i in range(5)]
 
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero on one segment at least."""
         return not all(self._polynomials)
 
-    def hash_of_quotients(self, numerators: tuple[BSpline, ...]) -> int:
-        """From the limits of the quotients at fixed parameters, which common factors do not change."""
-        a, b = self.domain
-        places = [a + (b - a) * mpq(i, 5) for i in range(5)]
-        return hash((a, b, *[limit(f, self, t) for f in numerators for t in places]))
+    def hash_of_quotient(self, numerator: BSpline) -> int:
+        """From the limits of the quotient at fixed parameters, which common factors do not change."""
+        return hash((*self.domain, *[limit(numerator, self, t) for t in self._places]))
 
     @property
     def true_degree(self) -> int:
@@ -397,8 +404,6 @@ class BSpline(Immutable, _Parts, Operand):
 
     def compose(self, inner: BSpline) -> BSpline:
         """``t ↦ self(inner(t))``; `ReductionError` where a knot of this spline has an irrational preimage."""
-        from exactspline.splines.composition import composed
-
         return composed(self, inner)
 
 

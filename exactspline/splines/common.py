@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
 from exactspline.exact import mpq
-from exactspline.language.immutable import fill
+from exactspline.immutable import fill
 from exactspline.language.provenance import leaf
 from exactspline.splines.bernstein import rescaled
 from exactspline.splines.bspline import BSpline

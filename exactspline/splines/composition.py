@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ReductionError
 from exactspline.exact import mpq, text, to_fmpz
 from exactspline.language.choices import Side
+from exactspline.polynomials.factors import factorize
 from exactspline.splines import bernstein
 from exactspline.splines.knots import Mesh
-
-if TYPE_CHECKING:
-    from exactspline.splines.bspline import BSpline
+from exactspline.splines.piecewise import Piecewise, S
 
 
-def composed(outer: BSpline, inner: BSpline) -> BSpline:
+def composed(outer: S, inner: S) -> S:
     """``t ↦ outer(inner(t))``, of the product of the degrees.
 
     The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when
@@ -45,7 +43,7 @@ def composed(outer: BSpline, inner: BSpline) -> BSpline:
     return type(outer).from_forms(outer.degree * inner.degree, mesh, inside, parts)
 
 
-def _typical(inner: BSpline, outer: BSpline, low: mpq, high: mpq) -> mpq:
+def _typical(inner: Piecewise, outer: Piecewise, low: mpq, high: mpq) -> mpq:
     """A value of the inner spline on (low, high) that is not a knot of the outer one, where it has any: it may touch
     knots there but crosses none.
     """
@@ -64,7 +62,7 @@ def _constant(value: mpq, degree: int) -> bernstein.Form:
     return int(value.numerator) * bernstein.raiser(degree), to_fmpz(value.denominator)
 
 
-def _check_range(outer: BSpline, inner: BSpline) -> None:
+def _check_range(outer: Piecewise, inner: Piecewise) -> None:
     low, high = outer.domain
     for i, piece in enumerate(inner.forms):
         below = bernstein.add(piece, _constant(-low, inner.degree))[0]
@@ -79,7 +77,7 @@ def _check_range(outer: BSpline, inner: BSpline) -> None:
                 )
 
 
-def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
+def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
     """Parameters strictly inside segments where `inner` crosses `knot`; all rational, or an error."""
     found = []
     for i, piece in enumerate(inner.forms):
@@ -87,7 +85,7 @@ def _preimages(inner: BSpline, knot: mpq) -> list[mpq]:
         if not c:
             continue
         for p in bernstein.odd_factors(c):
-            for q, _ in p.factor()[1]:
+            for q in factorize(p).bases:
                 if q.degree() == 1:
                     a, b = inner.mesh.breaks[i : i + 2]
                     found += [a + (b - a) * t for t in bernstein.rational_roots(q)]

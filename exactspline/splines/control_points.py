@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
-from exactspline.errors import NumberError, ShapeError, shown
+from exactspline.errors import NumberError, ShapeError, a_kind, as_items, shown
 from exactspline.exact import Number, mpq, rational, text
+from exactspline.splines.bspline import BSpline
 
 
 class Direction(tuple[mpq, ...]):
@@ -63,7 +65,7 @@ def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Poin
     fault.
     """
     points: list[Point] = []
-    for i, row in enumerate(rows):
+    for i, row in enumerate(as_items(rows, "control points")):
         if isinstance(row, str) or not isinstance(row, Iterable):
             raise ShapeError(
                 f"{shown(row)} is not a point", where=f"control_points[{i}]", remedy="write a list of coordinates"
@@ -125,3 +127,19 @@ def projected(row: Sequence[mpq]) -> Point:
     if not weight and any(coordinates):
         return Direction(*coordinates)
     return tuple(x / weight if weight else x for x in coordinates)
+
+
+def greville_abscissae(f: BSpline) -> list[mpq]:
+    """The parameters over which the control points of a function are drawn: means of n consecutive knots (of a
+    constant: the middles of segments).
+
+    >>> from exactspline import BSpline
+    >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))
+    [mpq(0,1), mpq(1,2), mpq(3,2), mpq(2,1)]
+    """
+    if not hasattr(f, "control_points"):
+        raise ShapeError(f"{a_kind(f)}, where a spline is expected", remedy="give a BSpline")
+    n, t = f.degree, f.knots.knots
+    if n == 0:
+        return [(a + b) / 2 for a, b in pairwise(t)]
+    return [sum(t[i + 1 : i + n + 1], mpq(0)) / n for i in range(len(f.control_points))]

@@ -13,10 +13,11 @@ import os
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError, ExactSplineError, as_path
 from exactspline.exact import mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
+from exactspline.splines.expected import curve_of
 from exactspline.splines.given import checked_degree
 from exactspline.splines.json_files import (
     MAX_BYTES,
@@ -191,10 +192,11 @@ def save(curve: Nurbs, path: str | os.PathLike[str]) -> None:
 
     Raises `ExactSplineError` where the file cannot be written.
     """
+    curve = curve_of(curve)
     write_json(path, curve_data(curve))
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:
     """Write JSON atomically: the file is written whole or not at all."""
     text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
-    write_atomically(path, lambda stream: stream.write(text.encode()))
+    write_atomically(as_path(path), lambda stream: stream.write(text.encode()))

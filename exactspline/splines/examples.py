@@ -7,7 +7,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from exactspline.errors import CurveFileError, nearest
+from exactspline.errors import CurveFileError, as_path, as_text, nearest
 from exactspline.splines.curve_files import curve_from_text, read_curve, write_json
 from exactspline.splines.nurbs import Nurbs
 
@@ -46,10 +46,15 @@ def example(name: str) -> Nurbs:
 
     Raises `CurveFileError` with the nearest names.
     """
-    if name not in example_names():
+    if as_text(name, "the name of a curve") not in example_names():
         remedy = nearest(name, example_names(), listed_by="exactspline curves")
         raise CurveFileError(f"there is neither a file nor an example curve called {name!r}", remedy=remedy)
-    return curve_from_text(_text("example_curves", name), name)
+    return curve_from_text(example_text(name), name)
+
+
+def example_text(name: str) -> str:
+    """The curve file of an example."""
+    return _text("example_curves", name)
 
 
 @cache
@@ -73,7 +78,7 @@ def example_surface(name: str) -> NurbsSurface:
     """
     from exactspline.splines.surface_files import surface_from_text
 
-    if name not in example_surface_names():
+    if as_text(name, "the name of a surface") not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="exactspline curves")
         raise CurveFileError(f"there is neither a file nor an example surface called {name!r}", remedy=remedy)
     return surface_from_text(_text("example_surfaces", name), name)
@@ -88,6 +93,7 @@ def load_surface(name_or_path: str) -> NurbsSurface:
     """
     from exactspline.splines.surface_files import read_surface
 
+    name_or_path = as_path(name_or_path)
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
     known = name_or_path in example_surface_names()
     return example_surface(name_or_path) if known or is_name else read_surface(name_or_path)
@@ -97,6 +103,7 @@ def load(name_or_path: str) -> Nurbs:
     """An example curve by its name, otherwise a curve file by its path; for an unknown name the error lists the nearest
     ones.
     """
+    name_or_path = as_path(name_or_path)
     is_name = name_or_path.isidentifier() and not Path(name_or_path).exists()
     return example(name_or_path) if name_or_path in example_names() or is_name else read_curve(name_or_path)
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn, cast
 
-from exactspline.errors import CurveFileError, NumberError
+from exactspline.errors import CurveFileError, NumberError, as_text
 from exactspline.exact import Number, mpq, rational
 from exactspline.exact import text as text_of
 from exactspline.splines.control_points import Direction
@@ -44,7 +44,7 @@ def text_of_file(path: str | os.PathLike[str]) -> tuple[Path, str]:
 
 def json_object(text: str, remedy: str) -> dict[str, object]:
     """The JSON object that a text holds; `remedy` tells what to write instead of anything else."""
-    data = _parsed(text)
+    data = _parsed(as_text(text, "JSON"))
     if not isinstance(data, dict):
         raise CurveFileError("the JSON text is not an object", remedy=remedy)
     return data

@@ -10,16 +10,12 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
-from typing import TYPE_CHECKING
 
 from flint import fmpz
 
-from exactspline.errors import DomainError, KnotError, NumberError
+from exactspline.errors import DomainError, KnotError, NumberError, as_items
 from exactspline.exact import Number, mpq, rational, short_text, text, to_fmpz
-from exactspline.language.immutable import Immutable, fill
-
-if TYPE_CHECKING:
-    from exactspline.splines.bspline import BSpline
+from exactspline.immutable import Immutable, fill
 
 #: Continuity at a breakpoint where the function has no knot.
 SMOOTH = 1 << 60
@@ -42,7 +38,7 @@ class KnotVector(Immutable):
 
     def __init__(self, knots: Iterable[Number]) -> None:
         exact = []
-        for i, t in enumerate(knots):
+        for i, t in enumerate(as_items(knots, "knots")):
             try:
                 exact.append(rational(t))
             except NumberError as error:
@@ -243,17 +239,3 @@ def clamped(mesh: Mesh, continuity: Sequence[int], degree: int) -> KnotVector:
     a, b = mesh.domain
     inner = (t for t, c in zip(mesh.breaks[1:-1], continuity, strict=True) for _ in range(degree - c))
     return KnotVector([*[a] * (degree + 1), *inner, *[b] * (degree + 1)])
-
-
-def greville_abscissae(f: BSpline) -> list[mpq]:
-    """The parameters over which the control points of a function are drawn: means of n consecutive knots (of a
-    constant: the middles of segments).
-
-    >>> from exactspline import BSpline
-    >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))
-    [mpq(0,1), mpq(1,2), mpq(3,2), mpq(2,1)]
-    """
-    n, t = f.degree, f.knots.knots
-    if n == 0:
-        return [(a + b) / 2 for a, b in pairwise(t)]
-    return [sum(t[i + 1 : i + n + 1], mpq(0)) / n for i in range(len(f.control_points))]

@@ -7,15 +7,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import overload
 
-from flint import fmpz, fmpz_poly, nmod_poly
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import PRIME, text
+from exactspline.exact import text
 from exactspline.language.parts import split
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
 from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
@@ -38,27 +39,13 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
     return BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), [(c * raiser(n - degree), ONE) for c, degree in rows])
 
 
-def certainly_coprime(p: fmpz_poly, q: fmpz_poly) -> bool:
-    """Whether two polynomials have no common factor modulo a prime that keeps the degree of the first: then they have
-    none; False proves nothing.
-
-    >>> certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 1])), certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 2]))
-    (True, False)
-    """
-    image = nmod_poly(p, PRIME)
-    return bool(image.degree() == p.degree() and image.gcd(nmod_poly(q, PRIME)).degree() == 0)
-
-
 def _greatest_common_divisor(parts: Sequence[fmpz_poly]) -> fmpz_poly:
     if len(parts) > 1 and parts[0] and certainly_coprime(parts[0], parts[1]):
         content = parts[0].content()
         for c in parts[1:]:
             content = content.gcd(c.content())
         return fmpz_poly([content])
-    common = fmpz_poly([])
-    for c in parts:
-        common = common.gcd(c)
-    return common
+    return greatest_common_divisor(parts)
 
 
 def _scalars(value: SplineValue) -> list[BSpline]:
@@ -139,9 +126,7 @@ def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tup
     """Forms of degree n without their common factor, which is made positive, or so that the last form becomes so, at a
     parameter inside.
     """
-    common = fmpz_poly([])
-    for c in forms:
-        common = common.gcd(c)
+    common = greatest_common_divisor(forms)
     left = n - common.degree() - (n - max(c.degree() for c in forms))
     forms = [c // common for c in forms]
     judge, most = (forms[-1], left) if sign_of_last else (common, n)
@@ -176,7 +161,7 @@ def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
     if q.degree() > 0 and p and certainly_coprime(p, q):
         return p, lost
     for _ in range(times if p else 0):
-        common = p.gcd(q)
+        common = greatest_common_divisor([p, q])
         common = common // (common.content() if common(1) > 0 else -common.content())
         if common.degree() <= 0:
             break
@@ -258,7 +243,7 @@ def primitive_part(value: SplineVector) -> Vector[BSpline]:
 
     >>> from exactspline.splines.examples import example
     >>> from exactspline.papers import find
-    >>> primitive_part(find("normal")(example("rational_space_cubic"))).degree
+    >>> primitive_part(find("chen_riesenfeld_cohen_2007:normal")(example("rational_space_cubic"))).degree
     7
     """
     vector = in_lowest_terms(value).numerator if isinstance(value, Rational) else value

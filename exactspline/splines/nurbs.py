@@ -4,22 +4,22 @@ use.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, cast
 
 from exactspline.errors import ShapeError, WeightError
 from exactspline.exact import Number, from_float, is_float, mpq, rational, text
+from exactspline.immutable import Immutable
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
-from exactspline.language.immutable import Immutable
 from exactspline.language.vector import Vector
-from exactspline.splines import nurbs_operations as operations
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.given import checked_degree
 from exactspline.splines.knots import KnotVector
+from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.nurbs_values import ValuesAlong
 
 if TYPE_CHECKING:
@@ -156,7 +156,10 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         """Whether both are the same function on the same domain, whatever their knots, degrees and weights."""
         if not isinstance(other, Nurbs):
             return NotImplemented
-        return self is other or operations.same_function(self, other)
+        if self is other:
+            return True
+        alike = self.dimension == other.dimension and self.domain == other.domain
+        return alike and same_quotients(self.p, self.w, other.p, other.w)
 
     def __hash__(self) -> int:
         a, b = self.domain
@@ -207,7 +210,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
             f"control points in R{self.dimension}>"
         )
 
-    # ---- other representations, parts, images (see exactspline.splines.nurbs_operations)
+    # ---- other representations, parts, images
 
     def insert_knot(self, t: Number, times: int = 1) -> Nurbs:
         """The same curve with one more knot inside the domain.
@@ -219,7 +222,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
         degree + 1.
         """
-        return operations.changed(self, lambda f: f.insert_knot(t, times))
+        return changed(self, lambda f: f.insert_knot(t, times))
 
     def elevate_degree(self, by: int = 1) -> Nurbs:
         """The same curve, its degree raised.
@@ -227,7 +230,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).elevate_degree().control_points
         ((mpq(0,1), mpq(0,1)), (mpq(2,1), mpq(1,1)), (mpq(4,1), mpq(2,1)))
         """
-        return operations.changed(self, lambda f: f.elevate_degree(by))
+        return changed(self, lambda f: f.elevate_degree(by))
 
     def split(self, t: Number) -> tuple[Nurbs, Nurbs]:
         """The parts before and after an inner parameter.
@@ -249,7 +252,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
         Raises `DomainError` unless a < b are in the domain.
         """
-        return operations.changed(self, lambda f: f.restrict(a, b))
+        return changed(self, lambda f: f.restrict(a, b))
 
     def reverse(self) -> Nurbs:
         """The reversed curve, over the same domain.
@@ -257,7 +260,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).reverse()(0)
         (mpq(4,1), mpq(2,1))
         """
-        return operations.changed(self, lambda f: f.reverse())
+        return changed(self, lambda f: f.reverse())
 
     def transform(self, matrix: Sequence[Sequence[Number]]) -> Nurbs:
         """The image under a linear, an affine or a projective map with exact entries.
@@ -271,7 +274,14 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
 
         Raises `ShapeError` for a matrix of another shape, and `WeightError` where the image passes through infinity.
         """
-        return operations.transformed(self, matrix)
+        image, w = mapped(list(self.p), self.w, matrix, polynomial=self.polynomial)
+        return type(self).from_splines(image, w, name=self.name)
+
+
+def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
+    """The curve of the changed splines, with the name of the old one; the change keeps constants."""
+    w = None if curve.polynomial else change(curve.w)
+    return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
 
 
 def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: tuple[mpq, ...]) -> dict[str, object]:

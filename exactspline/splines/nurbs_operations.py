@@ -1,43 +1,21 @@
-"""Operations that change all splines of a curve in the same way, and its images under linear, affine and projective
-maps. Functions behind the methods of `Nurbs`; the maps serve surfaces too.
-"""
+"""Numerators and denominators of curves and surfaces: equality, and images under linear, affine and projective maps."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Iterable, Sequence
+from typing import TypeVar
 
 from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq
 from exactspline.language.operand import Operand
-from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_row
-
-if TYPE_CHECKING:
-    from exactspline.splines.nurbs import Nurbs
-    from exactspline.splines.surface import NurbsSurface
 
 T = TypeVar("T", bound=Operand)
 
 
-def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
-    """The curve of the changed splines, with the name of the old one; the change keeps constants."""
-    w = None if curve.polynomial else change(curve.w)
-    return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
-
-
-def same_function(one: Nurbs | NurbsSurface, other: Nurbs | NurbsSurface) -> bool:
-    """Whether two curves, or two surfaces, are one function on one domain."""
-    if one.dimension != other.dimension or one.domain != other.domain:
-        return False
-    w, v = one.w, other.w
-    return all((x * v - y * w).is_zero for x, y in zip(one.p, other.p, strict=True))
-
-
-def transformed(curve: Nurbs, matrix: Sequence[Sequence[Number]]) -> Nurbs:
-    """The image under the map with this matrix (see `Nurbs.transform`)."""
-    image, w = mapped(list(curve.p), curve.w, matrix, polynomial=curve.polynomial)
-    return type(curve).from_splines(image, w, name=curve.name)
+def same_quotients(p: Iterable[T], w: T, q: Iterable[T], v: T) -> bool:
+    """Whether p/w and q/v are the same functions."""
+    return all((x * v - y * w).is_zero for x, y in zip(p, q, strict=True))
 
 
 def mapped(p: Sequence[T], w: T, matrix: Sequence[Sequence[Number]], *, polynomial: bool) -> tuple[list[T], T | None]:

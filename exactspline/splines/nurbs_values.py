@@ -1,53 +1,25 @@
-"""The values of a curve at a parameter: point, derivatives, tangent, normal, curvature, torsion; exactly at rational
-parameters, to any number of digits at certified roots.
-"""
+"""The values of a curve at a rational parameter, exactly: derivatives, tangent, normal."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from math import comb
-from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, FormulaError, ShapeError
-from exactspline.exact import Number, Rounding, mpq, rational, text
+from exactspline.exact import Number, mpq, rational, text
+from exactspline.hooks import FunctionsOutside
 from exactspline.language.choices import Side
-from exactspline.language.services import service
 from exactspline.language.vector import Vector, dot
-from exactspline.splines.surd import Surd, square_root
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from exactspline.roots.enclosure import Enclosure
-    from exactspline.roots.root import Root
-    from exactspline.splines.bspline import BSpline
-
-#: An exact value: a rational number, or ``a√b``.
-Exact = mpq | Surd
+from exactspline.reals.real import Real, square_root
+from exactspline.splines.bspline import BSpline
 
 
-class ValuesAlong:
+class ValuesAlong(FunctionsOutside):
     """The methods of a `Nurbs` that take a parameter."""
 
     __slots__ = ()
     p: Vector[BSpline]
     w: BSpline
     dimension: int
-
-    def at(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> tuple[mpq | Enclosure, ...]:
-        """The point at a parameter: exact at a rational one, enclosed to so many digits behind the point at an
-        irrational `Root`.
-
-        >>> from exactspline import Nurbs, zeros
-        >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
-        >>> parabola.at("1/2")
-        (mpq(1,2), mpq(1,4))
-        >>> parabola.at(zeros(parabola.p[1].scaled(2) - 1).roots[0], digits=8)  # y = 1/2
-        (<Enclosure 0.70710678…>, <Enclosure 0.5…>)
-
-        Raises `DomainError` outside the domain.
-        """
-        return service("at")(self, t, digits=digits, side=side)
 
     def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the one from the `side`.
@@ -82,7 +54,7 @@ class ValuesAlong:
         """
         return self.derivative(1, t, side)
 
-    def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Exact, ...]:
+    def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
         """γ′/‖γ′‖ at a rational parameter, exactly.
 
         >>> from exactspline import Nurbs
@@ -93,14 +65,14 @@ class ValuesAlong:
         """
         return _normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
 
-    def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Exact, ...]:
+    def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
         """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
         the principal normal, towards the centre of curvature.
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
         >>> arc.normal("1/2")
-        (mpq(-3,5), mpq(-4,5))
+        (<Real -3/5>, <Real -4/5>)
 
         Raises `DomainError` where γ′ = 0, in space also where κ = 0, and `ShapeError` in other dimensions.
         """
@@ -115,87 +87,8 @@ class ValuesAlong:
         bent = tuple(length * b - along * a for a, b in zip(first, second, strict=True))
         return _normalized(bent, f"γ′ × γ″ = 0 {where}")
 
-    def curvature(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> Exact | Enclosure:
-        """The curvature: in the plane signed (positive where the curve turns left), in space not negative. Exact at a
-        rational parameter, enclosed to so many digits behind the point at an irrational `Root`.
 
-        >>> from exactspline import Nurbs
-        >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
-        >>> parabola.curvature(0), str(parabola.curvature("1/2"))
-        (mpq(2,1), '√2/2')
-
-        Raises `DomainError` where γ′ = 0 and outside the domain, `ShapeError` unless in the plane or in space.
-        """
-        return service("curvature")(self, t, digits=digits, side=side)
-
-    def torsion(self, t: Number | Root, *, digits: int = 15, side: Side | str = Side.RIGHT) -> mpq | Enclosure:
-        """The torsion of a space curve (its limit where κ = 0), positive for a right-handed helix. Exact at a rational
-        parameter, enclosed to so many digits behind the point at an irrational `Root`.
-
-        >>> from exactspline import example
-        >>> example("twisted_cubic").torsion(0)
-        mpq(3,1)
-
-        Raises `DomainError` where γ′ = 0 or the torsion has a pole, `ShapeError` unless the curve is in space and not
-        straight there.
-        """
-        return service("torsion")(self, t, digits=digits, side=side)
-
-    def at_floats(
-        self,
-        ts: Iterable[float | Number | Root],
-        *,
-        order: int = 0,
-        rounding: str = Rounding.NEAREST,
-        side: str = "right",
-    ) -> list[tuple[float, ...]]:
-        """The points (of `order` k: the k-th derivatives) at many parameters, every coordinate the correctly rounded
-        double: ``nearest``, ``down`` or ``up``. A float among the parameters counts with its binary value.
-
-        >>> from exactspline import example
-        >>> example("circle").at_floats([0.5, "1/3"])
-        [(0.6, 0.8), (0.8, 0.6)]
-        >>> example("circle").at_floats([0.1], order=2, rounding="down")
-        [(-3.7658897739592607, -1.160825816921463)]
-
-        Raises what `at` and `derivative` raise, and `OverflowError` beyond the largest double.
-        """
-        return service("at_floats")(self, ts, order=order, rounding=rounding, side=side)
-
-    def curvature_floats(
-        self, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
-    ) -> list[float]:
-        """`curvature` at many parameters as correctly rounded doubles.
-
-        >>> from exactspline import example
-        >>> example("cubic_s").curvature_floats([0, 0.5, 0.75])
-        [-0.35777087639996635, 0.0, 1.82615058850886]
-        """
-        return service("curvature_floats")(self, ts, rounding=rounding, side=side)
-
-    def torsion_floats(
-        self, ts: Iterable[float | Number | Root], *, rounding: str = Rounding.NEAREST, side: str = "right"
-    ) -> list[float]:
-        """`torsion` at many parameters as correctly rounded doubles.
-
-        >>> from exactspline import example
-        >>> example("twisted_cubic").torsion_floats([0, 0.1])
-        [3.0, 2.7500229168576404]
-        """
-        return service("torsion_floats")(self, ts, rounding=rounding, side=side)
-
-    def plot(self, ax: Axes | None = None, **how: object) -> Axes:
-        """The curve with its control polygon in matplotlib's axes (None: those of a new figure), which are returned;
-        `how` as for `exactspline.display.plot.plot_curve`.
-
-        >>> from exactspline import example
-        >>> example("circle").plot().get_aspect()
-        1.0
-        """
-        return service("plot")(self, ax, **how)
-
-
-def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Exact, ...]:
+def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
     length = dot(Vector(*v), Vector(*v))
     if not length:
         raise DomainError(problem, remedy="choose another parameter")

@@ -209,6 +209,38 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
     return first, second
 
 
+def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
+    """Boxes in groups, each with the box around it: no line across the square keeps apart what is in one group.
+
+    >>> near, far = (mpq(0), mpq(1, 4)), (mpq(1, 2), mpq(3, 4))
+    >>> [len(own) for _, own in clusters([(near, near), (near, far), (near, (mpq(1, 4), mpq(1, 3)))])]
+    [2, 1]
+    """
+    done: list[tuple[Box, list[Box]]] = []
+    todo = [(list(boxes), 0, 0)]
+    while todo:
+        own, direction, kept = todo.pop()
+        groups: list[list[Box]] = []
+        reached = mpq(0)
+        for box in sorted(own, key=lambda one: one[direction]):
+            low, high = box[direction]
+            if groups and low <= reached:
+                groups[-1].append(box)
+                reached = max(reached, high)
+            else:
+                groups.append([box])
+                reached = high
+        kept = kept + 1 if len(groups) == 1 else 1
+        if kept > 1:
+            first, second = (
+                (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(*own, strict=True)
+            )
+            done.append(((first, second), own))
+        else:
+            todo += [(group, 1 - direction, kept) for group in reversed(groups)]
+    return done
+
+
 def box_text(box: Box) -> str:
     """A box, or a point, as text.
 

@@ -5,25 +5,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
 from exactspline.exact import mpq, short_text, text
 from exactspline.language.choices import Side
 from exactspline.splines import bernstein
 from exactspline.splines.knots import SMOOTH, Mesh
-
-if TYPE_CHECKING:
-    from exactspline.splines.bspline import BSpline
+from exactspline.splines.piecewise import Piecewise, S
 
 
-def aligned(f: BSpline, g: BSpline) -> tuple[BSpline, BSpline]:
+def aligned(f: S, g: S) -> tuple[S, S]:
     """Both splines over the union of their breakpoints; where one has no knot it counts as smooth."""
     mesh = f.mesh if f.mesh.breaks == g.mesh.breaks else f.mesh.union(g.mesh)
     return over(f, mesh), over(g, mesh)
 
 
-def over(f: BSpline, mesh: Mesh) -> BSpline:
+def over(f: S, mesh: Mesh) -> S:
     """The spline over a finer mesh of the same domain."""
     if mesh is f.mesh or mesh.breaks == f.mesh.breaks:
         return type(f).from_forms(f.degree, mesh, f.continuity, f.forms, f.provenance)
@@ -32,13 +29,13 @@ def over(f: BSpline, mesh: Mesh) -> BSpline:
     return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.provenance)
 
 
-def _parts(f: BSpline, mesh: Mesh) -> Iterator[bernstein.Form]:
+def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
     for a, b in zip(mesh.breaks, mesh.breaks[1:], strict=False):
         i = f.mesh.locate(a)
         yield bernstein.restrict(f.forms[i], f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
 
 
-def elevate(f: BSpline, by: int) -> BSpline:
+def elevate(f: S, by: int) -> S:
     """Degree raised by multiplying every form with a power of u + v."""
     if type(by) is not int or by < 0:
         raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 0 (use reduce_degree to lower a degree)")
@@ -46,7 +43,7 @@ def elevate(f: BSpline, by: int) -> BSpline:
     return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.provenance)
 
 
-def reduce(f: BSpline, by: int) -> BSpline:
+def reduce(f: S, by: int) -> S:
     """Degree lowered by dividing every form by a power of u + v, exactly or not at all."""
     if type(by) is not int or by < 0:
         raise ShapeError(f"degree reduction by {by}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)")
@@ -74,7 +71,7 @@ def reduce(f: BSpline, by: int) -> BSpline:
     return _without_smooth_knots(result)
 
 
-def _without_smooth_knots(f: BSpline) -> BSpline:
+def _without_smooth_knots(f: S) -> S:
     """Merge segments across breakpoints whose nominal continuity reaches the degree: there is no knot left."""
     keep = [i for i, c in enumerate(f.continuity) if c < f.degree]
     if len(keep) == len(f.continuity):
@@ -88,7 +85,7 @@ def _without_smooth_knots(f: BSpline) -> BSpline:
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
 
 
-def _inner(f: BSpline, t: mpq) -> None:
+def _inner(f: Piecewise, t: mpq) -> None:
     a, b = f.domain
     if not a < t < b:
         raise DomainError(
@@ -98,7 +95,7 @@ def _inner(f: BSpline, t: mpq) -> None:
         )
 
 
-def insert_knot(f: BSpline, t: mpq, times: int) -> BSpline:
+def insert_knot(f: S, t: mpq, times: int) -> S:
     """One more knot (or several) at t; the function does not change."""
     _inner(f, t)
     if type(times) is not int or times < 1:
@@ -115,7 +112,7 @@ def insert_knot(f: BSpline, t: mpq, times: int) -> BSpline:
     return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
 
 
-def remove_knot(f: BSpline, t: mpq, times: int) -> BSpline:
+def remove_knot(f: S, t: mpq, times: int) -> S:
     """One knot less (or several) at t, when enough derivatives agree there."""
     _inner(f, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
@@ -144,7 +141,7 @@ def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int,
     return (*continuity[:position], by, *continuity[position + 1 :])
 
 
-def continuity_at(f: BSpline, t: mpq) -> int:
+def continuity_at(f: Piecewise, t: mpq) -> int:
     """Number of derivatives that agree at t, −1 at a jump; the degree where the sides are one polynomial."""
     _inner(f, t)
     if t not in f.mesh.breaks:
@@ -157,7 +154,7 @@ def continuity_at(f: BSpline, t: mpq) -> int:
     return f.degree
 
 
-def restricted(f: BSpline, a: mpq, b: mpq) -> BSpline:
+def restricted(f: S, a: mpq, b: mpq) -> S:
     """The part over [a, b]."""
     low, high = f.domain
     if not low <= a < b <= high:
@@ -172,7 +169,7 @@ def restricted(f: BSpline, a: mpq, b: mpq) -> BSpline:
     return type(f).from_forms(f.degree, mesh, tuple(known[t] for t in inner), _parts(f, mesh))
 
 
-def reversed_(f: BSpline) -> BSpline:
+def reversed_(f: S) -> S:
     """``t ↦ f(a + b − t)`` on [a, b]."""
     a, b = f.domain
     mesh = Mesh([a + b - t for t in reversed(f.mesh.breaks)])
@@ -181,7 +178,7 @@ def reversed_(f: BSpline) -> BSpline:
     )
 
 
-def reparametrized(f: BSpline, a: mpq, b: mpq) -> BSpline:
+def reparametrized(f: S, a: mpq, b: mpq) -> S:
     """The affine image of the domain is [a, b]."""
     if not a < b:
         raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")

@@ -8,8 +8,9 @@ from math import comb
 
 from exactspline.errors import ExactSplineError, FormulaError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational
+from exactspline.hooks import FunctionsOutside
+from exactspline.immutable import Immutable
 from exactspline.language.choices import choice
-from exactspline.language.immutable import Immutable
 from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
@@ -18,7 +19,7 @@ from exactspline.splines.common import on_one_mesh, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.nurbs_operations import mapped, same_function
+from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.surface_weight import check_weight
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots
@@ -41,7 +42,7 @@ class Along(StrEnum):
         return 0 if self is Along.U else 1
 
 
-class NurbsSurface(Immutable, Surface[TensorSpline]):
+class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
     ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
@@ -139,7 +140,10 @@ class NurbsSurface(Immutable, Surface[TensorSpline]):
         """Whether both are the same function on the same rectangle, whatever their knots, degrees and weights."""
         if not isinstance(other, NurbsSurface):
             return NotImplemented
-        return self is other or same_function(self, other)
+        if self is other:
+            return True
+        alike = self.dimension == other.dimension and self.domain == other.domain
+        return alike and same_quotients(self.p, self.w, other.p, other.w)
 
     def __hash__(self) -> int:
         (a, b), (c, d) = self.domain

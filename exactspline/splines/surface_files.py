@@ -12,6 +12,7 @@ import os
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.exact import Number
 from exactspline.splines.curve_files import write_json
+from exactspline.splines.expected import surface_of
 from exactspline.splines.json_files import json_object, number_of, points_of, text_of_file, whole_degree, written_point
 from exactspline.splines.surface import NurbsSurface
 
@@ -124,4 +125,5 @@ def save_surface(surface: NurbsSurface, path: str | os.PathLike[str]) -> None:
 
     Raises `ExactSplineError` where the file cannot be written.
     """
+    surface = surface_of(surface)
     write_json(path, surface_data(surface))

@@ -10,33 +10,33 @@ from collections.abc import Callable, Iterable
 from operator import add as plus
 from operator import mul as times
 from operator import sub as minus
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
+from exactspline.immutable import Immutable, fill
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
-from exactspline.language.immutable import Immutable, fill
-from exactspline.language.operand import CONSTANTS, Constant, Operand
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
+from exactspline.language.rational import RingOperand
 from exactspline.splines import refinement, tensor_bernstein
 from exactspline.splines.bernstein import common_denominators, primitive, raiser
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.forms import Polynomials
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_direct import derived, lowered, true_degrees
-from exactspline.splines.tensor_lines import Continuity, Degrees, joined, lines
+from exactspline.splines.tensor_lines import joined, lines
 from exactspline.splines.tensor_net import bezier_nets, checked_degrees, checked_knots, checked_net, control_net
-from exactspline.splines.tensor_parts import TensorParts
+from exactspline.splines.tensor_parts import Continuity, Degrees, TensorParts
 from exactspline.splines.tensor_univariate import changed_one, one_parameter, packed_segments, replaced, smooth, spread
 
 #: The directions of parameters: those of two curves, and those of a surface.
 DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.V: 1}
 
 
-class TensorSpline(Immutable, TensorParts, Operand):
+class TensorSpline(Immutable, TensorParts, RingOperand):
     """A scalar tensor-product B-spline in two parameters s and t, over a rectangle.
 
     `degrees`, knots and `control_points` as for `BSpline`, in each direction: ``control_points[i][j]`` with i along s
@@ -49,6 +49,7 @@ class TensorSpline(Immutable, TensorParts, Operand):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place at fault.
     """
 
+    equals_quotients: ClassVar[bool] = True
     __slots__ = ()
 
     def __init__(
@@ -86,36 +87,6 @@ class TensorSpline(Immutable, TensorParts, Operand):
         return _restored, (tuple(self.degree), self.meshes, self.continuity, self.stride, forms)
 
     # ---- representation
-
-    def _at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
-        found = self._packed.get(stride)
-        if found is None:
-            if self.profile is None:
-                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self._own)
-            else:
-                found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
-            self._packed[stride] = found
-        return found
-
-    @property
-    def polynomials(self) -> Polynomials:
-        """The packed polynomials at the current stride, copies: zero where the spline is."""
-        return Polynomials(self._own)
-
-    @property
-    def _own(self) -> tuple[fmpz_poly, ...]:
-        return self._at_stride(self.stride)
-
-    @property
-    def denominators(self) -> tuple[fmpz, ...]:
-        """Denominators patch by patch, t running faster."""
-        known = self._denominators
-        if known is None:
-            assert self.profile is not None
-            known = spread(self.profile[1].denominators, self.profile[0], self.meshes)
-            fill(self, _denominators=known)
-        return known
 
     @property
     def domain(self) -> tuple[tuple[mpq, mpq], tuple[mpq, mpq]]:
@@ -313,19 +284,16 @@ class TensorSpline(Immutable, TensorParts, Operand):
         return self is other or (self.domain == other.domain and bool((self - other).is_zero))
 
     def __hash__(self) -> int:
-        (a, b), (c, d) = self.domain
-        return hash(
-            (self.domain, *[self(a + (b - a) * mpq(i, 4), c + (d - c) * mpq(j, 5)) for i in range(4) for j in range(3)])
-        )
+        return self.hash_of_quotient(self)
 
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero on one patch at least."""
         return not all(self._own)
 
-    def hash_of_quotients(self, numerators: tuple[TensorSpline, ...]) -> int:
-        """From the rectangle alone, in which equal quotients agree."""
-        return hash((self.domain, len(numerators)))
+    def hash_of_quotient(self, numerator: TensorSpline) -> int:
+        """From the rectangle alone, in which equal quotients agree: at a point a common factor may vanish."""
+        return hash((TensorSpline, self.domain))
 
     @property
     def true_degree(self) -> Degrees:

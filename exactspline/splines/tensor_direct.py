@@ -5,22 +5,18 @@ packed polynomials.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from flint import fmpz_poly
 
 from exactspline.splines.bernstein import primitive
 from exactspline.splines.tensor_bernstein import columns, derivative, rows, without_powers
-from exactspline.splines.tensor_lines import Degrees, Parts
+from exactspline.splines.tensor_parts import Degrees, Parts, TensorParts
 from exactspline.splines.tensor_univariate import spread
-
-if TYPE_CHECKING:
-    from exactspline.splines.tensor import TensorSpline
 
 Z_MINUS_1 = fmpz_poly([-1, 1])
 
 
-def derived(f: TensorSpline, direction: int) -> Parts:
+def derived(f: TensorParts, direction: int) -> Parts:
     """The parts of the derivative by one parameter (0: the first), in which the degree is positive."""
     polynomials = [derivative(c, f.stride, f.degree, direction) for c in f._own]
     denominators = f.denominators
@@ -34,7 +30,7 @@ def derived(f: TensorSpline, direction: int) -> Parts:
     return degree, f.meshes, continuity, f.stride, tuple(polynomials), denominators
 
 
-def true_degrees(f: TensorSpline) -> Degrees:
+def true_degrees(f: TensorParts) -> Degrees:
     """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for zero)."""
     if not any(f._own):
         return Degrees(-1, -1)
@@ -57,7 +53,7 @@ def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
     return least
 
 
-def lowered(f: TensorSpline, by_s: int, by_t: int) -> Parts | None:
+def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
     """The parts of the same function with its degrees lowered; None where it is zero, where it has more than one
     patch (knots may be smooth afterwards), and where its degrees are not that much too high.
     """

@@ -4,38 +4,16 @@ direction.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
-
-from flint import fmpz, fmpz_poly
+from flint import fmpz_poly
 
 from exactspline.exact import lcm, to_fmpz
 from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import primitive
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import Mesh
-
-if TYPE_CHECKING:
-    from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor_parts import Degrees, Parts, TensorParts
 
 
-class Degrees(NamedTuple):
-    """The degrees in the two parameters."""
-
-    s: int
-    t: int
-
-    def max(self, other: Degrees) -> Degrees:
-        """The larger of two degrees in each parameter."""
-        return Degrees(max(self.s, other.s), max(self.t, other.t))
-
-
-#: How often the derivatives in each parameter agree at its inner knots.
-Continuity = tuple[tuple[int, ...], tuple[int, ...]]
-#: Degree, meshes, continuity, stride, packed polynomials and denominators.
-Parts = tuple[Degrees, tuple[Mesh, Mesh], Continuity, int, tuple[fmpz_poly, ...], tuple[fmpz, ...]]
-
-
-def lines(f: TensorSpline) -> list[list[BSpline]]:
+def lines(f: TensorParts) -> list[list[BSpline]]:
     """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
     columns, own = len(f.meshes[1]), f._own
     found = []
@@ -53,7 +31,7 @@ def lines(f: TensorSpline) -> list[list[BSpline]]:
     return found
 
 
-def joined(found: list[list[BSpline]], old: TensorSpline) -> Parts:
+def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
     """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
     it is as the old one.
     """

@@ -9,10 +9,11 @@ from exactspline.exact import text
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import ONE, raiser
 from exactspline.splines.tensor import TensorSpline, aligned, make
-from exactspline.splines.tensor_lines import Degrees
+from exactspline.splines.tensor_parts import Degrees
 
 CONTEXT = fmpz_mpoly_ctx.get(["z", "y"], Ordering.lex)
 
@@ -70,9 +71,7 @@ def _lowest(forms: list[fmpz_mpoly]) -> tuple[list[fmpz_mpoly], Degrees]:
     """The forms without their common factor, and the degree that is left: factors u and ū are degrees that no form
     reaches.
     """
-    common = forms[0]
-    for form in forms[1:]:
-        common = common.gcd(form)
+    common = greatest_common_divisor(forms)
     forms = [form / common for form in forms]
     s, t = (max(int(form.degrees()[i]) for form in forms if form) for i in range(2))
     return forms, Degrees(s, t)

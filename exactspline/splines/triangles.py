@@ -18,6 +18,7 @@ from exactspline.errors import DomainError, KnotError, ShapeError, counted
 from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, lifted, projected
+from exactspline.splines.expected import curve_of, spline_of
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
@@ -107,6 +108,7 @@ def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
 
     Raises `DomainError` outside the domain.
     """
+    _expected(curve)
     parameter, knots, degree = rational(t), curve.knots, curve.degree
     low, high = knots.domain(degree)
     if not low <= parameter <= high:
@@ -130,6 +132,7 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
     Raises `DomainError` unless the parameter is inside the domain, `KnotError` where its multiplicity would exceed the
     degree.
     """
+    _expected(curve)
     parameter, knots, degree = rational(t), curve.knots, curve.degree
     low, high = knots.domain(degree)
     if not low < parameter < high:
@@ -179,7 +182,7 @@ def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
 
     Raises `DomainError` when their domains differ.
     """
-    mesh = left.mesh.union(right.mesh)
+    mesh = spline_of(left).mesh.union(spline_of(right).mesh)
 
     def scaled(f: BSpline, a: mpq, b: mpq) -> tuple[mpq, ...]:
         (points,) = f.restrict(a, b).segments
@@ -189,9 +192,14 @@ def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
     return tuple(ProductTable((a, b), scaled(left, a, b), scaled(right, a, b)) for a, b in spans)
 
 
+def _expected(curve: Nurbs | BSpline) -> Nurbs | BSpline:
+    return curve if isinstance(curve, BSpline) else curve_of(curve)
+
+
 def _splines(curve: Nurbs | BSpline) -> tuple[list[BSpline], bool]:
     if isinstance(curve, BSpline):
         return [curve], False
+    curve = curve_of(curve)
     return ([*curve.p] if curve.polynomial else [*curve.p, curve.w]), not curve.polynomial
 
 

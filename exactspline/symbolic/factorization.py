@@ -14,18 +14,19 @@ from typing import Any, NamedTuple, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, ExactSplineError, ReachError
 from exactspline.exact import mpq
+from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
-from exactspline.language.factorization import Factorization, multiplied, power_text
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
-from exactspline.language.services import Displayed
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, default_papers, find
+from exactspline.polynomials.factorization import Factorization, multiplied, power_text
+from exactspline.polynomials.factors import factorize
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
@@ -198,8 +199,8 @@ def factors_of(p: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
         unit = fmpq(gcd(*[int(c.p) for c in coefficients]), lcm(*[int(c.q) for c in coefficients]))
         unit = unit if p.leading_coefficient() > 0 else -unit
         return unit, [(p / unit, 1)]
-    constant, found = p.factor()
-    return constant, [(q, int(e)) for q, e in found]
+    constant, found = factorize(p)
+    return constant, list(found)
 
 
 def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
@@ -214,8 +215,10 @@ def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
     restricted = p.compose(*values, ctx=line)
     if restricted.total_degree() < p.total_degree():
         return False
-    _, found = restricted.factor()
-    return sum(int(e) for _, e in found) == 1
+    try:
+        return sum(e for _, e in factorize(restricted).powers) == 1
+    except ReachError:
+        return False
 
 
 def name_of(jet: Jet) -> tuple[str, mpq]:
@@ -317,7 +320,7 @@ class _Names:
     def __init__(self, source: Paper, kind: Kind, dimension: int, order: int, polynomial: bool) -> None:
         argument = JetReading(order).argument(kind, dimension, polynomial=polynomial)
         self._formulas, self._kind, self._polynomial = tuple(source.formulas.values()), kind, polynomial
-        self._dimension, self._order = dimension, order
+        self._dimension, self._order, self._of_library = dimension, order, bool(source.package)
         self._argument = argument.remembering()
         self._known: list[tuple[str, object] | None] = []
         self._lock = RLock()
@@ -332,6 +335,17 @@ class _Names:
                 yield found
 
     def _named(self, formula: Formula) -> tuple[str, object] | None:
+        """Its name and value; None where it has none here. A formula of a user that fails gives nothing its name, and
+        changes no verdict on the others.
+        """
+        try:
+            return self._value(formula)
+        except ExactSplineError:
+            if self._of_library:
+                raise
+            return None
+
+    def _value(self, formula: Formula) -> tuple[str, object] | None:
         n, kind = self._dimension, self._kind
         if not (kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order):
             return None

@@ -19,7 +19,6 @@ from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.choices import Parameter
-from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
 from exactspline.language.operand import Operand
@@ -27,6 +26,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.papers import find, owner
+from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, multiplied

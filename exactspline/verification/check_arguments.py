@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from exactspline.errors import InapplicableError
 from exactspline.exact import mpq, text
 from exactspline.language.accompanied import Accompanied
@@ -63,8 +65,28 @@ def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
     return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w}, x.constant(1))
 
 
-def argument(kind: str, curve: Nurbs | NurbsSurface) -> tuple[Evaluated, str]:
-    """The argument of formulas of a kind on one curve or surface, and its description beside the name of that.
+#: The largest number of patches of a surface on which claims are multiplied out.
+PATCHES = 16
+
+
+def is_tried_whole(surface: NurbsSurface) -> bool:
+    """Whether claims are tried on all patches of a surface, and not on the first one alone."""
+    m, n = surface.patches
+    return m * n <= PATCHES
+
+
+class Given(NamedTuple):
+    """The argument of formulas of a kind on one curve or surface; its description beside the name of that; and which
+    part of all such arguments it is, where formulas of the kind have others too (empty where it is the only one).
+    """
+
+    argument: Evaluated
+    beside: str = ""
+    part: str = ""
+
+
+def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
+    """The argument of formulas of a kind on one curve or surface.
 
     Raises `InapplicableError` for a kind of which one curve or surface alone is not an example.
     """
@@ -74,26 +96,45 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> tuple[Evaluated, str]:
             raise InapplicableError(
                 f"one surface is not an example of {str(kind)!r}", remedy="such claims are decided for all"
             )
+        if is_tried_whole(curve):
+            return Given(curve)
         (a, b, *_), (c, d, *_) = (mesh.breaks for mesh in curve.meshes)
-        whole = curve.patches == (1, 1)
-        return (curve, "") if whole else (curve.mapped(lambda f: f.restrict((a, b), (c, d))), ", first patch")
+        return Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), ", first patch", "the first patch")
     if isinstance(asked, PairKind):
-        return pair_with(curve), ", first segment, with its moved copy"
+        beside = "first segment, with its moved copy"
+        return Given(pair_with(curve), f", {beside}", beside)
     if asked is HODOGRAPH:
-        return with_hodograph(curve), ", as u, v and h of a hodograph"
+        return Given(with_hodograph(curve), ", as u, v and h of a hodograph")
     if not isinstance(asked, CurveKind):
         raise InapplicableError(
             f"one curve is not an example of {str(kind)!r}", remedy="such claims are decided for all curves"
         )
     handed: Curve[BSpline] = curve
-    beside = ""
+    parts = []
     if asked.with_point:
         point = point_beside(curve)
-        handed, beside = curve.with_point(point), f", with the point ({', '.join(map(text, point))})"
+        handed = curve.with_point(point)
+        parts.append(f"the point ({', '.join(map(text, point))})")
     if asked.constants:
         values = dict(zip(asked.constants, CONSTANTS, strict=False))
         if len(values) < len(asked.constants):
             raise InapplicableError(f"{len(asked.constants)} constants", remedy=f"at most {len(CONSTANTS)} are tried")
         handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
-        beside += ", with " + ", ".join(f"{constant_text(name)} = {text(value)}" for name, value in values.items())
-    return handed, beside
+        parts += [f"{constant_text(name)} = {text(value)}" for name, value in values.items()]
+    part = f"with {', '.join(parts)}" if parts else ""
+    return Given(handed, f", {part}" if parts else "", part)
+
+
+def free_operands(kind: str) -> str:
+    """What is free beside the curve in arguments of a kind, in words; empty where nothing is.
+
+    >>> free_operands("plane pair"), free_operands("plane point"), free_operands("plane with delta")
+    ('with any second curve', 'with any point', 'with any δ')
+    """
+    asked = kind_of(kind)
+    if isinstance(asked, PairKind):
+        return "with any second curve"
+    if not isinstance(asked, CurveKind):
+        return ""
+    free = [*(["point"] if asked.with_point else []), *map(constant_text, asked.constants)]
+    return f"with any {', '.join(free)}" if free else ""

@@ -4,44 +4,50 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import field
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import field, replace
 from enum import StrEnum
 from functools import cache
 from typing import ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, VanishingDivisorError
+from exactspline.hooks import Displayed
+from exactspline.immutable import Immutable
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.formula import Formula
-from exactspline.language.immutable import Immutable
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.services import Displayed
 from exactspline.papers import Paper
 from exactspline.papers import paper as paper_named
 from exactspline.readings.degree import parse
+from exactspline.readings.differential_order import order_of
+from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
-from exactspline.symbolic.factorization import speaking_of
+from exactspline.verification.check_arguments import free_operands
 from exactspline.verification.claim_factor import WEIGHTS
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.evaluation import Evaluation, Handed, evaluation
 from exactspline.verification.notation import symbol
-from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names
+from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
+from exactspline.verification.segments import on_segments
 from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
-    LEFT,
-    OUTSIDE,
-    PROVED,
+    CONTRADICTION,
     REFUTED,
     UNDECIDED,
+    VACUOUS,
     VERIFIED,
-    ContradictionError,
     Finding,
+    inapplicable,
+    left,
+    sampled,
     undecided,
     vacuous,
+    worst,
 )
 from exactspline.verification.vocabulary import ArgumentKind, Relation, Scope, Status, Verdict, word
 
@@ -59,6 +65,14 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
     return lambda claim, name, value: word(kind, value, name)
 
 
+def recorded(claim: Claim, name: str, value: object) -> Verdict:
+    """A verdict that can be on record: two routes that contradict each other are an error of this library."""
+    found = word(Verdict, value, name)
+    if found == CONTRADICTION:
+        raise ClaimError("a contradiction on record", where=name, remedy="one of two routes is wrong: report this")
+    return found
+
+
 def formula_name(claim: Claim, name: str, value: str) -> str:
     """The name of a formula that applies to the arguments of the claim."""
     if value in WEIGHTS:
@@ -66,6 +80,12 @@ def formula_name(claim: Claim, name: str, value: str) -> str:
             f"a formula called {value!r}, which is a denominator in factors", where=name, remedy="give it another name"
         )
     formula, handed = claim.find(value), claim.kind_of_field(name)
+    if value in {s.name for n in handed.dimensions for s in handed.symbols(n) if not s.parameters}:
+        raise ClaimError(
+            f"a formula called {value!r}, which is a constant of {claim.curve!r}: a factor could mean either",
+            where=name,
+            remedy="give it another name",
+        )
     if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
             f"the formula {value!r} is one of {formula.curve!r}, the claim speaks of {claim.curve!r}",
@@ -194,6 +214,8 @@ class Claim(Immutable, Displayed):
     reading: ClassVar[str] = "jet"
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
+    #: Whether it says that something vanishes: then it is decided on one curve for everything that is free beside it.
+    has_residues: ClassVar[bool] = False
 
     paper: str
     id: str
@@ -208,7 +230,7 @@ class Claim(Immutable, Displayed):
     error: str = ""
     assumes: tuple[Assumption, ...] = field(default=(), metadata=read(assumption_list))
     context: str = ""
-    expected: Verdict = field(default=Verdict.PROVED, metadata=read(one_of(Verdict)))
+    expected: Verdict = field(default=Verdict.PROVED, metadata=read(recorded))
     witness: str = field(default="", metadata=read(example_name))
     vacuous: tuple[str, ...] = field(default=(), metadata=read(example_list))
     note: str = field(default="", compare=False)
@@ -353,25 +375,72 @@ class Claim(Immutable, Displayed):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The finding for all curves of a dimension, with w = 1 or with any w."""
 
+    @property
+    def asks_for_zeros(self) -> bool:
+        """Whether it is decided by zeros or signs of functions of one parameter."""
+        return False
+
     def check(self, curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Finding:
         """The finding on one curve or surface (or on the `Evaluation` of one)."""
         own = evaluation(curve)
+        if isinstance(own.curve, NurbsSurface) and self.asks_for_zeros:
+            return left(self.claims, "zeros in two parameters are not compared on one surface")
         if isinstance(own.curve, NurbsSurface) and (told := too_long(map(self.find, self.named), own.curve)):
-            return Finding(UNDECIDED, self.claims, witness=LEFT + told)
+            return left(self.claims, told)
         argument = own.handed(self.curve)
         gone = self.missing(argument)
         finding = vacuous(self.claims, gone) if gone else self.examine(argument, own)
-        if (finding.verdict == REFUTED or finding.is_vacuous) and (failing := own.failing(self.curve, self.assumes)):
-            return Finding(UNDECIDED, finding.claimed, finding.computed, witness=OUTSIDE + failing)
+        if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
+            return inapplicable(finding.claimed, failing, finding.computed)
+        part = "" if self.tries_all else own.part(self.curve)
+        if part and finding.verdict == VERIFIED:
+            whole = self.has_residues and isinstance(own.curve, Nurbs)
+            return self._on_all(finding, own, part) if whole else sampled(finding, part)
+        if part and finding.verdict == REFUTED:
+            return replace(finding, witness=f"{finding.witness}, {part}")
+        return finding
+
+    def _on_all(self, finding: Finding, own: Evaluation, part: str) -> Finding:
+        """What held of one part, on all of the curve, with indeterminates for what is free; undecided if too long."""
+        try:
+            for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
+                if failing := [x for x in self.residues(segment.argument) if not x.is_zero]:
+                    told = f"it fails {segment.place(failing[0])} {free_operands(self.curve)}, though not {part}"
+                    return replace(finding, verdict=REFUTED, computed="not so", witness=told)
+        except VanishingDivisorError:
+            gone = f"it does not exist {free_operands(self.curve)}: 1/0"
+            broken = own.failing(self.curve, self.assumes)
+            return inapplicable(finding.claimed, broken, gone) if broken else vacuous(finding.claimed, gone)
+        except FormulaError as error:
+            return sampled(finding, f"{part}: {error.problem}")
         return finding
 
     @abstractmethod
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The finding on one curve, given as the argument of the formulas."""
 
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """What vanishes exactly if a claim that `has_residues` holds of an argument in a reading that can divide."""
+        return []
+
+    def highest_derivative(self, dimension: int) -> int:
+        """The highest derivative that they need."""
+        return max(order_of(formula, dimension) for formula in self.compared)
+
+    @property
+    def tries_all(self) -> bool:
+        """Whether `examine` decides for all arguments with the curve, and not for the one that it is handed."""
+        return False
+
+    @property
+    def compared(self) -> list[Formula]:
+        """The formulas it speaks of."""
+        return list(map(self.find, self.named))
+
     def beside(self, own: Evaluation) -> str:
         """The description of a check beside the name of the curve."""
-        return own.beside(self.curve)
+        free = free_operands(self.curve) if self.has_residues else ""
+        return f", {free}" if free else own.beside(self.curve)
 
     def missing(self, argument: Handed) -> str:
         """The formula that does not exist on this curve, because a denominator vanishes on a whole segment; empty when
@@ -388,18 +457,26 @@ class Claim(Immutable, Displayed):
 
     def refuted_on_examples(self) -> Finding:
         """The first example curve on which it fails, as a witness; UNDECIDED when there is none."""
+        for what, name, example in self._examples():
+            try:
+                finding = self.check(example)
+            except ExactSplineError as error:  # reported where this curve is asked about
+                finding = undecided(self.claims, error)
+            if finding.verdict == REFUTED:
+                witness = f"on the example {what} {name}: {finding.witness}"
+                return Finding(REFUTED, finding.claimed, finding.computed, witness=witness)
+        return Finding(UNDECIDED, self.claims)
+
+    def _examples(self) -> Iterator[tuple[str, str, Nurbs | NurbsSurface]]:
+        """The example curves and surfaces of which it speaks, that which is named as witness first."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
             if self.speaks_of(curve.dimension, curve.polynomial):
-                finding = self.check(curve)
-                if finding.verdict == REFUTED:
-                    return Finding(
-                        REFUTED,
-                        finding.claimed,
-                        finding.computed,
-                        witness=f"on the example curve {name}: {finding.witness}",
-                    )
-        return Finding(UNDECIDED, self.claims)
+                yield "curve", name, curve
+        if kind_of(self.curve).made_of_a_surface:
+            for surface in one_patch_surfaces():
+                if self.speaks_of(surface.dimension, surface.polynomial, surface=True):
+                    yield "surface", surface.name, surface
 
 
 @claim_kind
@@ -420,78 +497,3 @@ class ExampleClaim(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The same for every case."""
         return self.prove()[1]
-
-
-def worst(found: list[Finding]) -> Finding:
-    """The least favourable finding: a refutation, then undecided, then what holds on the curves tried."""
-    order = (REFUTED, UNDECIDED, VERIFIED, PROVED)
-    return min(found, key=lambda finding: order.index(finding.verdict))
-
-
-def combined(claim: Claim) -> tuple[str, Finding]:
-    """The one verdict on a claim: the proof for all curves, compared with every example curve to which it applies.
-
-    Raises `ContradictionError` when it is proved and fails on one of them.
-    """
-    with speaking_of(claim.source_paper):
-        return _combined(claim)
-
-
-def only_component(claim: Claim, name: str, components: Sequence[V]) -> V:
-    """The one component of a scalar.
-
-    Raises `ClaimError` for a vector.
-    """
-    if len(components) > 1:
-        raise ClaimError(f"{name!r} is a vector", where=claim.key, remedy="name a formula whose value is a scalar")
-    return components[0]
-
-
-def fitting(claim: Claim, call: Callable[[], V]) -> V:
-    """The result of a call that decides a claim. Raises `ClaimError` where formulas of users do not fit the claim; an
-    exception from formulas of the library is a defect of the library.
-    """
-    try:
-        return call()
-    except ExactSplineError:
-        raise
-    except (
-        TypeError,
-        ValueError,
-        AttributeError,
-        LookupError,
-        ArithmeticError,
-        AssertionError,
-        RecursionError,
-    ) as error:
-        if claim.source_paper.package:
-            raise
-        raise ClaimError(
-            f"{type(error).__name__}: {' '.join(str(error).split())}",
-            where=f"{claim.paper}, {claim.key}",
-            remedy="the formulas do not fit what is claimed of them",
-        ) from None
-
-
-def _combined(claim: Claim) -> tuple[str, Finding]:
-    try:
-        reading, finding = fitting(claim, claim.prove)
-    except ExactSplineError as error:
-        return claim.reading, undecided(claim.claims, error)
-    if finding.verdict in (PROVED, UNDECIDED):
-        example_finding = fitting(claim, claim.refuted_on_examples)
-        if example_finding.verdict == REFUTED:
-            contradict(claim, finding, example_finding)
-            return reading, example_finding
-    return reading, finding
-
-
-def contradict(claim: Claim, proof: Finding, example_finding: Finding) -> None:
-    """Raise `ContradictionError` when a claim is proved for all curves and refuted on one."""
-    if proof.verdict == PROVED and example_finding.verdict == REFUTED:
-        raise ContradictionError(
-            f"proved for all curves, but refuted: {example_finding.witness}",
-            where=f"{claim.paper}, {claim.key}",
-            remedy="one of the readings is wrong: report this",
-            claim=claim.key,
-        )

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, shown
 from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
@@ -15,8 +15,8 @@ from exactspline.papers import find as find_anywhere
 
 #: The names of the denominators, those of the curve and of the second one.
 WEIGHTS = ("w", "W")
-#: The longest exponent and the longest name or number.
-DIGITS, LETTERS = 4, 200
+#: The longest name or number, and the most factors, powers counted as the products that they are.
+LETTERS, FACTORS = 200, 64
 
 
 def factor_parts(text: str) -> list[tuple[str, int]]:
@@ -27,7 +27,7 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
 
     Raises `ClaimError` when it cannot be read, or is zero or divided by zero.
     """
-    found = []
+    found, left = [], FACTORS
     for part in text.split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
@@ -36,11 +36,13 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
             )
         if not match[1][0].isalpha() and re.fullmatch(r"-?0+(/\d+)?|-?\d+/0+", match[1]):
             raise ClaimError(f"the factor {text!r} is zero or divided by zero", where=part, remedy="leave zero out")
-        if len(match[2] or "") > DIGITS or len(match[1]) > LETTERS:
+        exponent = int(match[2] or 1) if len(match[2] or "") < LETTERS else FACTORS + 1
+        left -= abs(exponent)
+        if left < 0 or len(match[1]) > LETTERS:
             raise ClaimError(
-                f"the factor {text[:60]!r} is too large", where=part[:60], remedy="exponents have 4 digits"
+                f"the factor {shown(text)} is too large", where=part[:60], remedy=f"at most {FACTORS} factors in all"
             )
-        found.append((match[1], int(match[2] or 1)))
+        found.append((match[1], exponent))
     if not found:
         raise ClaimError("the factor is empty", remedy='write "1"')
     return found

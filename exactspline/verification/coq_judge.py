@@ -11,13 +11,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from exactspline.verification.claim import Claim
-from exactspline.verification.coq.emission import ROOT, Library, Stated, claims_header, library
+from exactspline.verification.coq.emission import ROOT, Library, Stated, claims_header, library, why_unstated
 from exactspline.verification.vocabulary import Verdict
 
 #: Coq's answer for a theorem without assumptions.
 CLOSED = "Closed under the global context"
 #: The text of the column where Coq is not installed.
 MISSING = "Coq is not installed"
+#: What is said of a claim without a theorem.
+NOT_STATED = "not stated"
 #: The mark before every answer.
 MARK = "about"
 #: The time limit for one file, in seconds.
@@ -37,9 +39,10 @@ class Opinion:
 
 
 def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
-    """The kernel's opinions on claims, by paper and key; none on claims that are not equalities. Every theorem of the
-    claims is compiled; without Coq every opinion says so.
+    """The kernel's opinions on claims, by paper and key. Every theorem of the claims is compiled; without Coq every
+    opinion says so. Claims without a theorem have an opinion that says why.
     """
+    claims = list(claims)
     wanted = {(claim.paper, claim.key) for claim in claims}
     made = library()
     chosen = {
@@ -51,7 +54,7 @@ def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
     for own in chosen.values():
         for each in own:
             if each.reason:
-                said = Opinion("", "not stated", each.reason)
+                said = Opinion("", NOT_STATED, each.reason)
             elif not shutil.which("coqc"):
                 said = Opinion(each.name, MISSING)
             elif each.name in compiled:
@@ -60,12 +63,13 @@ def opinions(claims: Iterable[Claim]) -> dict[tuple[str, str], Opinion]:
             else:
                 said = Opinion(each.name, "not accepted")
             found.setdefault((each.claim.paper, each.claim.key), []).append(said)
-    return {key: _together(own) for key, own in found.items()}
+    unstated = {(claim.paper, claim.key): [Opinion("", NOT_STATED, why_unstated(claim))] for claim in claims}
+    return {key: _together(own) for key, own in (unstated | found).items()}
 
 
 def _together(own: list[Opinion]) -> Opinion:
     """The least favourable opinion of those on the dimensions of one claim."""
-    order = ("not accepted", "not stated", MISSING, "holds", "fails")
+    order = ("not accepted", NOT_STATED, MISSING, "holds", "fails")
     return min(own, key=lambda each: order.index(each.says))
 
 

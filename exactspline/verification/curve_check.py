@@ -12,6 +12,7 @@ from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor
@@ -28,13 +29,13 @@ def where_it_differs(difference: BSpline | TensorSpline) -> str:
         # one line more in every segment than a polynomial of this degree has zeros
         inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
         t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
-        s, value = _not_zero(line)
+        s, value = not_zero(line)
         return f"by {text(value)} at the parameters {text(s)} and {text(t)}"
-    t, value = _not_zero(difference)
+    t, value = not_zero(difference)
     return f"by {text(value)} at the parameter {text(t)}"
 
 
-def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
+def not_zero(f: BSpline) -> tuple[mpq, mpq]:
     """A parameter at which a spline that is not zero does not vanish, and its value there."""
     return next(
         (t, value)
@@ -82,10 +83,10 @@ def extra_zero(a: BSpline, b: BSpline) -> str:
 
 def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
     """p without the factors it shares with q, and its own degree (roots at the right end, z = ∞, left out)."""
-    common = p.gcd(q)
+    common = greatest_common_divisor([p, q])
     while common.degree() > 0:
         p = p // common
-        common = p.gcd(q)
+        common = greatest_common_divisor([p, q])
     return p, p.degree()
 
 

@@ -17,7 +17,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PAIR, TABLE, Kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.papers import find, known_as
+from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
@@ -125,7 +125,7 @@ def _grading(formula: Formula, variant: str, dimension: int, polynomial: bool) -
     if not (variant == Variant.MINIMAL or is_polynomial(formula, dimension)):
         return "–"
     try:
-        found = true_degree(reduction(known_as(formula), dimension, polynomial).main.lowest[0])
+        found = true_degree(reduction_of(formula, dimension, polynomial).main.lowest[0])
     except FormulaError:
         return "–"
     return f"{found.k}, {found.m}, {found.j}"

@@ -14,9 +14,10 @@ from exactspline.errors import ExactSplineError, FormulaError
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
+from exactspline.readings.expression import Operation
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, Operation, nodes, trace
+from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.assumptions import Assumption, assumption
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim

@@ -9,13 +9,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 
 from exactspline.errors import ClaimError
+from exactspline.hooks import Displayed
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import kind_of
-from exactspline.language.services import Displayed
-from exactspline.papers import Paper, default_papers
+from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing.text import symbol_text
-from exactspline.verification.claim import Claim, combined
+from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
+from exactspline.verification.combined import combined
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds import Count, DegreeClaim, Identity, Vanishing
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
@@ -157,48 +158,65 @@ def _has_factor(claim: Identity, dimension: int) -> bool:
 
 
 def check(claim: Claim) -> tuple[str, ...]:
-    """Three lines of Python that show that the claim fails."""
+    """A few lines of Python that show that the claim fails."""
+    return (*_loading(claim.source_paper), *_shown(claim))
+
+
+def _loading(source: Paper) -> tuple[str, ...]:
+    """How a user's folder is loaded; nothing for a paper that comes along. What strangers named is quoted."""
+    if source.package:
+        return ()
+    trust = ", trust=True" if source.trusted else ""
+    return ("import exactspline", f"paper = exactspline.load_paper({str(source.folder)!r}{trust})")
+
+
+def _shown(claim: Claim) -> tuple[str, ...]:
     d, source = claim.dimensions[0], claim.source_paper
 
     def named(formula: str) -> str:
-        """The name by which `find` finds it."""
-        return formula if source.default else f"{source.name}:{formula}"
+        """A formula, by the name that `find` knows, or of the folder that was loaded."""
+        own = f"paper.find({formula!r})"
+        return repr(known_as(claim.find(formula))).replace("'", '"') if source.package else own
 
+    def found(formula: str) -> str:
+        return f"find({named(formula)})" if source.package else named(formula)
+
+    finding = ("from exactspline.papers import find",) if source.package else ()
     if isinstance(claim, Identity) and _has_factor(claim, d):
         return (
             "from exactspline.verification.generic_proof import factor_of",
-            f'factor = factor_of("{named(claim.left)}", "{named(claim.right)}", {d})',
+            f"factor = factor_of({named(claim.left)}, {named(claim.right)}, {d})",
             "print(factor)",
         )
     if isinstance(claim, Vanishing):
         return (
             "from exactspline.symbolic.factorization import jets_for",
-            "from exactspline.papers import find",
-            f'print(find("{named(claim.left)}")(jets_for(("{named(claim.left)}",), {d})))',
+            *finding,
+            f"print({found(claim.left)}(jets_for(({named(claim.left)},), {d})))",
         )
     if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS:
         return (
             "from exactspline.verification.generic_degree import lowest_degree",
-            "from exactspline.papers import find",
-            f'print(lowest_degree(find("{named(claim.formula)}"), {d}))',
+            *finding,
+            f"print(lowest_degree({found(claim.formula)}, {d}))",
         )
     if isinstance(claim, DegreeClaim):
         parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.FIRST else ""
         return (
-            "from exactspline.papers import find",
+            *finding,
             "from exactspline.readings.degree import DegreeReading",
-            f'print(DegreeReading({parameter}).of(find("{named(claim.formula)}"), {d}, '
+            f"print(DegreeReading({parameter}).of({found(claim.formula)}, {d}, "
             f"polynomial={claim.of == Scope.POLYNOMIAL}).degree)",
         )
-    if isinstance(claim, Count):
+    if isinstance(claim, Count) and source.package:
         return (
             "from exactspline.papers import find; from exactspline.splines.examples import example",
             "from exactspline.verification.measure import measure",
-            f'print(measure(find("{named(claim.formula)}"), example("{claim.example}")))',
+            f'print(measure({found(claim.formula)}, example("{claim.example}")))',
         )
+    chosen = repr(source.name).replace("'", '"') if source.package else "paper"
     return (
-        *([] if source.package else [f"import exactspline; exactspline.load_paper({str(source.folder)!r})"]),
         "from exactspline.verification.claims import claims_of",
-        f'(claim,) = [each for each in claims_of("{claim.paper}") if each.key == "{claim.key}"]',
+        f"(claim,) = [each for each in claims_of({chosen}) if each.key == {claim.key!r}]",
         "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",
     )

@@ -10,14 +10,15 @@ from typing import Any
 from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
+from exactspline.language.kinds import PairKind, kind_of
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.patch_forms import PatchForm
 from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.check_arguments import argument
+from exactspline.verification.check_arguments import Given, argument, moved_copy
 from exactspline.verification.vocabulary import ArgumentKind
 
 #: The arguments of formulas on one curve: the curve, with a point or a second curve, or operands of Table 1.
@@ -36,13 +37,15 @@ class Evaluation:
 
     def __init__(self, curve: Nurbs | NurbsSurface | Operands) -> None:
         self.curve: Any = curve
-        self._handed: dict[str, tuple[Evaluated, str]] = {}
+        self._handed: dict[str, Given] = {}
+        self._pair: Evaluated | None = None
         self._failing: dict[tuple[str, Assumption], str] = {}
 
-    def _argument(self, kind: str) -> tuple[Evaluated, str]:
+    def _argument(self, kind: str) -> Given:
         if kind not in self._handed:
-            made, beside = argument(kind, self.curve)
-            self._handed[kind] = self._bare if made is self.curve else made.remembering(), beside
+            given = argument(kind, self.curve)
+            made = self._bare if given.argument is self.curve else given.argument.remembering()
+            self._handed[kind] = given._replace(argument=made)
         return self._handed[kind]
 
     @cached_property
@@ -53,18 +56,30 @@ class Evaluation:
 
     def handed(self, kind: str) -> Handed:
         """The argument of formulas of a kind; it remembers their values."""
-        return self.curve if kind == ArgumentKind.TABLE else self._argument(kind)[0]
+        return self.curve if kind == ArgumentKind.TABLE else self._argument(kind).argument
 
     def beside(self, kind: str) -> str:
         """Its description beside the name of the curve."""
-        return "" if kind == ArgumentKind.TABLE else self._argument(kind)[1]
+        return "" if kind == ArgumentKind.TABLE else self._argument(kind).beside
+
+    def part(self, kind: str) -> str:
+        """Which part of all arguments with this curve it is; empty where there is no other."""
+        return "" if kind == ArgumentKind.TABLE else self._argument(kind).part
+
+    def _assumed_of(self, kind: str) -> Evaluated:
+        """The argument of which assumptions are made: all segments of both curves of a pair."""
+        if not isinstance(kind_of(kind), PairKind):
+            return self.handed(kind)
+        if self._pair is None:
+            self._pair = surface_pair(self.curve, moved_copy(self.curve)).remembering()
+        return self._pair
 
     def failing(self, kind: str, assumed: Iterable[Assumption]) -> str:
         """The first assumption that fails on this curve, with the place; empty when all hold."""
         for each in assumed:
             if (kind, each) not in self._failing:
                 on_surface = isinstance(self.curve, NurbsSurface)
-                place = (_fails_on_surface if on_surface else _fails)(each, self.handed(kind))
+                place = (_fails_on_surface if on_surface else _fails)(each, self._assumed_of(kind))
                 told = each.name.removesuffix(" ≢ 0").removesuffix(" ≠ 0")
                 self._failing[kind, each] = f"{told} vanishes {place}" if place else ""
             if told := self._failing[kind, each]:

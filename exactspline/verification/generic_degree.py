@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
-from exactspline.papers import known_as
 from exactspline.readings.degree import Degree
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction, reduction
+from exactspline.verification.generic_proof import reduction_of
 
 if TYPE_CHECKING:
     from exactspline.geometry.constructions import Construction
@@ -41,7 +41,7 @@ def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False)
     >>> lowest_degree(find("plane_bisector"), 2)
     4d − 2
     """
-    return joined_degree(reduction(known_as(formula), dimension, polynomial))
+    return joined_degree(reduction_of(formula, dimension, polynomial))
 
 
 def joined_degree(found: Reduction, parameter: Parameter = Parameter.FIRST) -> Degree:

@@ -6,19 +6,26 @@ from collections.abc import Iterable
 from functools import cache
 
 from exactspline.errors import FormulaError
+from exactspline.exact import mpq
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
 from exactspline.language.choices import Parameter
-from exactspline.language.factorization import Factorization
 from exactspline.language.formula import Formula
-from exactspline.language.parts import split
+from exactspline.language.kinds import SURFACE, TableKind
+from exactspline.language.parts import joined, split
 from exactspline.language.vector import Vector
 from exactspline.papers import Paper, find
+from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree
+from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
 from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.taylor_surface import DoubleTaylorReading
+from exactspline.splines.examples import example, example_surface
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce
+from exactspline.verification.check_arguments import argument
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -75,6 +82,40 @@ def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[str], t
         elif reason.name not in used:
             used.append(reason.name)
     return names, tuple(used)
+
+
+#: Curves and surfaces on which few formulas vanish, by the dimension and whether w = 1.
+SHOWN = {
+    **{(2, False): "rational_cubic_s", (2, True): "cubic_s"},
+    **{(3, False): "rational_space_cubic", (3, True): "twisted_cubic"},
+}
+SHOWN_SURFACES = {False: "rational_biquadratic", True: "bicubic"}
+
+
+@cache
+def vanishes(formula: Formula, dimension: int, polynomial: bool) -> bool:
+    """Whether a formula is zero for all arguments of its kind: where it is not, mostly one of them shows it.
+
+    >>> vanishes(find("D1"), 2, True), vanishes(find("D21"), 2, True)
+    (False, True)
+    """
+    shown = _shown(formula, dimension, polynomial)
+    if shown is not None and any(not x.is_zero for x in split(joined(formula(shown)))[0]):
+        return False
+    jets = jets_for((formula,), dimension, polynomial=polynomial)
+    return all(x.is_zero for x in split(joined(formula(jets)))[0])
+
+
+def _shown(formula: Formula, dimension: int, polynomial: bool) -> Evaluated | None:
+    """One argument of the kind of a formula; None for kinds of which there is no example."""
+    kind = formula.kind
+    if kind is SURFACE:
+        surface = example_surface(SHOWN_SURFACES[polynomial])
+        reading = DoubleTaylorReading(surface, mpq(1, 3), mpq(2, 5), order_of(formula, dimension) + 1)
+        return reading.argument(kind, dimension, polynomial=polynomial)
+    if not kind.made_of_a_curve or isinstance(kind, TableKind) or kind.adjoins_roots:
+        return None
+    return argument(kind.name, example(SHOWN[dimension, polynomial])).argument
 
 
 @cache

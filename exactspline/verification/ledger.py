@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
 from exactspline.errors import ExactSplineError
+from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
-from exactspline.verification.claim import Claim, contradict, fitting
+from exactspline.verification.claim import Claim
+from exactspline.verification.combined import fitting
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.paper_curves import own_curves
-from exactspline.verification.verdict import REFUTED, ContradictionError, Finding, Row, row, undecided
+from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
+from exactspline.verification.rows import row
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, Row, compared, undecided
 from exactspline.verification.vocabulary import ArgumentKind
 
 UNNAMED = "(unnamed curve)"
@@ -25,7 +29,7 @@ Task = Callable[[], Row]
 
 
 def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> Iterator[Row]:
-    """The rows of the ledger, one by one.
+    """The rows of the ledger.
 
     Without curves: every claim decided for all curves, and then checked on every example curve to which it applies.
     With curves, or surfaces: checked on these.
@@ -34,10 +38,20 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
     >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
     [('spline', 'VERIFIED'), ('spline', 'VERIFIED')]
 
-    Raises `ContradictionError` when a claim is proved for all curves and fails on one of them.
+    A claim that is proved for all curves and fails on one of them is a CONTRADICTION there.
     """
-    for task in tasks(claims, curves):
-        yield task()
+    yield from settled([task() for task in tasks(claims, curves)])
+
+
+def settled(rows: Sequence[Row]) -> list[Row]:
+    """The rows of a run; a proof for all curves that one of them contradicts is no proof."""
+    contradicted = {(row.paper, row.key): row.witness for row in rows if row.verdict == CONTRADICTION}
+    return [
+        replace(row, verdict=CONTRADICTION, witness=contradicted[row.paper, row.key])
+        if row.verdict == PROVED and (row.paper, row.key) in contradicted
+        else row
+        for row in rows
+    ]
 
 
 def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> list[Task]:
@@ -54,7 +68,10 @@ def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
         evaluations: dict[int, Evaluation] = {}
         for name in dict.fromkeys(claim.paper for claim in chosen):
             own = [claim for claim in chosen if claim.paper == name]
-            calls += _on_curves(own, _curves_of(own[0].source_paper), proofs, evaluations)
+            tried: list[Nurbs | NurbsSurface] = [*_curves_of(own[0].source_paper)]
+            if any(kind_of(claim.curve).made_of_a_surface for claim in own):
+                tried += one_patch_surfaces()
+            calls += _on_curves(own, tried, proofs, evaluations)
         return calls
     return _on_curves(chosen, curves, proofs, {})
 
@@ -101,8 +118,6 @@ def _proof(claim: Claim) -> tuple[str, Finding]:
     try:
         with speaking_of(claim.source_paper):
             return fitting(claim, claim.prove)
-    except ContradictionError:
-        raise
     except ExactSplineError as error:
         return claim.reading, undecided(claim.claims, error)
 
@@ -122,12 +137,10 @@ def checked(claim: Claim, own: Evaluation, name: str, proofs: Proofs) -> Row:
     try:
         with speaking_of(claim.source_paper):
             finding = fitting(claim, partial(claim.check, own))
-    except ContradictionError:
-        raise
     except ExactSplineError as error:
         finding = undecided(claim.claims, error)
     if finding.verdict == REFUTED and (claim in proofs or claim.expected != REFUTED):
-        contradict(claim, proofs[claim][1], finding)
+        finding = compared(proofs[claim][1], finding)
     is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, f"spline{beside}", name, finding, seconds, is_example=is_example)

@@ -7,8 +7,20 @@ from functools import cache
 from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.papers import Paper
 from exactspline.splines.curve_files import curve_from_text
-from exactspline.splines.examples import example, example_names
+from exactspline.splines.examples import example, example_names, example_surface, example_surface_names
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+
+
+@cache
+def one_patch_surfaces() -> tuple[NurbsSurface, ...]:
+    """The example surfaces and planar maps of one patch: on these claims of surfaces are tried.
+
+    >>> [surface.name for surface in one_patch_surfaces()][:3]
+    ['bicubic', 'biquadratic', 'cross_cap']
+    """
+    surfaces = map(example_surface, example_surface_names())
+    return tuple(surface for surface in surfaces if surface.patches == (1, 1))
 
 
 @cache

@@ -16,7 +16,7 @@ from exactspline.language.vector import Vector
 from exactspline.papers import Paper
 from exactspline.readings.degree import DegreeReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_lines import Degrees
+from exactspline.splines.tensor_parts import Degrees
 from exactspline.symbolic.covariants import degree_on_patch
 from exactspline.symbolic.reduction import Part
 from exactspline.symbolic.substitution import substitute
@@ -24,12 +24,15 @@ from exactspline.verification.generic_proof import reduction_of
 
 #: The seed of witnesses, and how large their control points are.
 SEED, SIZE = 2007, 99
+#: Formulas that an error names.
+NAMED = 3
 
 
 @dataclass(frozen=True)
 class PatchRow:
     """A formula on patches of one bidegree: what Table 1 counts, what the degree theorem proves of its reduced form on
     the generic patch, and what a patch with known control points attains; a pair of degrees each, None for zero.
+    `missing` is the reason why the last two are not known.
     """
 
     formula: str
@@ -37,10 +40,11 @@ class PatchRow:
     naive: tuple[int, int]
     true: tuple[int, int] | None
     attained: tuple[int, int] | None
+    missing: str = ""
 
     @property
     def agrees(self) -> bool:
-        """Whether the witness attains what is proved."""
+        """Whether the witness attains what is proved; None of both where that is `missing`."""
         return self.true == self.attained
 
 
@@ -115,23 +119,31 @@ def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[C
     >>> [(row.patches, row.naive, row.true, row.agrees) for row in rows]
     [('rational', (32, 32), (8, 8), True), ('polynomial', (8, 8), (7, 7), True)]
 
-    Raises `FormulaError` for degrees below 1.
+    Raises `FormulaError` for degrees below 1, and where none of the formulas is one of surfaces or planar maps.
     """
     if min(degrees) < 1:
         raise FormulaError(f"patches of the degrees {degrees}", remedy="at least 1 in each parameter")
-    known = [f for f in formulas if f.kind in (SURFACE, PLANAR_MAP)]
+    given = list(formulas)
+    known = [f for f in given if f.kind in (SURFACE, PLANAR_MAP)]
+    if not known:
+        told = ", ".join(f"{f.name} ({f.kind.name})" for f in given[:NAMED]) or "none"
+        raise FormulaError(
+            f"no formula of surfaces among {told}", remedy="patches have those of surfaces and planar maps"
+        )
     return [partial(_row, f, degrees, polynomial) for f in known for polynomial in (False, True)]
 
 
 def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchRow:
     (dimension,) = formula.kind.dimensions
-    part = reduction_of(formula, dimension, polynomial).main
-    naive = [_nominal(formula, dimension, polynomial, parameter, n) for parameter, n in zip(BOTH, degrees, strict=True)]
+    u, v = (_nominal(formula, dimension, polynomial, parameter, n) for parameter, n in zip(BOTH, degrees, strict=True))
+    patches = "polynomial" if polynomial else "rational"
+    try:
+        part = reduction_of(formula, dimension, polynomial).main
+    except FormulaError as error:  # more terms than are multiplied out: the other formulas stand
+        return PatchRow(formula.name, patches, (u, v), None, None, str(error))
     attained = _measured(part, witness(dimension, degrees, polynomial=polynomial))
     true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
-    return PatchRow(
-        formula.name, "polynomial" if polynomial else "rational", (naive[0], naive[1]), _pair(*true), _pair(*attained)
-    )
+    return PatchRow(formula.name, patches, (u, v), _pair(*true), _pair(*attained))
 
 
 def _measured(part: Part, surface: Surface[TensorSpline]) -> tuple[int, int]:

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from exactspline.errors import FormulaError
 from exactspline.exact import mpq
@@ -22,6 +21,10 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import Factor, find_factor, jets_with_roots
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
+from exactspline.verification.curve_check import not_zero
+from exactspline.verification.decision import Outcome, decide_identity
+from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED
+from exactspline.verification.vocabulary import Verdict
 
 Named = Formula | str
 
@@ -36,11 +39,17 @@ class Proof:
     right: str
     factor: str
     dimension: int
-    holds: bool
+    #: PROVED, REFUTED, or VACUOUS where both sides vanish for every curve: 0 = 0 is no success.
+    verdict: Verdict
     #: The true quotient of the left side by the right one; None for vectors that are not parallel, and over roots.
     quotient: Factor | None
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
+
+    @property
+    def holds(self) -> bool:
+        """Whether it is proved."""
+        return self.verdict == PROVED
 
     def __bool__(self) -> bool:
         return self.holds
@@ -49,12 +58,18 @@ class Proof:
         """The answer as data."""
         told = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
         quotient = None if self.quotient is None else str(self.quotient)
-        return told | {"factor": self.factor, "dimension": self.dimension, "holds": self.holds, "quotient": quotient}
+        return (
+            told
+            | {"factor": self.factor, "dimension": self.dimension, "holds": self.holds}
+            | {"verdict": self.verdict, "quotient": quotient}
+        )
 
     def __str__(self) -> str:
         statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
         if self.holds:
             return f"{statement} for all curves in R{self.dimension}"
+        if self.verdict == VACUOUS:
+            return f"{statement} says nothing in R{self.dimension}: 0 = 0"
         different = "they differ" if self.roots else "they are not parallel"
         truth = different if self.quotient is None else f"the quotient is {self.quotient}"
         return f"not {statement} in R{self.dimension}: {truth}"
@@ -67,20 +82,30 @@ class Check:
     left: str
     right: str
     factor: str
-    holds: bool
-    #: A parameter at which the sides differ, None where they are equal.
-    witness: mpq | None
-    #: Whether both sides vanish on all of the curve: then any factor holds.
-    vacuous: bool = False
+    #: VERIFIED, REFUTED, or VACUOUS where both sides vanish on all of the curve (then any factor holds), or the factor
+    #: does not exist there.
+    verdict: Verdict
+    #: A parameter at which the sides differ, None where they do not.
+    witness: mpq | None = None
+
+    @property
+    def holds(self) -> bool:
+        """Whether it is verified."""
+        return self.verdict == VERIFIED
+
+    @property
+    def vacuous(self) -> bool:
+        """Whether there is nothing to decide."""
+        return self.verdict == VACUOUS
 
     def __bool__(self) -> bool:
         return self.holds
 
     def __str__(self) -> str:
         statement = f"{self.left} = {'' if self.factor == '1' else f'{self.factor} · '}{self.right}"
-        if not self.holds:
-            return f"not {statement} at the parameter {self.witness}"
-        return f"{statement} on this curve" + (", where both are 0 and any factor holds" if self.vacuous else "")
+        if self.vacuous:
+            return f"{statement} says nothing on this curve: both sides are 0 there, or the factor is 1/0"
+        return f"{statement} on this curve" if self.holds else f"not {statement} at the parameter {self.witness}"
 
 
 def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
@@ -94,8 +119,8 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     >>> print(prove("f1", "f2"))
     not f1 = f2 in R2: the quotient is w
 
-    Raises `FormulaError` for an unknown formula or two without a common dimension, `ClaimError` when the right side
-    vanishes identically or the factor cannot be read.
+    Raises `FormulaError` for an unknown formula or two without a common dimension, `ClaimError` when the
+    factor cannot be read.
     """
     sides = _formulas(left, right)
     common = [n for n in (2, 3) if all(n in f.kind.dimensions for f in sides)]
@@ -111,14 +136,13 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     named = [find(name) for name, _ in factor_parts(factor) if name[0].isalpha() and name not in WEIGHTS]
     _check_kinds(kind, named, n)
     if kind.adjoins_roots:
-        curve, quotient = jets_with_roots((*sides, *named), factor, n), None
+        curve = jets_with_roots((*sides, *named), factor, n)
     else:
         curve = RationalJetReading(max(order_of(f, n) for f in (*sides, *named))).argument(kind, n)
-        quotient = find_factor(sides[0](curve), sides[1](curve))
-    top, bottom = factor_of_text(factor, curve)
-    (ps, _), (qs, _) = (split(f(curve)) for f in sides)
-    holds = len(ps) == len(qs) and all(p * bottom == top * q for p, q in zip(ps, qs, strict=True))
-    return Proof(sides[0].name, sides[1].name, factor, n, holds, quotient, kind.adjoins_roots)
+    found = decide_identity(sides[0](curve), sides[1](curve), factor_of_text(factor, curve))
+    nothing = kind.adjoins_roots or sides[1](curve).is_zero
+    quotient = None if nothing else find_factor(sides[0](curve), sides[1](curve))
+    return Proof(sides[0].name, sides[1].name, factor, n, found.verdict(PROVED), quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
@@ -189,7 +213,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("six_segment_cubic")))  # w = 1 here
     True
     >>> print(verify("f1", "f2", example("rational_cubic")))
-    not f1 = f2 at the parameter 1/11
+    not f1 = f2 at the parameter 1/12
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
@@ -203,7 +227,8 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
                 f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
                 remedy="compare formulas of a curve like this one",
             )
-    (ps, k), (qs, m) = (split(f(curve)) for f in sides)
+    left_value, right_value = (f(curve) for f in sides)
+    (ps, k), (qs, m) = split(left_value), split(right_value)
     if len(ps) != len(qs):
         raise FormulaError(
             f"{sides[0].name} has {len(ps)} components and {sides[1].name} has {len(qs)}", remedy="compare equals"
@@ -211,13 +236,9 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     for denominator, f in ((k, sides[0]), (m, sides[1])):
         if denominator is not None and denominator.vanishes_somewhere:
             raise FormulaError(f"{f.name} does not exist on all of this curve", remedy="restrict the curve")
-    top, bottom = factor_of_text(factor, curve)
-    for p, q in zip(ps, qs, strict=True):
-        difference = bottom * (p if m is None else p * m) - top * (q if k is None else q * k)
-        if not difference.is_zero:
-            return Check(sides[0].name, sides[1].name, factor, False, _where_not_zero(difference))
-    vacuous = all(x.is_zero for x in (*ps, *qs))
-    return Check(sides[0].name, sides[1].name, factor, True, None, vacuous)
+    found = decide_identity(left_value, right_value, factor_of_text(factor, curve))
+    witness = not_zero(found.difference)[0] if found.outcome is Outcome.DIFFERENT else None
+    return Check(sides[0].name, sides[1].name, factor, found.verdict(VERIFIED), witness)
 
 
 def reduction(
@@ -251,12 +272,3 @@ def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> Non
 
 def _formulas(*given: Named) -> tuple[Formula, ...]:
     return tuple(find(f) if isinstance(f, str) else f for f in given)
-
-
-def _where_not_zero(f: Any) -> mpq:
-    """A parameter at which a spline that is not zero has another value than 0."""
-    for (c, _), a, b in zip(f.forms, f.breakpoints, f.breakpoints[1:], strict=False):
-        if c:
-            places: list[mpq] = [a + (b - a) * mpq(j, f.degree + 2) for j in range(f.degree + 1)]
-            return next(t for t in places if f(t))
-    raise AssertionError("the spline is not zero")

@@ -11,16 +11,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exactspline.errors import InapplicableError
+from exactspline.hooks import Displayed
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
-from exactspline.language.services import Displayed
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import Node, trace
-from exactspline.verification.claim import Claim, combined
+from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
+from exactspline.verification.combined import combined
 from exactspline.verification.divisors import divisors
 from exactspline.verification.generic_proof import degree_table
 from exactspline.verification.kinds import DegreeClaim

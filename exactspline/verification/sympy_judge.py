@@ -14,11 +14,23 @@ from exactspline.language.parts import split
 from exactspline.language.ruled import differences
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
-from exactspline.verification.claim import Claim, worst
+from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
+from exactspline.verification.decision import Outcome, decide_identity
 from exactspline.verification.kinds.identity import Identity, Vanishing
 from exactspline.verification.kinds.surfaces import IsoCurve, SameSurface
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding, Row, row, undecided, vacuous
+from exactspline.verification.rows import row
+from exactspline.verification.verdict import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    VACUOUS,
+    Finding,
+    Row,
+    undecided,
+    vacuous,
+    worst,
+)
 
 #: The kinds of claims that it decides.
 DECIDED = (Identity, Vanishing, SameSurface, IsoCurve)
@@ -62,19 +74,15 @@ def decide(claim: Claim, c: object) -> Finding:
 
 @decide.register
 def _(claim: Identity, c: Any) -> Finding:
-    """``left · bottom = right · top`` for the factor top/bottom, neither of them 0."""
-    left, right = split(claim.find(claim.left)(c))[0], split(claim.find(claim.right)(c))[0]
-    top, bottom = factor_of_text(claim.factor, c, claim.find)
-    if top.is_zero or bottom.is_zero:
-        return vacuous(claim.factor, "the factor is 0 or 1/0")
-    if all(x.is_zero for x in (*left, *right)):
+    """``left = factor · right``."""
+    factor = factor_of_text(claim.factor, c, claim.find)
+    found = decide_identity(claim.find(claim.left)(c), claim.find(claim.right)(c), factor)
+    if found.outcome is Outcome.EQUAL:
+        return Finding(PROVED, claim.factor, claim.factor, claim.factor)
+    if found.verdict(PROVED) == VACUOUS:
         return vacuous(claim.factor)
-    if len(left) != len(right):
-        return Finding(REFUTED, claim.factor, f"{len(left)} components, and {len(right)}")
-    for i, (a, b) in enumerate(zip(left, right, strict=True)):
-        if not (a * bottom - b * top).is_zero:
-            return Finding(REFUTED, claim.factor, "not identical", witness=f"component {i + 1} differs")
-    return Finding(PROVED, claim.factor, claim.factor, claim.factor)
+    told = "the factor is divided by zero" if found.outcome is Outcome.NO_FACTOR else "the sides differ"
+    return Finding(REFUTED, claim.factor, "not identical", witness=f"{told}, component {found.component + 1}")
 
 
 @decide.register

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING
+from dataclasses import asdict, dataclass, replace
 
 from exactspline.errors import ExactSplineError, InapplicableError
-from exactspline.language.services import Displayed
-from exactspline.verification.vocabulary import Relation, Status, Verdict
-
-if TYPE_CHECKING:
-    from exactspline.verification.claim import Claim
+from exactspline.hooks import Displayed
+from exactspline.verification.vocabulary import Reason, Relation, Status, Verdict
 
 PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED
-#: What `witness` says where both sides vanish: no success, and no failure either.
-VACUOUS = "vacuous: 0 = 0, or 0/0 on a whole segment"
-#: How `witness` begins where the claim does not apply to a curve.
-OUTSIDE = "the claim says nothing of this curve: "
+VACUOUS, INAPPLICABLE, CONTRADICTION = Verdict.VACUOUS, Verdict.INAPPLICABLE, Verdict.CONTRADICTION
 #: How `witness` begins where a claim is decided for all alone.
 LEFT = "left to the proof for all: "
+#: How `witness` begins where a claim holds on the part on which it was tried.
+SAMPLED = "it holds, but was tried on a part only: "
 #: Why a curve of lower degree decides nothing about the generic one.
 LOWER_HERE = "the degree is lower on it, as it may be on special ones"
 #: Why a count says nothing of a patch of low degree.
@@ -33,7 +28,8 @@ class ContradictionError(ExactSplineError):
 class Finding:
     """What one check found: computed value, factor, witness and verdict, before it is compared with the record.
 
-    ``relation`` is the one that was decided, ``assumptions`` the names of those that the decision rests on.
+    ``relation`` is the one that was decided, ``assumptions`` the names of those that the decision rests on, ``reason``
+    tells why nothing was decided.
     """
 
     verdict: Verdict
@@ -43,32 +39,58 @@ class Finding:
     witness: str = ""
     relation: Relation = Relation.EQUAL
     assumptions: tuple[str, ...] = ()
-
-    @property
-    def is_vacuous(self) -> bool:
-        """Whether nothing was decided because there is nothing to decide."""
-        return self.verdict == UNDECIDED and self.witness == VACUOUS
-
-    @property
-    def is_outside(self) -> bool:
-        """Whether nothing was decided because the claim does not speak of the curve."""
-        return self.verdict == UNDECIDED and self.witness.startswith(OUTSIDE)
+    reason: Reason | None = None
 
     @property
     def is_left(self) -> bool:
         """Whether it was not tried to decide anything here."""
-        return self.verdict == UNDECIDED and self.witness.startswith(LEFT)
+        return self.reason == Reason.LEFT
 
 
 def undecided(claimed: str, error: ExactSplineError) -> Finding:
-    """Undecided because of an error; inapplicable where the error says so."""
-    outside = OUTSIDE if isinstance(error, InapplicableError) else ""
-    return Finding(Verdict.UNDECIDED, claimed, witness=f"{outside}{error}")
+    """Undecided because of an error; inapplicable, or a contradiction, where the error says so."""
+    contradiction, outside = isinstance(error, ContradictionError), isinstance(error, InapplicableError)
+    verdict = CONTRADICTION if contradiction else INAPPLICABLE if outside else UNDECIDED
+    return Finding(verdict, claimed, witness=str(error))
+
+
+def left(claimed: str, why: str) -> Finding:
+    """Not tried on this curve: the proof for all decides it."""
+    return Finding(UNDECIDED, claimed, witness=LEFT + why, reason=Reason.LEFT)
+
+
+def sampled(found: Finding, part: str) -> Finding:
+    """A finding that something holds, where it was tried on a part only: no verdict."""
+    return replace(found, verdict=UNDECIDED, witness=SAMPLED + part, reason=Reason.SAMPLED)
 
 
 def vacuous(claimed: str, computed: str = "0 = 0", factor: str = "") -> Finding:
-    """Nothing to decide."""
-    return Finding(UNDECIDED, claimed, computed, factor, VACUOUS)
+    """Nothing to decide: both sides vanish, or do not exist on a whole segment."""
+    return Finding(VACUOUS, claimed, computed, factor)
+
+
+def inapplicable(claimed: str, why: str, computed: str = "", relation: Relation = Relation.EQUAL) -> Finding:
+    """The claim does not speak of this curve, for a reason."""
+    return Finding(INAPPLICABLE, claimed, computed, witness=why, relation=relation)
+
+
+def worst(found: list[Finding]) -> Finding:
+    """The least favourable finding: a contradiction, a refutation, then what is not decided, then what holds on the
+    curves tried.
+    """
+    order = (CONTRADICTION, REFUTED, UNDECIDED, INAPPLICABLE, VACUOUS, VERIFIED, PROVED)
+    return min(found, key=lambda finding: order.index(finding.verdict))
+
+
+def compared(proof: Finding, refutation: Finding) -> Finding:
+    """A refutation on one curve, compared with the proof for all: a CONTRADICTION where there is one, because one of
+    the two is wrong.
+    """
+    if proof.verdict != PROVED:
+        return refutation
+    return replace(
+        refutation, verdict=CONTRADICTION, witness=f"proved for all curves, but refuted: {refutation.witness}"
+    )
 
 
 @dataclass
@@ -92,6 +114,7 @@ class Row(Displayed):
     factor: str
     witness: str
     verdict: Verdict
+    reason: str
     expected: str
     seconds: float
 
@@ -103,43 +126,3 @@ class Row(Displayed):
     def data(self) -> dict[str, object]:
         """The row as data."""
         return asdict(self)
-
-
-def row(claim: Claim, reading: str, curve: str, finding: Finding, seconds: float, *, is_example: bool = False) -> Row:
-    """A finding compared with the record. The record is about all curves. On one curve a claim that holds must be
-    VERIFIED, unless it is vacuous there, which is on record for the example curves; one that fails in general may well
-    hold there.
-    """
-    f = finding
-    return Row(
-        claim.id,
-        claim.key,
-        claim.paper,
-        claim.status,
-        claim.kind,
-        claim.source,
-        _statement(claim),
-        claim.assumed,
-        list(f.assumptions),
-        reading,
-        curve,
-        f.relation,
-        f.claimed,
-        f.computed,
-        f.factor,
-        f.witness,
-        f.verdict,
-        _expected(claim, curve, f, is_example) if curve else claim.expected,
-        seconds,
-    )
-
-
-def _statement(claim: Claim) -> str:
-    return claim.statement + (" (as it must read)" if claim.status == Status.MEANT else "")
-
-
-def _expected(claim: Claim, curve: str, finding: Finding, is_example: bool) -> str:
-    undecided_here = finding.is_outside or finding.is_left
-    if undecided_here or (finding.is_vacuous and not is_example) or (is_example and curve in claim.vacuous):
-        return UNDECIDED
-    return VERIFIED if claim.expected in (PROVED, VERIFIED) else f"{REFUTED} or {VERIFIED}"

@@ -12,12 +12,26 @@ E = TypeVar("E", bound=StrEnum)
 
 
 class Verdict(StrEnum):
-    """What a check says: proved for all curves, verified on one, refuted, or neither."""
+    """What a check says: proved for all curves, verified on one, refuted, not decided; nothing to decide (0 = 0, 0/0);
+    a claim that does not speak of this curve; two routes that contradict each other.
+    """
 
     PROVED = "PROVED"
     VERIFIED = "VERIFIED"
     REFUTED = "REFUTED"
     UNDECIDED = "UNDECIDED"
+    VACUOUS = "VACUOUS"
+    INAPPLICABLE = "INAPPLICABLE"
+    CONTRADICTION = "CONTRADICTION"
+
+
+class Reason(StrEnum):
+    """Why nothing was decided: it was not tried, because the proof for all decides it; it held, but was tried on a part
+    only (one segment, one point, one value of a constant).
+    """
+
+    LEFT = "not tried"
+    SAMPLED = "tried on a part"
 
 
 class Status(StrEnum):

@@ -25,15 +25,19 @@ def answer(question: str, data: str) -> str:
 def features(data: dict[str, Any]) -> dict[str, Any]:
     """Inflections, extrema of curvature, singular points and corners of a plane curve, each certified."""
     curve = _curve(data)
-    found = xs.inspect_curve(curve)
-    groups = {"inflection": found.inflections, "extremum": found.critical, "singular": found.singular_points}
+    found = xs.analyse(curve)
+    groups = {"inflection": found.inflections, "extremum": found.critical_points, "singular": found.singular_points}
     listed = [_feature(curve, group, f) for group, members in groups.items() for f in members]
     joints = [
         {"kind": str(joint.kind), "t": str(joint.parameter), "point": _point(curve, joint.parameter)}
         for joint in found.joints
         if not joint.tangent_continuous
     ]
-    pieces = {"straight": found.straight, "of constant curvature": found.constant, "standing still": found.standing}
+    pieces = {
+        "straight": found.straight_pieces,
+        "of constant curvature": found.constant_pieces,
+        "standing still": found.standing_pieces,
+    }
     return {
         "features": sorted(listed, key=lambda f: f["double"]),
         "joints": joints,
@@ -47,8 +51,8 @@ def features(data: dict[str, Any]) -> dict[str, Any]:
 def digits(data: dict[str, Any]) -> dict[str, str]:
     """One feature's parameter to more digits, and its exact value or its polynomial."""
     curve = _curve(data["curve"])
-    found = xs.inspect_curve(curve)
-    group = {"inflection": found.inflections, "extremum": found.critical, "singular": found.singular_points}
+    found = xs.analyse(curve)
+    group = {"inflection": found.inflections, "extremum": found.critical_points, "singular": found.singular_points}
     root = group[data["group"]][data["index"]].root
     exact = root.exact
     return {
@@ -185,7 +189,7 @@ def _decimal(root: Any, count: int) -> str:
 
 def _feature(curve: Any, group: str, feature: Any) -> dict[str, Any]:
     root = feature.root
-    (point,) = curve.at_floats([root])
+    (point,) = xs.at_floats(curve, [root])
     told = {
         "group": group,
         "kind": str(feature.kind),
@@ -195,7 +199,7 @@ def _feature(curve: Any, group: str, feature: Any) -> dict[str, Any]:
         "point": list(point),
     }
     if group != "singular":
-        (told["curvature"],) = curve.curvature_floats([root])
+        told["curvature"] = float(xs.curvature(curve, root))
     return told
 
 

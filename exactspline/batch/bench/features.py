@@ -13,7 +13,7 @@ from exactspline.batch.bench import alone
 from exactspline.batch.bench.inputs import MIXED
 from exactspline.batch.bench.row import OURS, Options, Row, Timed, best, bounded, compared, installed, missing
 from exactspline.batch.families import Family
-from exactspline.geometry.features import curvature_extrema, inflections
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.kinds import FeatureKind
 from exactspline.splines.nurbs import Nurbs
 
@@ -95,7 +95,7 @@ def _again(curves: Sequence[Nurbs]) -> list[Nurbs]:
 
 
 def _solved(curves: Any) -> tuple[int, int]:
-    return sum(len(inflections(c)) for c in curves), sum(len(curvature_extrema(c)) for c in curves)
+    return sum(len(analyse(c).inflections) for c in curves), sum(len(analyse(c).curvature_extrema) for c in curves)
 
 
 def _one_by_one(curves: Sequence[Nurbs]) -> Iterator[Row]:

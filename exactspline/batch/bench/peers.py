@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from exactspline.exact import mpq, mpz
 from exactspline.language.arguments import Curve
-from exactspline.language.operand import CONSTANTS, Operand
+from exactspline.language.operand import CONSTANTS
+from exactspline.language.rational import RingOperand
 from exactspline.language.vector import Vector
 from exactspline.splines.nurbs import Nurbs
 
@@ -75,7 +76,7 @@ def sympy_polys(c: Nurbs) -> list[list[sympy.Poly]]:
     ]
 
 
-class SympyOperand(Operand):
+class SympyOperand(RingOperand):
     """A polynomial of sympy as an operand, differentiated by one of its variables: the library's own formulas run over
     it.
     """

@@ -8,7 +8,7 @@ the form behind a zero set, likewise, with what it must be a positive multiple o
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from math import factorial, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -195,7 +195,7 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
     breaks = list(map(mpq, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
     for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):
-        c = list(map(int, segment["coefficients"]))
+        c = list(map(mpq, segment["coefficients"]))
         n, ratios = max(degree, len(c) - 1) + 1, set()
         for k in range(n):
             u = mpq(2 * k + 1, 2 * n)
@@ -206,7 +206,7 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
         _require(len(ratios) <= 1 and all(r > 0 for r in ratios), "another form")
 
 
-def at(c: list[int], u: mpq) -> mpq:
+def at(c: Sequence[mpq | int], u: mpq) -> mpq:
     """``Σ c_i (1 − u)ⁿ⁻ⁱ uⁱ``."""
     n = len(c) - 1
     return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=mpq(0))

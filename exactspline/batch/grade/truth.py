@@ -10,15 +10,15 @@ from collections.abc import Callable
 
 from exactspline.batch.grade.cases import Case
 from exactspline.batch.grade.data import Answer, ExactCurve
-from exactspline.batch.oracle_values import unit
 from exactspline.errors import ExactSplineError
 from exactspline.exact import double, from_float, mpq, text
 from exactspline.geometry import balls
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.extent import coordinate_range, slope
-from exactspline.geometry.values_along import curvature_at, point_at, torsion_at
+from exactspline.geometry.values_along import curvature, point_at, torsion
 from exactspline.language.vector import Vector, triple
-from exactspline.roots.real import Real
+from exactspline.reals.real import Real
+from exactspline.roots.values import unit
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -46,7 +46,7 @@ def _numbers(values: list[Real]) -> Answer:
 
 
 def _interval(value: Real) -> list[str]:
-    low, high = value.enclosed(DIGITS)
+    low, high = value.enclosure(DIGITS)
     return [text(low), text(high)]
 
 
@@ -59,13 +59,13 @@ def _tangent(case: Case) -> Answer:
 
 
 def _curvature(case: Case) -> Answer:
-    found = curvature_at(case.curve, case.parameter)
-    low, high = sorted(abs(t) for t in found.enclosed(DIGITS))
+    found = curvature(case.curve, case.parameter)
+    low, high = sorted(abs(t) for t in found.enclosure(DIGITS))
     return {"numbers": [[text(low), text(high)]]}
 
 
 def _torsion(case: Case) -> Answer:
-    return _numbers([torsion_at(case.curve, case.parameter)])
+    return _numbers([torsion(case.curve, case.parameter)])
 
 
 def rows(curve: Nurbs, *, weighted: bool) -> list[list[mpq]]:

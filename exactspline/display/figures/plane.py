@@ -10,12 +10,12 @@ from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_featu
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.display.plot.html import Scene
 from exactspline.exact import mpq
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.features import curvature_extrema, inflections
 from exactspline.geometry.zero_forms import zero_form
-from exactspline.language.factorization import superscript
 from exactspline.language.rational import Rational
 from exactspline.papers import find
+from exactspline.polynomials.factorization import superscript
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
@@ -67,14 +67,19 @@ def figure_1() -> Drawn:
     figure = new_figure(9, 13)
     grid = figure.add_gridspec(3, 1, height_ratios=[2.2, 1, 1])
     top, middle, bottom = (figure.add_subplot(grid[i]) for i in range(3))
-    extrema = curvature_extrema(curve)
+    extrema = analyse(curve).curvature_extrema
     inner, jumps = [f.root for f in extrema if not f.by_jump], [f.root for f in extrema if f.by_jump]
     plot_evolute(curve, plot_curve(curve, top, knots=False))
     # each marker has the same meaning in (a), (b) and (c)
     plot_features(curve, inner, top, label="κ′ = 0", color=GREEN)
     plot_features(curve, jumps, top, label="κ′ changes its sign by a jump", color=GREEN, hollow=True)
     plot_features(
-        curve, [f.root for f in inflections(curve)], top, marker="X", label="inflections, κ = 0", color=VERMILLION
+        curve,
+        [f.root for f in analyse(curve).inflections],
+        top,
+        marker="X",
+        label="inflections, κ = 0",
+        color=VERMILLION,
     )
     _crop(top, curve)
     top.set_title("(a) curvature critical points")

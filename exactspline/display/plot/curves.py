@@ -25,6 +25,7 @@ from exactspline.display.plot.canvas import (
     shown_name,
 )
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
+from exactspline.errors import as_items
 from exactspline.exact import Number, mpq
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import Feature
@@ -33,6 +34,7 @@ from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -66,7 +68,7 @@ def plot_curve(
     Raises `PlotError` without matplotlib, for a curve neither in the plane nor in space, for axes that do not fit, and
     for numbers beyond 1e100.
     """
-    ax = axes_for(ax, curve.dimension)
+    ax = axes_for(ax, curve_of(curve).dimension)
     if control_polygon:
         points = [point if weight else None for point, weight in zip(curve.control_points, curve.weights, strict=True)]
         draw_polygons(ax, polygons(curve.knots.knots, curve.degree, points), len(points), color=polygon_color)
@@ -103,8 +105,8 @@ def plot_features(
 
     Raises `DomainError` for a parameter outside the domain, otherwise as `plot_curve`.
     """
-    ax = axes_for(ax, curve.dimension)
-    places = [curve(parameter(t, curve.domain)) for t in points]
+    ax = axes_for(ax, curve_of(curve).dimension)
+    places = [curve(parameter(t, curve.domain)) for t in as_items(points, "parameters")]
     if places:
         draw(
             ax,

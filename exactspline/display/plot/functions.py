@@ -30,7 +30,7 @@ from exactspline.exact import mpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import greville_abscissae
+from exactspline.splines.control_points import greville_abscissae
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

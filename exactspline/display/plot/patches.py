@@ -17,7 +17,7 @@ from exactspline.display.plot.visibility import Visibility
 from exactspline.exact import mpq
 from exactspline.geometry.surface.forms import in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.surface.places import Place
+from exactspline.geometry.surface.places import Place, enclosing
 from exactspline.geometry.surface.signs import Point
 from exactspline.splines.surface import Along
 
@@ -163,9 +163,10 @@ def _curves(found: SurfaceInspection) -> Iterator[list[Point]]:
 def _lines(found: SurfaceInspection) -> Iterator[list[Point]]:
     """Parabolic isoparametric lines."""
     for line in found.parabolic_lines:
-        a, b = line.interval
+        (a, b), (low, high) = line.interval, enclosing(line.value, 8)
+        at = mpq((low + high) / 2)
         ts = [a + (b - a) * mpq(k, GRID) for k in range(GRID + 1)]
-        yield [(t, line.value) if line.along is Along.U else (line.value, t) for t in ts]
+        yield [(t, at) if line.along is Along.U else (at, t) for t in ts]
 
 
 def umbilic_spots(found: SurfaceInspection) -> Iterator[Point]:

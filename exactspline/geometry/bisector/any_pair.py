@@ -6,11 +6,12 @@ from collections.abc import Iterable
 
 from exactspline.errors import ShapeError
 from exactspline.exact import Number
-from exactspline.geometry.bisector.point_and_curve import PointBisector, exact_point, point_bisector
+from exactspline.geometry.bisector.point_and_curve import PointBisector, exact_point, point_bisector, refuse_point
 from exactspline.geometry.bisector.two_curves import CurveBisector, curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import where_it_exists
 from exactspline.splines.nurbs import Nurbs
 
@@ -33,11 +34,13 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> CurveBisector | 
 
     Raises `ShapeError` where dimensions do not fit.
     """
+    first = curve_of(first)
     if isinstance(second, Nurbs):
         return curve_bisector(first, second)
     if first.dimension == 3:
         return point_bisector(first, second)
     if first.dimension != 2:
         raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
+    refuse_point(first)
     value: Rational[BSpline] = find("plane_bisector_polynomial")(first.with_point(exact_point(first, second, 2)))
     return where_it_exists(value)

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
 
+from exactspline.errors import ReachError
 from exactspline.exact import mpq, to_fmpq
-from exactspline.geometry.bisector.discriminants import resultant
 from exactspline.geometry.bisector.polynomials import (
     Interval,
     Parameter,
@@ -30,6 +30,9 @@ from exactspline.geometry.bisector.polynomials import (
     rows_of,
     vanish_together,
 )
+from exactspline.polynomials.cost import affords, check_reach
+from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factors import factorize
 from exactspline.roots.root import Root
 
 #: A pair of parameters.
@@ -38,6 +41,10 @@ Place = tuple[Parameter, Parameter]
 REACH = 1000
 #: Primes modulo which a factor of a resultant is tried.
 PRIMES = ((1 << 61) - 1, (1 << 61) - 31, (1 << 62) - 57, (1 << 62) - 87)
+#: Nanoseconds for the square of the degree to find the roots of an image (measured: 700 to 2300).
+ROOTS = 2000
+#: Nanoseconds for each term of the polynomials to exclude or to prove a pair of parameters.
+PAIR = 3000
 #: Parts of a side by which roots just outside it are known too, and the radii of boxes that are tried.
 MARGIN, RADII = 16, (12, 24, 40, 80, 160)
 
@@ -71,10 +78,26 @@ def common_zeros(
     (m, n), (k, h) = f.degrees(), g.degrees()
     if m * h + n * k > REACH:
         return CommonZeros([], [], out_of_reach=True)
+    try:
+        return _among(boxes, f, g, sides, also, known)
+    except ReachError:
+        return CommonZeros([], [], out_of_reach=True)
+
+
+def _among(
+    boxes: Sequence[Sides],
+    f: fmpz_mpoly,
+    g: fmpz_mpoly,
+    sides: Sides,
+    also: Sequence[fmpz_mpoly],
+    known: Sequence[Place],
+) -> CommonZeros:
+    """Those in some boxes that hold all of them. `ReachError` where that would take too long."""
     ranges = [_widened(min(box[i][0] for box in boxes), max(box[i][1] for box in boxes)) for i in (0, 1)]
     found = [_parameters(f, g, also, variable, ranges[variable]) for variable in (0, 1)]
-    candidates = [kept for kept, _ in found]
     known_roots = [_Known(roots, side) for (_, roots), side in zip(found, ranges, strict=True)]
+    cost = PAIR * sum(len(p) for p in (f, g, *also))
+    candidates = [kept for kept, _ in found]
     places, undecided = [], []
     for s in (x for x in candidates[0] if _inside(x, sides[0])):
         for t in (x for x in candidates[1] if _inside(x, sides[1])):
@@ -82,7 +105,9 @@ def common_zeros(
                 continue
             if any(s == x and t == y for x, y in known):
                 places.append((exactly(s), exactly(t)))
-            elif (verdict := _is_zero(f, g, also, (s, t), known_roots)) is None:
+                continue
+            check_reach(cost, lambda: "the comparison of all pairs of possible parameters")
+            if (verdict := _is_zero(f, g, also, (s, t), known_roots)) is None:
                 undecided.append((exactly(s), exactly(t)))
             elif verdict:
                 places.append((exactly(s), exactly(t)))
@@ -126,7 +151,7 @@ def _parameters(
     rows = [rows_of(p if variable == 0 else p.compose(T, S)) for p in (f, g)]
     kept: list[Root] = []
     every: list[Root] = []
-    for factor in [p for p, _ in resultant(*rows).factor()[1] if p.degree() > 0]:
+    for factor in factorize(resultant(*rows)).bases:
         roots = roots_in(factor, *side)
         every += roots
         if roots and not _certainly_apart([f, g, *also], factor, variable):
@@ -142,6 +167,8 @@ def _certainly_apart(polynomials: Sequence[fmpz_mpoly], factor: fmpz_poly, varia
         image = nmod_poly([int(x) % prime for x in factor.coeffs()], prime)
         if image.degree() != factor.degree():
             continue
+        if not affords(ROOTS * factor.degree() ** 2):
+            return False
         roots = image.roots()
         if not roots:
             continue

@@ -8,7 +8,7 @@ from enum import StrEnum
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, short_text, text
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.root_lines import RootLines
@@ -18,6 +18,9 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.values import RationalSurface
+
+#: A longer equation is shown by its degree alone.
+SHORT = 40
 
 
 class Solutions(StrEnum):
@@ -87,6 +90,18 @@ class PairEquation:
     def text(self) -> str:
         """The polynomial as text."""
         return str(self.polynomial)
+
+    @property
+    def short_text(self) -> str:
+        """The equation as text where it is short, otherwise its degree.
+
+        >>> PairEquation.of(S - T).short_text, PairEquation.of(S**40 * 10**40 - T**3).short_text
+        ('s - t = 0', 'equation of degree 40 × 3')
+        """
+        if len(self.terms) <= SHORT and len(self.text) + 4 <= SHORT:
+            return f"{self.text} = 0"
+        m, n = (max(powers[i] for powers, _ in self.terms) for i in (0, 1))
+        return f"equation of degree {m} × {n}"
 
     def __call__(self, s: Number, t: Number) -> mpq:
         """The exact value."""
@@ -347,9 +362,18 @@ def _other(correspondence: Correspondence) -> Correspondence:
 
 
 def interval_text(side: Interval) -> str:
-    """An interval as text.
+    """An interval as text, for messages.
 
     >>> interval_text((mpq(0), mpq(1, 2)))
     '[0, 1/2]'
     """
-    return f"[{text(side[0])}, {text(side[1])}]"
+    return f"[{short_text(side[0])}, {short_text(side[1])}]"
+
+
+def sides_text(sides: Sides) -> str:
+    """A rectangle as text, for messages.
+
+    >>> sides_text(((mpq(0), mpq(1)), (mpq(2), mpq(3))))
+    '[0, 1] × [2, 3]'
+    """
+    return " × ".join(map(interval_text, sides))

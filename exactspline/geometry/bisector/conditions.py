@@ -18,10 +18,13 @@ from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.exact import mpq
 from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, keeps_sign, possible_parts
-from exactspline.geometry.bisector.discriminants import discriminant
+from exactspline.geometry.bisector.polynomials import check_isolation
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, norm2
-from exactspline.roots.root import Root, between
+from exactspline.polynomials.elimination import discriminant, resultant
+from exactspline.polynomials.factors import factorize_square_free
+from exactspline.reals.real import between
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines import tensor_bernstein
 from exactspline.splines.bernstein import ONE, is_nonnegative, value
@@ -201,10 +204,13 @@ def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
 
 
 def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """The inner parameters at which the number of sign changes of a member can differ from that of its neighbours."""
+    """The inner parameters at which the number of sign changes of a member can differ from that of its neighbours.
+
+    `ReachError` where they would take too long.
+    """
     if not family:
         return []
-    _, factors = family.factor_squarefree()
+    factors = factorize_square_free(family).powers
     found: list[Root] = []
     for p, multiplicity in factors:
         if p.degrees()[1] == 0:
@@ -214,19 +220,24 @@ def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     odd = [p for p, multiplicity in factors if multiplicity % 2 and p.degrees()[1] > 0]
     for i, p in enumerate(odd):
         for other in odd[:i]:
-            found += _roots(_in_z(p.resultant(other, 1)), segment)
+            found += _roots(resultant(_rows(p), _rows(other)), segment)
     return found
 
 
 def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     """Where a square-free factor has a double zero, or one at an end: discriminant, first and last coefficient."""
+    rows = _rows(p)
+    ends = [next(row for row in rows if row), rows[-1]]
+    conditions = [*ends, discriminant(rows)] if len(rows) > 2 else ends
+    return [root for q in conditions for root in _roots(q, segment)]
+
+
+def _rows(p: fmpz_mpoly) -> list[fmpz_poly]:
+    """The coefficients of the powers of the second variable."""
     by_power: dict[int, dict[int, fmpz]] = {}
     for (i, j), x in p.terms():
         by_power.setdefault(int(j), {})[int(i)] = x
-    rows = [_polynomial(by_power.get(j, {})) for j in range(max(by_power) + 1)]
-    ends = [rows[min(by_power)], rows[-1]]
-    conditions = [*ends, discriminant(rows)] if len(rows) > 2 else ends
-    return [root for q in conditions for root in _roots(q, segment)]
+    return [_polynomial(by_power.get(j, {})) for j in range(max(by_power) + 1)]
 
 
 def _polynomial(terms: dict[int, fmpz]) -> fmpz_poly:
@@ -245,7 +256,8 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
     discriminants have many of them.
     """
     mesh = Mesh(list(segment))
-    factors = [p for p, _ in c.factor_squarefree()[1] if p.degree() > 0] if c else []
+    check_isolation(c)
+    factors = [p for p in factorize_square_free(c).bases if p.degree() > 0] if c else []
     return [
         root
         for p in factors

@@ -19,12 +19,13 @@ from exactspline.geometry.bisector.polynomials import (
     ball,
     enclosed,
     exactly,
-    in_one,
     roots_in,
     rows_of,
     vanish_together,
 )
-from exactspline.roots.root import between
+from exactspline.polynomials.elimination import discriminant
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.reals.real import between
 from exactspline.splines.bernstein import substituted
 
 
@@ -85,7 +86,7 @@ def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
     """The real branches of an equation of degree 2 at least in both parameters, strictly inside the rectangle.
 
     Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
-    vanishes, the number of roots inside does not change.
+    vanishes, the number of roots inside does not change. `ReachError` where the discriminant would take too long.
 
     >>> from exactspline.geometry.bisector.polynomials import S, T
     >>> square = (mpq(-2), mpq(2))
@@ -93,7 +94,7 @@ def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
     [(0, mpq(0,1)), (1, mpq(0,1))]
     """
     own, other = sides
-    critical = [in_one(g.discriminant(1), 0), rows_of(g)[-1], *(at(g, 1, y) for y in other)]
+    critical = [discriminant(rows_of(g)), rows_of(g)[-1], *(at(g, 1, y) for y in other)]
     cuts = _distinct([*own, *(root for p in critical for root in roots_in(p, *own))])
     found = []
     for low, high in pairwise(cuts):
@@ -132,7 +133,7 @@ def nodes(g: fmpz_mpoly, sides: Sides) -> tuple[list[Place], bool]:
     ([(mpq(0,1), mpq(0,1))], True)
     """
     first, second = g.derivative(0), g.derivative(1)
-    shared = first.gcd(second)
+    shared = greatest_common_divisor([first, second])
     reduced = first / shared, second / shared
     if any(p.total_degree() == 0 for p in reduced):
         return [], True

@@ -33,8 +33,9 @@ from exactspline.geometry.bisector.polynomials import (
     roots_in,
     vanish_together,
 )
-from exactspline.geometry.bisector.single_pairs import divisor, shown, zeros_of_vector
+from exactspline.geometry.bisector.single_pairs import shown, zeros_of_vector
 from exactspline.geometry.bisector.system import Piece, System
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.roots.root import Root
 
 #: The remaining conditions where the first curve has no tangent.
@@ -61,7 +62,7 @@ def standing(system: System) -> SpecialPairs:
 def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
     """Where the second curve runs through the single point of the first one, and at its cusps."""
     side = system.second.interval
-    meetings, cusps = roots_in(in_one(divisor(system.chord), 1), *side), cusps_of(system.second)
+    meetings, cusps = roots_in(in_one(greatest_common_divisor(system.chord), 1), *side), cusps_of(system.second)
     planes = [
         _plane_at(Solutions.SPACE if t in cusps else Solutions.PLANE, Cause.FIRST_STILL, system, t) for t in meetings
     ]

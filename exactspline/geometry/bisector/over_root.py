@@ -6,11 +6,17 @@ from collections.abc import Sequence
 from itertools import zip_longest
 from math import gcd, lcm
 
-from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
+from flint import fmpq_poly, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.geometry.bisector.polynomials import rows_of
+from exactspline.polynomials.cost import QUESTION, check_reach
 
 ZERO = fmpq_poly([])
+#: Primes modulo which polynomials are tried.
+PRIMES = tuple((1 << 61) - k for k in (1, 31, 45, 229, 259, 283, 339, 391, 403, 465))
+#: Nanoseconds for a bit of the numbers with which Euclid's algorithm begins, times powers of the degrees (measured:
+#: 3 to 15).
+EUCLID = 20
 
 
 class OverRoot:
@@ -82,10 +88,51 @@ class OverRoot:
         >>> OverRoot([-2, 0, 1], modulus).gcd(OverRoot([2, s], modulus)).coefficients
         (x, 1)
         """
+        if self and other:
+            most = _most(self, other)
+            if most == 0:
+                return OverRoot([1], self.modulus)
+            cost = _cost(self, other, most)
+            check_reach(cost, lambda: "a common divisor over the field of an irrational parameter", QUESTION)
         a, b = self, other
         while b:
             a, b = b, divmod(a, b)[1]
         return a * OverRoot([_inverse(a.coefficients[-1], self.modulus)], self.modulus) if a else a
+
+
+def _cost(p: OverRoot, q: OverRoot, common: int) -> int:
+    """An estimate in nanoseconds of Euclid's algorithm, whose numbers grow down to the common degree."""
+    k, n = p.modulus.degree(), max(p.degree, q.degree)
+    bits = max(max(c.numer().height_bits(), int(c.denom()).bit_length()) for f in (p, q) for c in f.coefficients if c)
+    return EUCLID * n**2 * (n - common + 1) ** 2 * k**3 * bits
+
+
+def _most(p: OverRoot, q: OverRoot) -> int:
+    """A bound on the degree of a common divisor: that of the images at a simple root of the modulus modulo a prime,
+    where one of them keeps its degree.
+    """
+    for prime in PRIMES:
+        modulus = nmod_poly(p.modulus.numer(), prime)
+        roots = [int(r) for r, times in modulus.roots() if times == 1]
+        if modulus.degree() != p.modulus.degree() or not roots:
+            continue
+        images = [_image(f, roots[0], prime) for f in (p, q)]
+        first, second = images
+        if first is None or second is None or first.degree() != p.degree:
+            continue
+        return int(first.gcd(second).degree())
+    return min(p.degree, q.degree)
+
+
+def _image(p: OverRoot, root: int, prime: int) -> nmod_poly | None:
+    """The polynomial modulo a prime at a root of the modulus; None where a denominator vanishes."""
+    values = []
+    for c in p.coefficients:
+        below = int(c.denom()) % prime
+        if not below:
+            return None
+        values.append(int(nmod_poly(c.numer(), prime)(root)) * pow(below, -1, prime))
+    return nmod_poly([x % prime for x in values], prime)
 
 
 def _inverse(x: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:

@@ -13,16 +13,18 @@ from enum import StrEnum
 from itertools import pairwise
 from typing import Any
 
-from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational
+from exactspline.errors import ShapeError, as_items
+from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.missing import STILL, THROUGH, Interval, is_zero_on
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import choice
 from exactspline.language.vector import Vector
 from exactspline.papers import find
-from exactspline.roots.root import Root, between
+from exactspline.reals.real import between
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineSurface
@@ -85,6 +87,7 @@ def point_bisector(
     Raises `ShapeError` for a curve or a point that is not in space, or where there is no surface at all; `FormulaError`
     for an unknown variant.
     """
+    curve = curve_of(curve)
     chosen = choice(PointVariant, variant, "variant")
     c = curve.with_point(exact_point(curve, point, 3))
     generator, d1 = find("point_bisector_generator_polynomial")(c), find("D1")(c)
@@ -95,6 +98,7 @@ def point_bisector(
         else:
             good.append((a, b))
     if not good:
+        refuse_point(curve)
         raise ShapeError(
             "there is no bisector surface: " + missing[0][1], remedy="choose another point, or another curve"
         )
@@ -110,6 +114,16 @@ def point_bisector(
         for a, b, k in _merged(parts)
     ]
     return PointBisector(chosen, tuple(pieces), _singular(generator, good), tuple(missing))
+
+
+def refuse_point(curve: Nurbs) -> None:
+    """Of a curve that is one point there is a bisector, but a plane (a line), which is no surface over the curve."""
+    if all(x.is_zero for x in find("D1")(curve)):
+        where = ", ".join(map(short_text, curve(curve.domain[0])))
+        raise ShapeError(
+            f"the curve is one point, ({where})",
+            remedy="the points at equal distances from two points form a plane, in R2 a line; give a curve that moves",
+        )
 
 
 def _singular(generator: Vector[BSpline], segments: list[Interval]) -> tuple[Root, ...]:
@@ -135,7 +149,7 @@ def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) 
     """The exact coordinates of a point beside a curve of that dimension; `ShapeError` when the numbers of coordinates
     are wrong.
     """
-    coordinates = tuple(rational(x) for x in point)
+    coordinates = tuple(rational(x) for x in as_items(point, "the coordinates of a point"))
     if curve.dimension != dimension:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy=f"this needs a curve in R{dimension}")
     if len(coordinates) != dimension:

@@ -11,8 +11,11 @@ from typing import Protocol, Self, TypeVar
 
 from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
-from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.errors import ReachError
+from exactspline.exact import mpq, rational, to_fmpq, to_fmpz
 from exactspline.language.operand import Scalar
+from exactspline.polynomials.cost import QUESTION, affords, check_reach, height_bits
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE, halves, substituted
@@ -34,9 +37,18 @@ Rows = list[fmpz_poly]
 
 #: Halvings before a box is assumed to hold a common zero, and boxes before the search stops.
 DEPTH, BOXES = 9, 3000
+#: Nanoseconds for a coefficient of a patch to halve it, and for 100 bits of a coefficient on top of it.
+HALVING, HALVING_BITS = 4000, 500
+#: Hundredths of a nanosecond, times the square of the degree and the bits of a form, to make it and to isolate its
+#: roots.
+ISOLATION = 80
+#: Nanoseconds for a product of balls, and for each bit of them.
+BALL, BALL_BITS = 300, 4
+#: Evaluations of a polynomial to refine a root of it to the precision of the balls.
+REFINED = 4
 #: Bits of precision with which it is first asked whether a polynomial vanishes at two irrational numbers, and bits with
 #: which it is not asked any more.
-SHORTEST, LONGEST = 512, 1 << 22
+SHORTEST, LONGEST = 512, 1 << 19
 
 
 class Euclidean(Scalar, Protocol):
@@ -92,21 +104,33 @@ def roots_in(p: fmpz_poly, a: mpq, b: mpq) -> list[Root]:
     >>> [root.exact for root in roots_in(fmpz_poly([0, -1, 0, 4]), mpq(0), mpq(1))]
     [mpq(0,1), mpq(1,2)]
     """
-    factors = [q for q, _ in p.factor()[1] if q.degree() > 0] if p else []
+    if not p:
+        return []
+    check_isolation(p, height_bits(to_fmpz(x) for end in (a, b) for x in (end.numerator, end.denominator)))
+    try:
+        factors = factorize(p).bases
+    except ReachError:  # with irreducible factors roots are refined faster, but these have the same
+        factors = factorize_square_free(p).bases
     return sorted(root for q in factors for root in zeros(as_splines([q], a, b)[0]))
 
 
+def check_isolation(p: fmpz_poly, bits: int = 0) -> None:
+    """`ReachError` where isolating the roots of a polynomial, between ends of this many bits, would take too long."""
+    cost = p.degree() ** 2 * (height_bits(p.coeffs()) + p.degree() * (1 + bits)) * ISOLATION // 100
+    check_reach(cost, lambda: f"the isolation of the roots of a polynomial of degree {p.degree()}", QUESTION)
+
+
 def common_divisor(polynomials: Iterable[E]) -> E:
-    """The greatest common divisor."""
-    return reduce(lambda p, q: p.gcd(q), polynomials)
+    """The greatest common divisor of polynomials in one parameter; `ReachError` where that would take too long."""
+    found = list(polynomials)
+    if isinstance(found[0], fmpz_poly):
+        return greatest_common_divisor(found)  # type: ignore[type-var]  # all of them are of one type
+    return reduce(lambda p, q: p.gcd(q), found)
 
 
 def exactly(t: Parameter) -> Parameter:
-    """The rational number itself where a root is known to be one."""
-    if not isinstance(t, Root):
-        return t
-    t.minimal_polynomial()
-    return t if t.exact is None else t.exact
+    """The rational number itself where a root is one."""
+    return t if not isinstance(t, Root) or t.exact is None else t.exact
 
 
 # ---- two parameters
@@ -193,8 +217,7 @@ def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Paramete
         return True
     if not isinstance(other, Root):
         return all(q(to_fmpq(other)) == 0 for q in parts)
-    minimal = fmpz_poly(other.minimal_polynomial())
-    return all(not q % minimal for q in map(_primitive, parts))
+    return all(other.is_root_of(q) for q in parts)
 
 
 def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
@@ -203,12 +226,16 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool | None:
     A value that is not zero is at least ``2^−bits`` by Liouville's inequality: balls of growing precision show either
     that it is not zero, or that it is smaller than that.
     """
-    first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())
+    try:
+        first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())
+    except ReachError:
+        return None
     for variable, minimal in enumerate((first, second)):
         if p.degrees()[1 - variable] == 0:
             return not _primitive(in_one(p, variable)) % minimal
     bits, precision = least_value(p, first, second), SHORTEST
-    while precision < LONGEST:
+    products = len(p) + REFINED * (first.degree() + second.degree())
+    while precision < LONGEST and affords(products * (BALL + BALL_BITS * precision)):
         with ctx.workprec(precision):
             digits = precision * 30103 // 100000
             value = abs(enclosed(p, ball(s, digits), ball(t, digits)))
@@ -260,6 +287,7 @@ def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Sides) -> list[Side
     []
     """
     patches = [_patch(p, sides) for p in polynomials if p]
+    cost = sum(_halving(*patch) for patch in patches)
     todo = [(0, sides, patches)]
     found: list[Sides] = []
     steps = 0
@@ -268,7 +296,7 @@ def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Sides) -> list[Side
         if any(_keeps_sign(rows, m) for rows, m in forms):
             continue
         steps += 1
-        if depth == DEPTH or steps > BOXES:
+        if depth == DEPTH or steps > BOXES or not affords(cost):
             found.append((first, second))
             continue
         direction = depth % 2
@@ -294,6 +322,13 @@ def _patch(p: fmpz_mpoly, sides: Sides) -> tuple[Rows, int]:
 def crossed(rows: Rows, m: int) -> Rows:
     """Rows of degree m exchanged with columns."""
     return [fmpz_poly([row[i] for row in rows]) for i in range(m + 1)]
+
+
+def _halving(rows: Rows, m: int) -> int:
+    """An estimate in nanoseconds of halving a patch on the way to the smallest boxes."""
+    n = len(rows) - 1
+    bits = max(height_bits(row.coeffs()) for row in rows) + DEPTH // 2 * (m + n)
+    return (m + 1) * (n + 1) * (HALVING + HALVING_BITS * bits // 100)
 
 
 def _keeps_sign(rows: Rows, m: int) -> bool:

@@ -9,7 +9,6 @@ from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
 from exactspline.exact import Number, mpq, rational, short_text, to_fmpq
-from exactspline.geometry.bisector.discriminants import resultant
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.polynomials import (
     Interval,
@@ -24,6 +23,7 @@ from exactspline.geometry.bisector.polynomials import (
     rows_of,
     vanish_together,
 )
+from exactspline.polynomials.elimination import resultant
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 

@@ -6,26 +6,19 @@ from collections.abc import Sequence
 
 from flint import fmpz_mpoly
 
+from exactspline.exact import short_text
 from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros
-from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs, interval_text
+from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs, sides_text
 from exactspline.geometry.bisector.correspondence import same_place
 from exactspline.geometry.bisector.polynomials import Sides, possible_boxes, vanish_together
 from exactspline.geometry.bisector.system import System
-from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.roots.root import Root
 
 #: Combinations of the components of a vector, tried one after the other.
 COMBINATIONS = ((3, 5, -7), (11, -2, 1), (1, 13, 4), (-5, 1, 17))
 
 Found = tuple[list[Place], tuple[str, ...]]
-
-
-def divisor(v: Vector[fmpz_mpoly]) -> fmpz_mpoly:
-    """The greatest common divisor of the components."""
-    found: fmpz_mpoly = v[0]
-    for f in list(v)[1:]:
-        found = found.gcd(f)
-    return found
 
 
 def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Sides) -> Found:
@@ -35,7 +28,7 @@ def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: S
         return [], ()
     square = _coprime(f, components)
     if square is None:
-        return [], (f"pairs on {_where(sides)}: no two coprime conditions",)
+        return [], (f"pairs on {sides_text(sides)}: no two coprime conditions",)
     found = common_zeros(*square, sides, polynomials)
     places, left_out = [], _undecided(found, sides)
     for place in found.places:
@@ -53,7 +46,7 @@ def _coprime(f: fmpz_mpoly | None, components: list[fmpz_mpoly]) -> tuple[fmpz_m
     candidates = [f, *combined] if f is not None else combined
     for i, p in enumerate(candidates):
         for q in candidates[:i]:
-            if p and q and p.gcd(q).total_degree() == 0:
+            if p and q and greatest_common_divisor([p, q]).total_degree() == 0:
                 return q, p
     return None
 
@@ -67,29 +60,27 @@ def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpol
 
 def _undecided(found: CommonZeros, sides: Sides) -> list[str]:
     if found.out_of_reach:
-        return [f"single pairs on {_where(sides)}: the elimination is out of reach"]
+        return [f"single pairs on {sides_text(sides)}: the elimination is out of reach"]
     return [f"whether the system is singular at {shown(place)}" for place in found.undecided]
-
-
-def _where(sides: Sides) -> str:
-    return " × ".join(map(interval_text, sides))
 
 
 def shown(place: Place) -> str:
     """A pair of parameters as text."""
-    return "(" + ", ".join(f"{x.mpf(6)}…"[:9] + "…" if isinstance(x, Root) else str(x) for x in place) + ")"
+    return "(" + ", ".join(f"{x.mpf(6)}…"[:9] + "…" if isinstance(x, Root) else short_text(x) for x in place) + ")"
 
 
 def crossings(system: System) -> Found:
     """The pairs at which the curves meet, beside the curves of pairs along which they overlap; and what is left out."""
-    shared = divisor(system.chord)
+    shared = greatest_common_divisor(system.chord)
     return zeros_of_vector(None, [f / shared for f in system.chord], system.sides) if shared else ([], ())
 
 
 def touching(system: System, meetings: list[Place]) -> SpecialPairs:
-    """The common points with a common tangent: their normal plane."""
+    """The common points with a common tangent, but those at cusps: their normal plane."""
     pairs, left_out = [], []
     for place in meetings:
+        if at_cusp(system, place):
+            continue
         touches = vanish_together([f for f in system.crosses()[1] if f], *place)
         if touches:
             pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
@@ -99,22 +90,29 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
 
 
 def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
-    """The single pairs of a patch, `factors` being the equations whose pairs have lines."""
+    """The single pairs of a patch but those at cusps, `factors` being the equations whose pairs have lines."""
     found = touching(system, meetings)
     planes = [pair.place for pair in found.pairs]
-    others, left_out = _dependent(system, factors, meetings)
-    lines = [(x, Cause.CROSSING) for x in meetings if not _among(x, planes)]
-    lines += [(x, Cause.DEPENDENT) for x in others]
+    others, left_out = _dependent(system, [*factors, *system.cusps], meetings)
+    lines = [(x, Cause.DEPENDENT) for x in others]
+    # where the curves meet all minors vanish, and with them their common factor if that is one of them
+    if not any(p and (p / system.factor).total_degree() == 0 for p in (system.determinant, *system.numerators)):
+        lines += [(x, Cause.CROSSING) for x in meetings if not _among(x, planes)]
     pairs = [
         SinglePair(*place, Solutions.LINE, cause, system)
         for place, cause in lines
-        if not any(_lies_on(g, place) for g in factors)
+        if not at_cusp(system, place) and not any(_lies_on(g, place) for g in factors)
     ]
     return found + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
 
 
 def _among(place: Place, places: list[Place]) -> bool:
     return any(same_place(place, x) for x in places)
+
+
+def at_cusp(system: System, place: Place) -> bool:
+    """Whether a curve has no tangent at a pair: its solutions are then those of fewer conditions, and listed there."""
+    return any(_lies_on(q, place) for q in system.cusps)
 
 
 def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
@@ -137,7 +135,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         return [], ()
     for u in COMBINATIONS if determinant else ():
         combined = _combined(numerators, u)
-        if not combined or determinant.gcd(combined).total_degree() > 0:
+        if not combined or greatest_common_divisor([determinant, combined]).total_degree() > 0:
             continue
         found = common_zeros(determinant, combined, system.sides, numerators, meetings)
         # a pair on an equation has its line already
@@ -153,7 +151,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
             elif rank is None:
                 left_out.append(f"the rank of the system at {shown(place)}")
         return places, tuple(left_out)
-    return [], (f"single pairs on {_where(system.sides)}: no two coprime conditions",)
+    return [], (f"single pairs on {sides_text(system.sides)}: no two coprime conditions",)
 
 
 def _has_rank_2(system: System, place: Place) -> bool | None:

@@ -7,11 +7,14 @@ common tangent, or a cusp.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache, partial
 from itertools import product
 
 from flint import fmpz_mpoly, fmpz_poly
 
+from exactspline.errors import ReachError, counted
 from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
@@ -26,6 +29,7 @@ from exactspline.geometry.bisector.components import (
     SinglePair,
     Solutions,
     SpecialPairs,
+    sides_text,
 )
 from exactspline.geometry.bisector.correspondence import border_pairs, branches, graph_intervals, nodes
 from exactspline.geometry.bisector.cusps import cusps_of, lines_at, over_both_cusps, over_cusps, standing
@@ -45,36 +49,67 @@ from exactspline.geometry.bisector.polynomials import (
     value_at,
     vanish_together,
 )
-from exactspline.geometry.bisector.single_pairs import crossings, divisor, singles, touching
+from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
 from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
+from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
 
-def special_pairs(first: Nurbs, second: Nurbs) -> SpecialPairs:
-    """All pairs of two space curves that have lines, planes or all of space for their solutions, and the poles.
+def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> SpecialPairs:
+    """All pairs of two space curves that have lines, planes or all of space for their solutions, and the poles; of them
+    what a budget of work suffices for, the rest named in ``left_out``.
 
     >>> from exactspline import Nurbs
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
     >>> [line.equation.text for line in special_pairs(low, high).lines]
     ['s - t']
     """
-    pieces = [[piece(c, i) for i in range(c.segments)] for c in (first, second)]
-    found = SpecialPairs()
-    for one, other in product(*pieces):
-        found += of_patch(one, other)
+    one, other = (cache(partial(piece, c)) for c in (first, second))
+    found, not_tried = SpecialPairs(), list[str]()
+
+    def of_segments(i: int, j: int) -> SpecialPairs:
+        return _of_system(System(one(i), other(j)))
+
+    with drawing_on(budget or Budget()) as paid:
+        for i, j in product(range(first.segments), range(second.segments)):
+            (a, b), (u, v) = first.breakpoints[i : i + 2], second.breakpoints[j : j + 2]
+            where = sides_text(((a, b), (u, v)))
+            if paid.spent:
+                not_tried.append(where)
+            else:
+                everything = f"what is beside the surface on {where}"
+                found += _in_reach(everything, partial(of_segments, i, j))
+    if not_tried:
+        more = f" and {counted(len(not_tried) - 1, 'rectangle')} more" if len(not_tried) > 1 else ""
+        name = f"what is beside the surface on {not_tried[0]}{more}: the bound on the whole answer was reached before"
+        found += SpecialPairs(left_out=(name,))
     return _without_repetition(found, first, second)
 
 
 def of_patch(first: Piece, second: Piece) -> SpecialPairs:
     """Those of two segments."""
     system = System(first, second)
-    if first.stands_still or second.stands_still:
+    return _in_reach(f"what is beside the surface on {sides_text(system.sides)}", lambda: _of_system(system))
+
+
+def _of_system(system: System) -> SpecialPairs:
+    if system.first.stands_still or system.second.stands_still:
         return standing(system)
     found = over_cusps(system) + over_cusps(system.transposed()).transposed() + over_both_cusps(system)
-    return found + _with_tangents(system)
+    others = f"lines, planes and poles on {sides_text(system.sides)} but those at cusps"
+    return found + _in_reach(others, lambda: _with_tangents(system))
+
+
+def _in_reach(what: str, compute: Callable[[], SpecialPairs]) -> SpecialPairs:
+    """What is computed or, where that would take too long, its name among what is left out."""
+    try:
+        return compute()
+    except ReachError as error:
+        return SpecialPairs(left_out=(f"{what}: {error.problem}",))
 
 
 def _with_tangents(system: System) -> SpecialPairs:
@@ -82,16 +117,24 @@ def _with_tangents(system: System) -> SpecialPairs:
     factor = system.factor
     found = SpecialPairs() if factor else _everywhere(system)
     # where all minors vanish everywhere, only where the curves overlap is there more
-    factors = irreducible_factors(factor if factor else divisor(system.chord))
+    factors = irreducible_factors(factor if factor else greatest_common_divisor(system.chord))
     for g in factors:
         if possible_boxes([g], system.sides):
-            found += _along(system, g)
+            found += _in_reach(_pairs_of(g, system.sides), partial(_along, system, g))
+    where = sides_text(system.sides)
+    found += _in_reach(f"single pairs on {where}", lambda: _single(system, factors))
+    return found + _in_reach(f"poles on {where}", lambda: _poles(system)) if factor else found
+
+
+def _pairs_of(g: fmpz_mpoly, sides: Sides) -> str:
+    return f"lines or planes of {PairEquation.of(g).short_text} on {sides_text(sides)}"
+
+
+def _single(system: System, factors: list[fmpz_mpoly]) -> SpecialPairs:
+    """The single pairs but those at cusps."""
     meetings, left_out = crossings(system)
-    found += SpecialPairs(left_out=left_out)
-    if not factor:
-        return found + touching(system, meetings)
-    cusps = [lifted(q, k) for k, own in enumerate((system.first, system.second)) for q in own.cusps]
-    return found + singles(system, [*factors, *cusps], meetings) + _poles(system)
+    found = singles(system, factors, meetings) if system.factor else touching(system, meetings)
+    return found + SpecialPairs(left_out=left_out)
 
 
 def _everywhere(system: System) -> SpecialPairs:
@@ -139,7 +182,11 @@ def _along_rational(system: System, g: fmpz_mpoly) -> SpecialPairs:
     intervals = graph_intervals(-top, bottom, *system.sides)
     wide = tuple((low, high) for low, high in intervals if low < high)
     narrow = [(low, _value(-top, bottom, low, system.second.interval)) for low, high in intervals if low == high]
-    singular = [SinglePair(*x, kind, _cause(kind), system) for x in narrow if kind and _has(system, x, kind)]
+    singular = [
+        SinglePair(*x, kind, _cause(kind), system)
+        for x in narrow
+        if kind and not at_cusp(system, x) and _has(system, x, kind)
+    ]
     found = SpecialPairs(pairs=tuple(singular))
     if kind == Solutions.PLANE and wide:
         found += SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, system.sides, equation, wide),))
@@ -189,10 +236,15 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
     kind, sides, equation = _kind(system, g), system.sides, PairEquation.of(g)
     if kind is None:
         return SpecialPairs()
-    singular, complete = nodes(g, sides)
-    real = RealZeros(tuple(branches(g, sides)), tuple(border_pairs(g, sides)), tuple(singular))
-    left_out = () if complete else (f"isolated real pairs of {equation.text} = 0, if there are any",)
-    found = SpecialPairs(left_out=left_out)
+    # the branches are nearly all of the zeros: they draw from the bound on the whole answer first
+    found_branches, borders = branches(g, sides), border_pairs(g, sides)
+    try:
+        singular, complete = nodes(g, sides)
+    except ReachError:
+        singular, complete = [], False
+    real = RealZeros(tuple(found_branches), tuple(borders), tuple(singular))
+    where = f"{equation.short_text} on {sides_text(sides)}"
+    found = SpecialPairs(left_out=() if complete else (f"isolated real pairs of {where}, if there are any",))
     if not real:
         return found
     if kind == Solutions.PLANE:
@@ -281,7 +333,10 @@ def _runs_on(curve: Nurbs, t: mpq) -> bool:
     if t == curve.domain[0] or curve(t, Side.LEFT) != curve(t, Side.RIGHT):
         return False
     i = curve.breakpoints.index(t)
-    before, behind = piece(curve, i - 1), piece(curve, i)
+    try:
+        before, behind = piece(curve, i - 1), piece(curve, i)
+    except ReachError:  # what is there is left out, and nothing of it can be listed twice
+        return False
     stops = [one.stands_still or t in cusps_of(one) for one in (before, behind)]
     if any(stops):
         return all(stops)

@@ -23,6 +23,7 @@ from exactspline.geometry.bisector.polynomials import (
     roots_in,
 )
 from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -73,7 +74,7 @@ def piece(curve: Nurbs, i: int) -> Piece:
     if not any(velocity):
         return Piece(interval, p, w, velocity, ())
     shared = common_divisor(velocity)
-    cusps = tuple(q for q, _ in shared.factor()[1] if q.degree() > 0 and roots_in(q, *interval))
+    cusps = tuple(q for q, _ in factorize(shared).powers if q.degree() > 0 and roots_in(q, *interval))
     return Piece(interval, p, w, [f // shared for f in velocity], cusps)
 
 
@@ -111,6 +112,11 @@ class System:
         )
         return Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
 
+    @property
+    def cusps(self) -> list[fmpz_mpoly]:
+        """Equations of the pairs at which one of the curves has no tangent."""
+        return [lifted(q, k) for k, own in enumerate((self.first, self.second)) for q in own.cusps]
+
     @cached_property
     def weight(self) -> fmpz_mpoly:
         """``w w̄``."""
@@ -134,10 +140,7 @@ class System:
         """The common factor of determinant and numerators: along its zeros the system is singular, and the minors do
         not say that it has no solution. Zero where all of them vanish.
         """
-        found = self.determinant
-        for f in self.numerators:
-            found = found.gcd(f)
-        return found
+        return greatest_common_divisor([self.determinant, *self.numerators])
 
     def transposed(self) -> System:
         """The system with the curves exchanged."""
@@ -155,5 +158,5 @@ def divides(factor: fmpz_mpoly, v: Vector[fmpz_mpoly]) -> bool:
 
 def irreducible_factors(p: fmpz_mpoly) -> list[fmpz_mpoly]:
     """The irreducible factors that depend on a parameter, each once, their first coefficient positive."""
-    found = [q for q, _ in p.factor()[1] if q.total_degree() > 0]
+    found = [q for q in factorize(p).bases if q.total_degree() > 0]
     return sorted((q if q.leading_coefficient() > 0 else -q for q in found), key=str)

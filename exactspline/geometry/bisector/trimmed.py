@@ -18,22 +18,24 @@ from typing import Any
 
 from flint import fmpz_poly
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ReachError, ShapeError
 from exactspline.exact import Number, mpq, rational, short_text, text
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
-from exactspline.geometry.features import joints, singular_points
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, perp
 from exactspline.papers import find
+from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import common_factor, lowest_terms
 from exactspline.splines.nurbs import Nurbs
@@ -84,20 +86,18 @@ class TrimmedPiece:
 
 
 def _rational(t: Parameter) -> mpq | None:
-    if not isinstance(t, Root):
-        return t
-    t.minimal_polynomial()
-    return t.exact
+    return t.exact if isinstance(t, Root) else t
 
 
 @dataclass(frozen=True)
 class TrimmedBisector:
     """The true bisector in pieces; ``missing`` lists segments without an arc and corners without a line, with the
-    reason.
+    reason. ``left_out`` names what would have taken too long; where it is empty the answer is complete.
     """
 
     pieces: tuple[TrimmedPiece, ...]
     missing: tuple[str, ...]
+    left_out: tuple[str, ...] = ()
 
     @property
     def arcs(self) -> list[TrimmedPiece]:
@@ -113,28 +113,44 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
     >>> [(str(piece.kind), piece.foot) for piece in trimmed_bisector(line, (0, 2)).pieces]
     [('arc', None), ('end point', mpq(0,1)), ('end point', mpq(1,1))]
 
+    The work on the whole answer is bounded like that on the bisector of two curves.
+
     Raises `ShapeError` for a curve that is not in the plane or not in one piece, and for a point on the curve.
     """
+    curve = curve_of(curve)
     q = exact_point(curve, point, 2)
-    for joint in joints(curve):
+    for joint in analyse(curve).joints:
         if joint.kind is JointKind.GAP:
             raise ShapeError(f"the curve jumps at the parameter {text(joint.parameter)}", remedy="split it there")
     c = _around(curve, q)
     _refuse_point_on(c)
+    with drawing_on(Budget(QUESTION + PATCH * (curve.segments - 1))):
+        return _trimmed(curve, c, q)
+
+
+def _trimmed(curve: Nurbs, c: Curve[BSpline], q: tuple[mpq, ...]) -> TrimmedBisector:
+    """The pieces of a curve, c being the same around Q."""
     conditions = Conditions(c)
-    pieces, missing = [], []
+    pieces, missing, left_out = list[TrimmedPiece](), list[str](), list[str]()
     for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
         arc = _arc(c, i)
         if isinstance(arc, str):
-            missing.append(f"[{text(a)}, {text(b)}]: {arc}")
+            missing.append(f"[{short_text(a)}, {short_text(b)}]: {arc}")
             continue
         forms, value = arc
         moved = Rational(value.vector + Vector(*[value.denominator * x for x in q]), value.denominator)
-        for low, high in conditions.kept(*forms, (a, b), i):
-            pieces.append(TrimmedPiece(PieceKind.ARC, low, high, moved))
+        try:
+            kept = conditions.kept(*forms, (a, b), i)
+        except ReachError as error:
+            left_out.append(f"the arcs with feet in [{short_text(a)}, {short_text(b)}]: {error.problem}")
+            continue
+        pieces += [TrimmedPiece(PieceKind.ARC, low, high, moved) for low, high in kept]
     for kind, t in _corners(curve, missing):
-        pieces += _line_pieces(conditions, c, q, kind, t)
-    return TrimmedBisector(tuple(pieces), tuple(missing))
+        try:
+            pieces += _line_pieces(conditions, c, q, kind, t)
+        except ReachError as error:
+            left_out.append(f"the line with its foot at {short_text(t)}: {error.problem}")
+    return TrimmedBisector(tuple(pieces), tuple(missing), tuple(left_out))
 
 
 def _around(curve: Nurbs, q: tuple[mpq, ...]) -> Curve[BSpline]:
@@ -182,9 +198,8 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
         not curve.closed or find("D1")(curve).is_zero
     )  # a curve that is a single point is closed, and consists of ends
     found = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
-    found += [(PieceKind.CORNER, joint.parameter) for joint in joints(curve) if joint.kind is JointKind.CORNER]
-    for feature in singular_points(curve):
-        feature.root.minimal_polynomial()
+    found += [(PieceKind.CORNER, joint.parameter) for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
+    for feature in analyse(curve).singular_points:
         if feature.root.exact is None:
             missing.append(
                 f"the line that belongs to the singular point at {feature.root!r}: its coordinates are irrational"

@@ -12,9 +12,16 @@ from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ReachError, ShapeError
 from exactspline.exact import Number, mpq, rational, short_text
-from exactspline.geometry.bisector.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
+from exactspline.geometry.bisector.components import (
+    LineComponent,
+    PlaneComponent,
+    PoleCurve,
+    SinglePair,
+    SpecialPairs,
+    sides_text,
+)
 from exactspline.geometry.bisector.missing import COPLANAR, PARALLEL, STILL, Interval, is_zero_on
 from exactspline.geometry.bisector.special_pairs import special_pairs
 from exactspline.geometry.domain import part
@@ -22,6 +29,8 @@ from exactspline.language.choices import choice
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
 from exactspline.papers import find
+from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
@@ -61,18 +70,21 @@ class CurveBisector:
     one point, each with the reason, and (computed when first asked for) all pairs that have more than a point.
 
     Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
-    for the cases named in ``left_out``; along ``poles`` the surface is at infinity.
+    for the cases named in ``left_out``; along ``poles`` the surface is at infinity. ``unreduced`` names the patches
+    whose lowest terms were out of reach; ``budget`` is what remains of the work on the whole answer.
     """
 
     variant: SurfaceVariant
     patches: tuple[BisectorPatch, ...]
     missing: tuple[tuple[tuple[Interval, Interval], str], ...]
     curves: tuple[Nurbs, Nurbs] = field(repr=False)
+    unreduced: tuple[str, ...] = ()
+    budget: Budget = field(default_factory=Budget, repr=False, compare=False)
 
     @cached_property
     def special(self) -> SpecialPairs:
         """The pairs of parameters that have no single point."""
-        return special_pairs(*self.curves)
+        return special_pairs(*self.curves, self.budget)
 
     @property
     def lines(self) -> tuple[LineComponent, ...]:
@@ -96,8 +108,8 @@ class CurveBisector:
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """What could not be decided; empty where the answer is complete."""
-        return self.special.left_out
+        """What could not be decided or reduced; empty where the answer is complete."""
+        return self.unreduced + self.special.left_out
 
     def __call__(self, s: Number, t: Number) -> tuple[mpq, ...]:
         """The point for two parameters; `ZeroDivisionError` at a pole, `ShapeError` where there is no surface."""
@@ -124,22 +136,28 @@ def curve_bisector(
     >>> found.patches[0].value.degree, len(found.pairs), found.left_out
     (Degrees(s=10, t=8), 3, ())
 
+    All of the answer, with what is computed when first asked for, is bounded to about ten seconds (somewhat more for
+    many pairs of segments); what that leaves out is named in ``left_out``.
+
     Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """
     chosen = choice(SurfaceVariant, variant, "variant")
     for c in (first, second):
+        curve_of(c)
         if c.dimension != 3:
             raise ShapeError(
                 f"a curve in R{c.dimension}",
                 remedy="the bisector of two plane curves is not a rational curve; use curves in space",
             )
-    patches, missing = _surface(first, second, chosen)
-    return CurveBisector(chosen, patches, missing, (first, second))
+    with drawing_on(Budget(QUESTION + PATCH * (first.segments * second.segments - 1))) as budget:
+        patches, missing, unreduced = _surface(first, second, chosen)
+    return CurveBisector(chosen, patches, missing, (first, second), unreduced, budget)
 
 
 def _surface(
     first: Nurbs, second: Nurbs, variant: SurfaceVariant
-) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[tuple[Interval, Interval], str], ...]]:
+) -> tuple[tuple[BisectorPatch, ...], tuple[tuple[tuple[Interval, Interval], str], ...], tuple[str, ...]]:
+    """The patches, where there is no surface, and the patches that are not in lowest terms."""
     pair = surface_pair(first, second)
     determinant = find("bisector_determinant_symmetric")(pair)
     missing: list[tuple[Any, str]] = []
@@ -158,6 +176,13 @@ def _surface(
         if not missing
         else [(r, surface_pair(part(first, *r[0]), part(second, *r[1]))) for r in found]
     )
-    values = [(r, find(CURVE_FORMS[variant])(p)) for r, p in parts]
-    lowest = variant is SurfaceVariant.MINIMAL
-    return tuple(BisectorPatch(r, in_lowest_terms(v) if lowest else v) for r, v in values), tuple(missing)
+    patches, unreduced = [], []
+    for sides, part_pair in parts:
+        value = find(CURVE_FORMS[variant])(part_pair)
+        if variant is SurfaceVariant.MINIMAL:
+            try:
+                value = in_lowest_terms(value)
+            except ReachError as error:
+                unreduced.append(f"lowest terms of the surface on {sides_text(sides)}: {error.problem}")
+        patches.append(BisectorPatch(sides, value))
+    return tuple(patches), tuple(missing), tuple(unreduced)

@@ -60,6 +60,18 @@ def roots_along(p: fmpz_poly, edge: Edge, sides: Box) -> list[Root]:
     return roots_in(p, *sides[1 - edge.direction])
 
 
+def vanishes_at(form: PatchForm, spot: tuple[Parameter, Parameter], sides: Box) -> bool:
+    """Whether a form vanishes at a point of a patch that is on its border or rational."""
+    u, v = (t.exact if isinstance(t, Root) else t for t in spot)
+    if u is not None and v is not None:
+        (a, b), (c, d) = sides
+        return bool(form.value(mpq((u - a) / (b - a)), mpq((v - c) / (d - c))) == 0)
+    edge = next(edge for edge in EDGES if spot[edge.direction] == edge.value(sides))
+    other = spot[1 - edge.direction]
+    assert isinstance(other, Root)
+    return other.is_root_of(along(form, edge, sides))
+
+
 def is_inside(zero: Zero, sides: Box) -> bool | None:
     """Whether a certified zero is inside its patch: False on the border and outside; None where it is given up."""
     bits = 16
@@ -97,4 +109,4 @@ def _is_root_on(zero: Zero, edge: Edge, sides: Box) -> bool:
     return False
 
 
-__all__ = ["EDGES", "Edge", "along", "common_along", "is_inside", "roots_along"]
+__all__ = ["EDGES", "Edge", "along", "common_along", "is_inside", "roots_along", "vanishes_at"]

@@ -7,14 +7,15 @@ polynomials; whether two of these are one number is decided exactly. The ends of
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.forms import Patch, in_parameters
-from exactspline.geometry.surface.places import Parameter
+from exactspline.geometry.surface.merged import is_in
+from exactspline.geometry.surface.places import InnerZero, Parameter, Place
 from exactspline.geometry.surface.zero_curve import Part, Shape, Vertex, ZeroCurve
 from exactspline.splines.patch_forms import Box
 from exactspline.splines.surface import Along
@@ -52,6 +53,15 @@ class Piece(NamedTuple):
         return (value, own) if edge.direction == 0 else (own, value)
 
 
+def place_of(piece: Piece) -> Place:
+    """The place of a part that is a single point."""
+    if piece.part.zero is not None:
+        return Place((piece.patch,), InnerZero(piece.part.zero, piece.sides))
+    ((u, v), _), *others = piece.spots()
+    assert not others, "a single point"
+    return Place((piece.patch,), None, u, v)
+
+
 @dataclass(frozen=True)
 class ParabolicCurve:
     """A connected part of the zeros of K, with its pieces patch by patch."""
@@ -65,8 +75,10 @@ class ParabolicCurve:
         return tuple(dict.fromkeys(piece.patch for piece in self.pieces))
 
 
-def chained(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicCurve, ...]:
-    """The pieces, those that meet on borders of patches as one."""
+def chained(
+    pieces: Sequence[Piece], domain: Box, closed: Sequence[Along], undecided: Sequence[Box] = ()
+) -> tuple[ParabolicCurve, ...]:
+    """The pieces, those that meet on borders of patches as one; one that ends in an `undecided` box may go on there."""
     spots: dict[Spot, Counter[int]] = {}
     borders = [() if line in closed else side for side, line in zip(domain, Along, strict=True)]
     for k, piece in enumerate(pieces):
@@ -76,8 +88,9 @@ def chained(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> tu
     for own in spots.values():
         first, *others = (groups[k] for k in own)
         groups = [first if group in others else group for group in groups]
+    unclear = {spot for spot in spots if any(is_in(Place((), None, *spot), box, domain, closed) for box in undecided)}
     return tuple(
-        ParabolicCurve(_shape(members, pieces, spots, borders), tuple(pieces[k] for k in members))
+        ParabolicCurve(_shape(members, pieces, spots, unclear, borders), tuple(pieces[k] for k in members))
         for members in ([k for k, own in enumerate(groups) if own == group] for group in dict.fromkeys(groups))
     )
 
@@ -91,10 +104,16 @@ def _once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
 
 
 def _shape(
-    members: Iterable[int], pieces: Sequence[Piece], spots: dict[Spot, Counter[int]], borders: Sequence[tuple[mpq, ...]]
+    members: Iterable[int],
+    pieces: Sequence[Piece],
+    spots: dict[Spot, Counter[int]],
+    unclear: Set[Spot],
+    borders: Sequence[tuple[mpq, ...]],
 ) -> Shape:
     """What pieces are together, by the numbers of arcs that meet at their points on borders."""
     own = set(members)
+    if any(pieces[k].part.shape is Shape.OPEN for k in own) or any(own & spots[spot].keys() for spot in unclear):
+        return Shape.OPEN
     if any(pieces[k].part.shape is Shape.CROSSED for k in own):
         return Shape.CROSSED
     if not any(pieces[k].part.arcs for k in own):

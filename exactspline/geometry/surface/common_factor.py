@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import reduce
 
-from flint import fmpz, fmpz_mpoly
+from flint import fmpz, fmpz_mpoly, fmpz_poly
 
+from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import CONTEXT
+from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
 from exactspline.splines.patch_forms import PatchForm, of_powers, powers_of
 
 
@@ -33,8 +35,31 @@ def as_form(p: fmpz_mpoly) -> PatchForm:
 
 def common_factor(forms: Sequence[PatchForm]) -> PatchForm | None:
     """The greatest common divisor of forms that are not zero; None where it is a constant."""
-    found = reduce(lambda p, q: p.gcd(q), [as_polynomial(f) for f in forms])
+    found = greatest_common_divisor(as_polynomial(f) for f in forms)
     return as_form(found) if found.total_degree() > 0 else None
+
+
+def line_factor(form: PatchForm, direction: int) -> fmpz_poly:
+    """The greatest factor of a form in x (direction 0) or y alone: where it vanishes so does the form, on a whole line.
+
+    >>> line_factor(PatchForm.of_net([[1, -1], [-2, 2]]), 0)  # (1 − 3x)(1 − 2y)
+    3*x + (-1)
+    """
+    rows = powers_of(form)
+    columns = rows if direction else [list(column) for column in zip(*rows, strict=True)]
+    return reduce(fmpz_poly.gcd, [fmpz_poly(column) for column in columns])
+
+
+def rational_lines(form: PatchForm, direction: int) -> list[mpq]:
+    """The rational values of x (direction 0) or y for which a form vanishes on the whole line.
+
+    >>> rational_lines(PatchForm.of_net([[1, -1], [-2, 2]]), 1)
+    [mpq(1,2)]
+    """
+    own = line_factor(form, direction)
+    if own.degree() < 1:
+        return []
+    return sorted(mpq(int(-p[0]), int(p[1])) for p, _ in own.factor()[1] if p.degree() == 1)
 
 
 def divided(form: PatchForm, factor: PatchForm) -> PatchForm:
@@ -63,7 +88,7 @@ def without_powers(form: PatchForm, factor: PatchForm, *, even: bool = False) ->
 
 def square_free(form: PatchForm) -> PatchForm:
     """The product of the factors that depend on a parameter, each once."""
-    _, factors = as_polynomial(form).factor_squarefree()
+    factors = factorize_square_free(as_polynomial(form)).powers
     return as_form(reduce(lambda p, q: p * q, [p for p, _ in factors], CONTEXT.from_dict({(0, 0): 1})))
 
 
@@ -73,6 +98,6 @@ def odd_part(form: PatchForm) -> PatchForm:
     >>> odd_part(PatchForm.of_net([[-1, 1, -1]])).degree  # −(1 − 2y)²
     (0, 0)
     """
-    constant, factors = as_polynomial(form).factor_squarefree()
+    constant, factors = factorize_square_free(as_polynomial(form))
     own = CONTEXT.from_dict({(0, 0): 1 if constant > 0 else -1})
     return as_form(reduce(lambda p, q: p * q, [p for p, times in factors if times % 2], own))

@@ -33,38 +33,52 @@ class Cell(NamedTuple):
     zero: Zero
 
 
-def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> tuple[list[Cell], list[Box]]:
-    """The singular points inside the unit square, each in a cell, and boxes that are undecided.
+def singular_cells(form: PatchForm, known: Sequence[Zero] = ()) -> list[Cell]:
+    """Singular points inside the unit square, each in a cell: those that are certain, not always all.
 
     A critical point is one of the zeros where it is a rational point and the form vanishes there, or where it is one of
-    the points that are `known` to be singular.
+    the points that are `known` to be singular. At any other one the subdivision of `ZeroCurve` comes to no end.
 
-    >>> cells, undecided = singular_cells(PatchForm.of_net([[0, 2, 0], [-2, 0, -2], [0, 2, 0]]))
-    >>> [cell.crossing.value for cell in cells], undecided
-    (['two branches that cross'], [])
+    >>> cells = singular_cells(PatchForm.of_net([[0, 2, 0], [-2, 0, -2], [0, 2, 0]]))
+    >>> [cell.crossing.value for cell in cells]
+    ['two branches that cross']
     """
     if min(form.degree) == 0:
-        return [], []
+        return []
     slopes = [form.derivative(k) for k in (0, 1)]
     if any(f.sign is not None for f in slopes):
-        return [], []
+        return []
     degree = (max(f.degree[0] for f in slopes), max(f.degree[1] for f in slopes))
     found = isolate(slopes[0].elevated(degree), slopes[1].elevated(degree), [form])
-    singular, undecided = list[Zero](), list(found.undecided)
-    for zero in found.zeros:
-        verdict = _vanishes(form, zero, known)
-        if verdict is None:
-            undecided.append(zero.box)
-        elif verdict and all(a > 0 and b < 1 for a, b in zero.refine(16)):
-            singular.append(zero)
+    singular = [
+        zero
+        for zero in found.zeros
+        if _vanishes(form, zero, known) and all(a > 0 and b < 1 for a, b in zero.refine(16))
+    ]
+    while singular:
+        cells, failed = _best_cells(form, singular)
+        if not failed:
+            return cells
+        # one point without a cell takes none from the others
+        singular = [zero for zero in singular if not any(zero is other for other in failed)]
+    return []
+
+
+def _best_cells(form: PatchForm, singular: Sequence[Zero]) -> tuple[list[Cell], list[Zero]]:
+    """Cells of the size for which most points have one, and the points that have none."""
+    best: tuple[list[Cell], list[Zero]] | None = None
     for bits in CELL_BITS:
-        cells = _cells(form, singular, bits)
-        if cells is not None:
-            return cells, undecided
-    return [], [*undecided, *(zero.box for zero in singular)]
+        tried = _cells(form, singular, bits)
+        if best is None or len(tried[1]) < len(best[1]):
+            best = tried
+        if not best[1]:
+            break
+    assert best is not None
+    return best
 
 
-def _vanishes(form: PatchForm, zero: Zero, known: Sequence[Zero]) -> bool | None:
+def _vanishes(form: PatchForm, zero: Zero, known: Sequence[Zero]) -> bool:
+    """Whether the form is shown to vanish at a critical point."""
     if any(same(point, zero) for point in known):
         return True
     bits = 16
@@ -75,11 +89,11 @@ def _vanishes(form: PatchForm, zero: Zero, known: Sequence[Zero]) -> bool | None
         if zero.exact is not None:
             return form.value(*zero.exact) == 0
         bits *= 2
-    return None
+    return False
 
 
-def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> list[Cell] | None:
-    """A cell of about so many bits around each singular point; None where these do not do."""
+def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> tuple[list[Cell], list[Zero]]:
+    """Cells of about so many bits around the singular points, and the points for which these do not do."""
     margin = mpq(1, 1 << bits)
     sides: list[list[Interval]] = []
     for k in (0, 1):
@@ -91,17 +105,22 @@ def _cells(form: PatchForm, singular: Sequence[Zero], bits: int) -> list[Cell] |
             else:
                 merged.append((a, b))
         sides.append(merged)
-    found: dict[Box, Cell] = {}
+    found: dict[Box, list[tuple[Zero, Crossing | None]]] = {}
     for zero in singular:
         at = zero.box
         first, second = (next(side for side in own if side[0] <= at[k][0] <= side[1]) for k, own in enumerate(sides))
         box: Box = (first, second)
         within = all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(box, zero.region, strict=True))
         crossing = _kind(form, box) if within and all(a > 0 and b < 1 for a, b in box) else None
-        if crossing is None or box in found:
-            return None
-        found[box] = Cell(box, crossing, zero)
-    return list(found.values())
+        found.setdefault(box, []).append((zero, crossing))
+    cells, failed = list[Cell](), list[Zero]()
+    for box, members in found.items():
+        (zero, crossing), *others = members
+        if crossing is None or others:
+            failed += [member for member, _ in members]
+        else:
+            cells.append(Cell(box, crossing, zero))
+    return cells, failed
 
 
 def _kind(form: PatchForm, box: Box) -> Crossing | None:

@@ -1,18 +1,13 @@
-"""What is degenerate in a net: edges without tangent planes (poles), patches that are curves or points, knots at which
-a surface may jump.
-"""
+"""What is degenerate in a net: edges without tangent planes (poles), patches that are curves or points."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
-from exactspline.splines.bspline import BSpline
 from exactspline.splines.patch_forms import Interval
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -41,15 +36,6 @@ class Pole:
     gap: Gap
 
 
-@dataclass(frozen=True)
-class Jump:
-    """A knot of multiplicity degree + 1: `open` where the surface is torn there, otherwise its sides fit together."""
-
-    across: Along
-    value: mpq
-    open: bool
-
-
 def line_of(edge: Edge) -> Along:
     """The parameter that runs along an edge."""
     return Along.V if edge.direction == 0 else Along.U
@@ -76,7 +62,7 @@ def _gap(forms: SurfaceForms, patch: Patch, edge: Edge) -> Gap:
 
 def _point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...] | None:
     """The one point that an edge of a patch is; None where it is more."""
-    nets = [_edge(f, patch, edge) for f in (*surface.p, surface.w)]
+    nets = [edge_points(f, patch, edge) for f in (*surface.p, surface.w)]
     *p, w = [[mpq(x) for x in net] for net in nets]
     if surface.polynomial:
         w = [w[0]] * len(p[0])
@@ -85,7 +71,7 @@ def _point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...
     return first if constant else None
 
 
-def _edge(f: TensorSpline, patch: Patch, edge: Edge) -> list[mpq]:
+def edge_points(f: TensorSpline, patch: Patch, edge: Edge) -> list[mpq]:
     """The Bézier points of a spline along an edge of a patch."""
     net = f.bezier_net(*patch)
     if edge.direction == 0:
@@ -100,38 +86,6 @@ def is_point(surface: NurbsSurface, patch: Patch) -> bool:
     if surface.polynomial:
         return all(x == net[0] for net in nets for x in net)
     return all(x * weights[0] == net[0] * w for net in nets for x, w in zip(net, weights, strict=True))
-
-
-def jumps(surface: NurbsSurface) -> Iterator[Jump]:
-    """The inner knots of multiplicity degree + 1, and whether the surface is torn there.
-
-    >>> net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], [(1, 0, 1), (1, 1, 1)], [(2, 0, 1), (2, 1, 1)]]
-    >>> [(one.across.value, one.open) for one in jumps(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], net))]
-    [('u', True)]
-    """
-    rows, columns = surface.patches
-    for along in Along:
-        k = along.direction
-        knots = surface.knots[k]
-        breaks = surface.meshes[k].breaks
-        for i, (_, value) in enumerate(pairwise(breaks[:-1])):
-            if knots.multiplicity(value) <= surface.degree[k]:
-                continue
-            torn = False
-            for other in range(columns if k == 0 else rows):
-                before, behind = ((i, other), (i + 1, other)) if k == 0 else ((other, i), (other, i + 1))
-                torn = torn or not _fit(surface, before, behind, k)
-            yield Jump(along, value, torn)
-
-
-def _fit(surface: NurbsSurface, before: Patch, behind: Patch, direction: int) -> bool:
-    """Whether two patches have their common edge in common, as functions."""
-    last = [_edge(f, before, Edge(direction, 1)) for f in (*surface.p, surface.w)]
-    first = [_edge(f, behind, Edge(direction, 0)) for f in (*surface.p, surface.w)]
-    if surface.polynomial:
-        return last[:-1] == first[:-1]
-    one, other = ([BSpline.bezier(points) for points in side] for side in (last, first))
-    return all(x * other[-1] == y * one[-1] for x, y in zip(one[:-1], other[:-1], strict=True))
 
 
 def closed_along(surface: NurbsSurface, along: Along) -> bool:

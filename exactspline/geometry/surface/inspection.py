@@ -6,19 +6,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+from exactspline.errors import ReachError
 from exactspline.exact import mpq
-from exactspline.geometry.surface.borders import EDGES, Edge
-from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained
-from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
+from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
+from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained, place_of
+from exactspline.geometry.surface.common_factor import as_polynomial, odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
-from exactspline.geometry.surface.degenerate import Jump, Pole, closed_along, is_point, jumps, line_of, pole_at
+from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
+from exactspline.geometry.surface.isolation import contains
+from exactspline.geometry.surface.joints import SurfaceJoint, joints
+from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
+from exactspline.geometry.surface.parabolic_lines import LinesOfPatch, ParabolicLine, parabolic_lines, without_lines
 from exactspline.geometry.surface.places import Parameter, Place
-from exactspline.geometry.surface.signs import Point, Sign, Signs, sign_on_patch
+from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, same_place, umbilics_of_patch
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
-from exactspline.splines.patch_forms import Box, Interval, PatchForm
+from exactspline.splines.expected import surface_of
+from exactspline.splines.patch_forms import UNIT, Box, PatchForm
 from exactspline.splines.surface import Along, NurbsSurface
 
 
@@ -50,22 +56,10 @@ _BY_SIGN = {
 }
 
 
+#: Bits to which a point without a tangent plane is refined that may be a zero of K.
+FAR = 64
+
 _STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
-
-
-@dataclass(frozen=True)
-class ParabolicLine:
-    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`.
-
-    `one_sided` tells that it does only as seen from the patches on one side of the line.
-    """
-
-    along: Along
-    value: mpq
-    interval: Interval
-    #: Whether the line runs through a whole period of a closed surface.
-    closed: bool = False
-    one_sided: bool = False
 
 
 @dataclass(frozen=True)
@@ -84,47 +78,36 @@ class PatchInspection:
     umbilics: UmbilicsOfPatch
     #: The Gaussian curvature where it is constant.
     curvature: mpq | None = None
-    #: Edges along which K vanishes, and the parts of its other zeros.
+    #: Edges along which K vanishes, and isoparametric lines inside.
     parabolic_edges: tuple[Edge, ...] = ()
+    parabolic_lines: tuple[tuple[Along, Parameter], ...] = ()
+    #: The connected parts of its other zeros; points without a tangent plane are none of them.
+    parabolic: tuple[Part, ...] = ()
+    #: Those of the points at which K has been found to vanish without a look at curves of zeros.
+    parabolic_points: tuple[Place, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
 
     @property
-    def parabolic(self) -> tuple[Part, ...]:
-        """The connected parts of the zeros of K inside; singular points of the surface are none of them."""
-        if self.curve is None:
-            return ()
-        return tuple(part for part in self.curve.parts if not self._is_singular(part))
-
-    @property
     def pieces(self) -> tuple[Piece, ...]:
-        """The same, each with the patch it is on."""
+        """The parts of the zeros of K, each with the patch it is on."""
         return tuple(Piece(self.patch, self.sides, self.curve, part) for part in self.parabolic if self.curve)
 
     @property
-    def parabolic_points(self) -> tuple[Point, ...]:
-        """The single points at which K vanishes where it has one sign otherwise, in the parameters of the surface."""
-        found = () if self.signs is None or self.curve is not None else self.signs.zeros
-        points = [in_parameters(((x, x), (y, y)), self.sides) for x, y in found]
-        return tuple((u, v) for (u, _), (v, _) in points)
+    def flat(self) -> bool:
+        """Whether K vanishes everywhere."""
+        return self.kind in (PatchKind.PLANAR, PatchKind.DEVELOPABLE)
 
-    def is_parabolic_along(self, edge: Edge) -> bool:
-        """Whether K vanishes along an edge, as seen from this patch."""
-        return edge in self.parabolic_edges or self.kind in (PatchKind.PLANAR, PatchKind.DEVELOPABLE)
-
-    def _is_singular(self, part: Part) -> bool:
-        return part.shape is Shape.POINT and any(
-            all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(zero.box, cell, strict=True))
-            for cell in part.cells
-            for zero in self.singular.zeros
-        )
+    @property
+    def open_boxes(self) -> tuple[Box, ...]:
+        """Rectangles of parameters in which something could not be decided."""
+        own = () if self.curve is None else tuple(in_parameters(box, self.sides) for box in self.curve.undecided)
+        boxes = (*self.singular.undecided, *self.umbilics.undecided, *own)
+        return tuple(dict.fromkeys(boxes)) or ((self.sides,) if self.kind is PatchKind.UNDECIDED else ())
 
     @property
     def complete(self) -> bool:
         """Whether everything about the patch was decided."""
-        curve = self.curve is None or self.curve.complete
-        return (
-            curve and not (self.singular.undecided or self.umbilics.undecided) and self.kind is not PatchKind.UNDECIDED
-        )
+        return not self.open_boxes
 
 
 @dataclass(frozen=True)
@@ -138,8 +121,11 @@ class SurfaceInspection:
     parabolic_lines: tuple[ParabolicLine, ...]
     #: Whole, across borders of patches where these are zeros of K on both sides.
     parabolic_curves: tuple[ParabolicCurve, ...]
+    #: Where K vanishes at that point alone.
+    parabolic_points: tuple[Place, ...]
     poles: tuple[Pole, ...]
-    jumps: tuple[Jump, ...]
+    #: How patches meet along knot lines and seams.
+    joints: tuple[SurfaceJoint, ...]
     #: The parameters in which it is closed.
     closed: tuple[Along, ...]
 
@@ -166,12 +152,9 @@ class SurfaceInspection:
 
     @property
     def singular_points(self) -> tuple[Place, ...]:
-        """The single points without a tangent plane; one on a border of patches once."""
-        found: list[Place] = []
-        for place in (place for one in self.patches for place in one.singular.places):
-            if place.inner is not None or not any(same_place(place, known) for known in found):
-                found.append(place)
-        return tuple(found)
+        """The single points without a tangent plane; one on a border of patches or on a seam once."""
+        places = [place for one in self.patches for place in one.singular.places]
+        return merged_places(places, self.surface.domain, self.closed)
 
     @property
     def complete(self) -> bool:
@@ -181,7 +164,7 @@ class SurfaceInspection:
 
 def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
     """The sign of the Gaussian curvature on every patch of a surface in space, its parabolic curves, all its umbilics,
-    poles, singular points and jumps, certified.
+    poles, singular points, creases and jumps of the curvature along knots, certified.
 
     >>> from exactspline import example_surface
     >>> found = inspect_surface(example_surface("ellipsoid"))
@@ -192,20 +175,67 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
 
     Raises `ShapeError` for a surface that is not in space.
     """
+    surface = surface_of(surface)
     forms = SurfaceForms(surface)
-    patches = tuple(inspect_patch(forms, patch) for patch in forms.patches)
+    patches = tuple(_in_reach(forms, patch) for patch in forms.patches)
     closed = tuple(along for along in Along if closed_along(surface, along))
     poles = dict.fromkeys(pole_at(forms, one.patch, edge) for one in patches for edge in one.singular.edges)
+    lines = parabolic_lines(
+        surface,
+        [LinesOfPatch(one.patch, one.sides, one.parabolic_edges, one.parabolic_lines, one.flat) for one in patches],
+        closed,
+    )
+    pieces = [piece for one in patches for piece in one.pieces]
+    curves = chained(pieces, surface.domain, closed, [box for one in patches for box in one.open_boxes])
     return SurfaceInspection(
         surface,
         patches,
-        _merged(forms, patches, closed),
-        _parabolic_lines(surface, patches, closed),
-        chained([piece for one in patches for piece in one.pieces], surface.domain, closed),
+        merged_umbilics([(one.sides, one.umbilics) for one in patches], surface.domain, closed),
+        lines,
+        tuple(curve for curve in curves if curve.shape is not Shape.POINT),
+        _single_points(surface, patches, lines, curves, closed),
         tuple(poles),
-        tuple(jumps(surface)),
+        joints(forms, closed),
         closed,
     )
+
+
+def _single_points(
+    surface: NurbsSurface,
+    patches: Sequence[PatchInspection],
+    lines: Sequence[ParabolicLine],
+    curves: Sequence[ParabolicCurve],
+    closed: Sequence[Along],
+) -> tuple[Place, ...]:
+    """The points at which K vanishes alone: not on lines or curves of zeros, nor where a patch begins that is flat."""
+    places = [place for one in patches for place in one.parabolic_points]
+    places += [place_of(curve.pieces[0]) for curve in curves if curve.shape is Shape.POINT]
+    merged = merged_places(places, surface.domain, closed)
+    flat = [one.sides for one in patches if one.flat]
+    ends = [
+        spot for curve in curves if curve.shape is not Shape.POINT for piece in curve.pieces for spot in piece.spots()
+    ]
+    others = [Place((), None, *spot) for spot, _ in ends]
+    known = [
+        place
+        for place in merged
+        if place.inner is None
+        and (
+            any(is_in(place, box, surface.domain, closed) for box in (*flat, *(line.box for line in lines)))
+            or any(are_one(place, other, surface.domain, closed) for other in others)
+        )
+    ]
+    return tuple(place for place in merged if place not in known)
+
+
+def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
+    """What one patch has; nothing, and all of it open, where a factorization would take too long."""
+    try:
+        return inspect_patch(forms, patch)
+    except ReachError:
+        sides = sides_of(forms.surface, patch)
+        unknown = SingularPoints(undecided=(sides,))
+        return PatchInspection(patch, sides, PatchKind.UNDECIDED, False, None, None, unknown, UmbilicsOfPatch())
 
 
 def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
@@ -227,36 +257,75 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
-    kind, signs, curve = _sign_of(own, singular, forms, patch)
-    found = PatchInspection(patch, sides, kind, minimal, None, signs, singular, umbilics, curvature, edges, curve)
-    everything = curve is None or curve.complete
-    # what is left where its only zeros are points without a tangent plane
-    bare = kind in _STRICT and everything and not (found.parabolic or found.parabolic_points)
-    return replace(found, kind=_STRICT[kind]) if bare else found
-
-
-def _sign_of(
-    own: Reduced, singular: SingularPoints, forms: SurfaceForms, patch: Patch
-) -> tuple[PatchKind, Signs, ZeroCurve | None]:
-    """What the sign of K makes of a patch, and the zeros of K where there are some or may be."""
     form = own.form if singular.factor is None else without_powers(own.form, singular.factor, even=True)
     signs = _of_surface(sign_on_patch(form), forms, patch)
-    curve = None
+    found = PatchInspection(
+        patch, sides, _BY_SIGN[signs.sign], minimal, None, signs, singular, umbilics, curvature, edges
+    )
     if signs.sign in (Sign.BOTH, Sign.UNDECIDED):
-        bare = form if singular.factor is None else without_powers(form, singular.factor)
-        simple = square_free(bare)
-        # a singular point is a critical point of the form itself, not of what is left of it
-        known = singular.zeros if simple.degree == own.form.degree else ()
-        curve = ZeroCurve(simple, known)
-    kind = _BY_SIGN[signs.sign]
-    if kind is PatchKind.UNDECIDED and curve is not None and (curve.is_of_points or _keeps_sign(form)):
-        kind = PatchKind.ELLIPTIC_BUT if signs.positive else PatchKind.HYPERBOLIC_BUT
-    return kind, signs, curve
+        found = _with_zeros(found, own, form, on_patch(forms.area, patch))
+    else:
+        places = [in_parameters(((x, x), (y, y)), sides) for x, y in signs.zeros]
+        points = tuple(Place((patch,), None, u, v) for (u, _), (v, _) in places)
+        found = replace(found, parabolic_points=points)
+    # what is left where its only zeros are points without a tangent plane
+    zeros = found.parabolic or found.parabolic_points or found.parabolic_lines
+    bare = found.kind in _STRICT and found.complete and not zeros
+    return replace(found, kind=_STRICT[found.kind]) if bare else found
 
 
-def _keeps_sign(form: PatchForm) -> bool:
-    """Whether a form has one sign on a patch where it is not zero: its factors of odd power have."""
-    return sign_on_patch(odd_part(form)).sign in (Sign.POSITIVE, Sign.NEGATIVE)
+def _with_zeros(found: PatchInspection, own: Reduced, form: PatchForm, area: Reduced | None) -> PatchInspection:
+    """The zeros of K where there are some or may be, and its sign if they tell it."""
+    assert area is not None, "the patch has tangent planes"
+    singular, sides = found.singular, found.sides
+    simple = square_free(form if singular.factor is None else without_powers(form, singular.factor))
+    rest, lines = without_lines(simple, sides)
+    # a singular point is a critical point of the form itself, not of what is left of it
+    curve = ZeroCurve(rest, singular.zeros if rest.degree == own.form.degree else ())
+    kind = found.kind
+    if kind is PatchKind.UNDECIDED:
+        kind = _BY_SIGN[_sign_by_zeros(form, curve, simple)]
+    parts = tuple(part for part in curve.parts if not _is_known(Piece(found.patch, sides, curve, part), found, area))
+    return replace(found, kind=kind, parabolic_lines=lines, parabolic=parts, curve=curve)
+
+
+def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign:
+    """The sign of a form that has zeros: that of its factors of odd power, which change theirs across each curve on
+    which they vanish; `curve` has the zeros of the square-free form `simple`, but for lines.
+    """
+    odd = odd_part(form)
+    sign = sign_on_patch(odd)
+    if sign.sign is not Sign.UNDECIDED:
+        keeps = sign.sign is not Sign.BOTH
+        return Sign.BOTH if not keeps else Sign.NOT_NEGATIVE if sign.positive else Sign.NOT_POSITIVE
+    rest, lines = without_lines(odd, UNIT)
+    same = as_polynomial(odd) in (as_polynomial(simple), -as_polynomial(simple))
+    own = curve if same else ZeroCurve(rest)
+    if lines or own.has_branches:
+        return Sign.BOTH
+    if not own.complete:
+        return Sign.UNDECIDED
+    return Sign.NOT_NEGATIVE if sign.positive else Sign.NOT_POSITIVE
+
+
+def _is_known(piece: Piece, found: PatchInspection, area: Reduced) -> bool:
+    """Whether a single zero of K is a point without a tangent plane, or on an edge or a line along which K vanishes."""
+    if piece.part.shape is not Shape.POINT:
+        return False
+    place, sides = place_of(piece), found.sides
+    if place.inner is not None:
+        if place.exact is not None:
+            return vanishes_at(area.whole, place.exact, sides)
+        # the zero is the only one in its cell
+        (cell,) = piece.part.cells
+        boxes = [zero.refine(FAR) for zero in found.singular.zeros]
+        return any(contains(cell, box) and piece.curve.form.part(box).sign is None for box in boxes)
+    spot = place.spot
+    return (
+        vanishes_at(area.whole, spot, sides)
+        or any(spot[edge.direction] == edge.value(sides) for edge in found.parabolic_edges)
+        or any(spot[1 - line.direction] == value for line, value in found.parabolic_lines)
+    )
 
 
 def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
@@ -273,101 +342,6 @@ def _of_surface(signs: Signs, forms: SurfaceForms, patch: Patch) -> Signs:
             if area.whole.value(*spot) and not any(spot[edge.direction] == edge.end for edge in lines)
         ),
     )
-
-
-# ---- the surface as a whole
-
-
-def _merged(forms: SurfaceForms, patches: Sequence[PatchInspection], closed: Sequence[Along]) -> tuple[Umbilic, ...]:
-    """All umbilics, those on borders of patches once."""
-    domain, meshes = forms.surface.domain, forms.surface.meshes
-    found: list[Umbilic] = []
-    for one in patches:
-        for umbilic in one.umbilics.umbilics:
-            place = umbilic.place
-            known = None if place.inner is not None else _same(umbilic, found, closed, domain)
-            if known is None:
-                found.append(umbilic)
-            else:
-                k = found.index(known)
-                found[k] = replace(known, place=known.place.with_patches(place.patches))
-    return tuple(_sided(umbilic, [list(mesh.breaks) for mesh in meshes], closed) for umbilic in found)
-
-
-def _same(umbilic: Umbilic, known: Sequence[Umbilic], closed: Sequence[Along], domain: Box) -> Umbilic | None:
-    for other in known:
-        if other.place.inner is None and all(
-            _equal(getattr(umbilic.place, along.value), getattr(other.place, along.value), along in closed, side)
-            for along, side in zip(Along, domain, strict=True)
-        ):
-            return other
-    return None
-
-
-def _equal(one: Parameter, other: Parameter, closed: bool, side: Interval) -> bool:
-    """Whether two parameters are one, the ends of a closed direction counted as one."""
-    if one == other:
-        return True
-    return closed and any(one == a and other == b for a, b in (side, side[::-1]))
-
-
-def _sided(umbilic: Umbilic, breaks: list[list[mpq]], closed: Sequence[Along]) -> Umbilic:
-    """The umbilic, marked as one-sided where not all the patches that meet there have it."""
-    if umbilic.place.inner is not None:
-        return umbilic
-    expected = 1
-    for t, own, along in zip((umbilic.place.u, umbilic.place.v), breaks, Along, strict=True):
-        inner = any(t == x for x in own[1:-1])
-        seam = along in closed and (t == own[0] or t == own[-1]) and len(own) > 2
-        expected *= 2 if inner or seam else 1
-    return replace(umbilic, one_sided=len(umbilic.place.patches) < expected)
-
-
-def _parabolic_lines(
-    surface: NurbsSurface, patches: Sequence[PatchInspection], closed: Sequence[Along]
-) -> tuple[ParabolicLine, ...]:
-    """Edges of patches on which K vanishes, neighbours as one line."""
-    sides: dict[tuple[Along, mpq, bool], set[Interval]] = {}
-    by_place = {one.patch: one for one in patches}
-    for one in patches:
-        for edge in one.parabolic_edges:
-            behind = by_place.get(_behind(one.patch, edge, surface.patches, closed))
-            one_sided = behind is not None and not behind.is_parabolic_along(Edge(edge.direction, 1 - edge.end))
-            key = line_of(edge), edge.value(one.sides), one_sided
-            sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
-    lines = []
-    for (along, value, one_sided), intervals in sorted(sides.items()):
-        joined: list[Interval] = []
-        for a, b in sorted(intervals):
-            if joined and joined[-1][1] == a:
-                joined[-1] = joined[-1][0], b
-            else:
-                joined.append((a, b))
-        domain = surface.domain[along.direction]
-        lines += [ParabolicLine(along, value, side, along in closed and side == domain, one_sided) for side in joined]
-    return _without_seam(lines, surface.domain, closed)
-
-
-def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
-    """The patch on the other side of an edge; one that does not exist at the end of a surface that is not closed."""
-    place = list(patch)
-    k = edge.direction
-    place[k] += 1 if edge.end else -1
-    if list(Along)[k] in closed:
-        place[k] %= counts[k]
-    return place[0], place[1]
-
-
-def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicLine, ...]:
-    """The lines, one on the seam of a closed surface once."""
-    kept = []
-    for line in lines:
-        across = Along.V if line.along is Along.U else Along.U
-        low, high = domain[across.direction]
-        if across in closed and line.value == high and replace(line, value=low) in lines:
-            continue
-        kept.append(line)
-    return tuple(kept)
 
 
 __all__ = ["PatchInspection", "PatchKind", "SurfaceInspection", "inspect_patch", "inspect_surface"]

@@ -5,6 +5,8 @@ Jacobian there, have one strict sign. Around a simple zero the combinations G₁
 where the ranges of their derivatives are strictly diagonally dominant there is at most one zero, and where G₁ has
 opposite signs on the left and right side and G₂ below and above there is at least one (Miranda). All in integers.
 
+A zero is certified where Krawczyk's operator shrinks a box around it by a fixed part: refinement then ends.
+
 Source: Miranda, Un'osservazione su un teorema di Brouwer, Bollettino UMI 1940; Mourrain and Pavone, Subdivision methods
 for solving polynomial equations, 2009 (the preconditioning).
 """
@@ -23,9 +25,11 @@ from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Size
 #: By how much of its width a box grows on each side before it is certified.
 MARGIN = mpq(1, 4)
 #: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
-DEPTH, BOXES = 48, 20_000
+DEPTH, BOXES = 48, 5000
 #: Bits of a box in which a simple rational zero is looked for, and the largest denominator that is tried.
 SIMPLE_BITS, SIMPLE = 60, 4096
+#: What part of a side Krawczyk's operator keeps of a box in which a zero is certified, at most.
+KEPT = 3, 4
 #: Bits to which two zeros are refined before it is given up to tell them apart.
 EQUAL_BITS = 200
 
@@ -66,14 +70,18 @@ class Zero:
             self._box = self._contracted(self._box)
         return self._box
 
+    def is_at(self, x: mpq, y: mpq) -> bool:
+        """Whether the zero is this point."""
+        return contains(self.region, ((x, x), (y, y))) and all(f.value(x, y) == 0 for f in self.forms)
+
     def _contracted(self, box: Box) -> Box:
         """The zero is in ``c − Y F(c) + (1 − Y J)(X − c)``: Krawczyk's operator with the preconditioned pair G.
 
-        On the region itself, and so on every part of it, the pair of the region contracts; that of the box, where it
-        does too, contracts quadratically.
+        The pair of the box contracts each side by `KEPT`, later quadratically. Where it does not, that of the region
+        does so with the longer side, measured by those of the region.
         """
         pair = preconditioned(*(f.part(box) for f in self.forms))
-        if pair is None or not _at_most_one(pair):
+        if pair is None or not _contracts(pair):
             pair = _preconditioned_on(self.forms, self.region, box)
         half = mpq(1, 2)
         sides = []
@@ -114,14 +122,14 @@ def isolate(first: PatchForm, second: PatchForm, also: Sequence[PatchForm] = (),
     boxes = 0
     while todo:
         part = todo.popleft()
-        if any(_inside(part.box, zero.region) for zero in found.zeros) or any(f.sign is not None for f in part.forms):
+        if is_known(part.box, found.zeros) or any(f.sign is not None for f in part.forms):
             continue
         boxes += 1
         pair = preconditioned(part.forms[0], part.forms[1])
         if pair is not None:
             if any(g.sign is not None for g in pair):
                 continue
-            if _at_most_one(pair) and (region := _certified((first, second), part.box)):
+            if _contracts(pair) and (region := _certified((first, second), part.box)):
                 _add(found.zeros, Zero((first, second), region))
                 continue
         if part.depth >= DEPTH or boxes > BOXES:
@@ -159,11 +167,14 @@ def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
     return right + top - low - up, up + top - low - right
 
 
-def _at_most_one(pair: tuple[PatchForm, PatchForm]) -> bool:
-    """Whether the derivatives are strictly diagonally dominant all over the square, so that the pair is injective."""
+def _contracts(pair: tuple[PatchForm, PatchForm]) -> bool:
+    """Whether the derivatives are so diagonally dominant all over the square that Krawczyk's operator keeps at most
+    `KEPT` of each side: the pair is injective then.
+    """
+    part, whole = KEPT
     for k, g in enumerate(pair):
         own, other = g.derivative(k).range, g.derivative(1 - k).range
-        if not own[0] > max(-other[0], other[1]):
+        if not own[0] > 0 or whole * (own[1] - own[0] + 2 * max(-other[0], other[1])) > part * (own[0] + own[1]):
             return False
     return True
 
@@ -173,7 +184,7 @@ def _certified(forms: tuple[PatchForm, PatchForm], box: Box) -> Box | None:
     (a, b), (c, d) = ((x - (y - x) * MARGIN, y + (y - x) * MARGIN) for x, y in box)
     region: Box = (mpq(a), mpq(b)), (mpq(c), mpq(d))
     pair = preconditioned(*(f.part(region) for f in forms))
-    if pair is None or not _at_most_one(pair):
+    if pair is None or not _contracts(pair):
         return None
     crossed = all(max(g.edge(k, 0)) < 0 < min(g.edge(k, 1)) for k, g in enumerate(pair))
     return region if crossed else None
@@ -184,7 +195,7 @@ def _add(zeros: list[Zero], new: Zero) -> None:
     for known in zeros:
         bits = 8
         while not _apart(new.box, known.box):
-            if _inside(new.box, known.region):
+            if contains(known.region, new.box):
                 return
             new.refine(bits)
             known.refine(bits)
@@ -192,8 +203,14 @@ def _add(zeros: list[Zero], new: Zero) -> None:
     zeros.append(new)
 
 
-def _inside(one: Box, other: Box) -> bool:
-    return all(c <= a and b <= d for (a, b), (c, d) in zip(one, other, strict=True))
+def is_known(box: Box, zeros: Sequence[Zero]) -> bool:
+    """Whether one of these is the only zero of its forms in a box, if there is any."""
+    return any(contains(zero.region, box) for zero in zeros)
+
+
+def contains(outer: Box, inner: Box) -> bool:
+    """Whether one closed box is in another."""
+    return all(c <= a and b <= d for (a, b), (c, d) in zip(inner, outer, strict=True))
 
 
 def _apart(one: Box, other: Box) -> bool:
@@ -229,12 +246,10 @@ def same(one: Zero, other: Zero) -> bool:
     """
     bits = 16
     while True:
-        a, b = one.refine(bits), other.box
-        if all(high < low for (_, high), (low, _) in zip(a, b, strict=True)):
+        box = one.refine(bits)
+        if _apart(box, other.box):
             return False
-        if any(p[1] < q[0] or q[1] < p[0] for p, q in zip(a, b, strict=True)):
-            return False
-        if all(q[0] <= p[0] and p[1] <= q[1] for p, q in zip(a, other.region, strict=True)):
+        if contains(other.region, box):
             return True
         other.refine(bits)
         bits *= 2
@@ -247,4 +262,4 @@ def are_one(one: Zero, other: Zero) -> bool | None:
     return False if _apart(one.refine(EQUAL_BITS), other.refine(EQUAL_BITS)) else None
 
 
-__all__ = ["Zero", "Zeros", "are_one", "isolate", "preconditioned", "same", "simplest"]
+__all__ = ["Zero", "Zeros", "are_one", "contains", "is_known", "isolate", "preconditioned", "same", "simplest"]

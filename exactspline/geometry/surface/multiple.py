@@ -16,7 +16,7 @@ from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
 from exactspline.geometry.surface.common_factor import as_form, as_polynomial
 from exactspline.geometry.surface.isolation import SIMPLE, simplest
-from exactspline.splines.patch_forms import Box, PatchForm, Sized, halved
+from exactspline.splines.patch_forms import Box, PatchForm, Sized, clusters, halved
 
 #: Boxes before the search for a common zero stops, and how often the square around the point is halved.
 BOXES, TRIES = 2000, 4
@@ -45,7 +45,7 @@ def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple 
     >>> multiple_zero(forms, [((mpq(3, 8), mpq(5, 8)), (mpq(3, 8), mpq(5, 8)))]).place
     (mpq(1,2), mpq(1,2))
     """
-    hull = _hull_of_neighbours(boxes)
+    hull = next(hull for hull, own in clusters(boxes) if boxes[0] in own)
     place = simplest(*hull[0]), simplest(*hull[1])
     if max(x.denominator for x in place) > SIMPLE or any(f.value(*place) != 0 for f in forms):
         return None
@@ -57,18 +57,6 @@ def multiple_zero(forms: Sequence[PatchForm], boxes: Sequence[Box]) -> Multiple 
             return Multiple(place, square)
         radius *= 2
     return None
-
-
-def _hull_of_neighbours(boxes: Sequence[Box]) -> Box:
-    """The hull of the first box and of all that touch it, one after another."""
-    hull, rest = boxes[0], list(boxes[1:])
-    while near := [box for box in rest if all(c <= b and a <= d for (a, b), (c, d) in zip(hull, box, strict=True))]:
-        rest = [box for box in rest if box not in near]
-        first, second = (
-            (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(hull, *near, strict=True)
-        )
-        hull = (first, second)
-    return hull
 
 
 def chart(form: PatchForm, which: int) -> PatchForm:

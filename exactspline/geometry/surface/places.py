@@ -50,6 +50,13 @@ class Place:
     v: Parameter | None = None
 
     @property
+    def spot(self) -> tuple[Parameter, Parameter]:
+        """Both parameters, of a point that is not given as an inner zero."""
+        assert self.u is not None
+        assert self.v is not None
+        return self.u, self.v
+
+    @property
     def exact(self) -> tuple[mpq, mpq] | None:
         """Both parameters where they are known to be rational."""
         if self.inner is not None:
@@ -61,9 +68,8 @@ class Place:
         """A box with the point in it, its sides at most ``10^−digits`` long."""
         if self.inner is not None:
             return self.inner.box(digits)
-        assert self.u is not None
-        assert self.v is not None
-        return enclosing(self.u, digits), enclosing(self.v, digits)
+        u, v = self.spot
+        return enclosing(u, digits), enclosing(v, digits)
 
     def with_patches(self, patches: tuple[Patch, ...]) -> Place:
         """The same point, found on more patches."""

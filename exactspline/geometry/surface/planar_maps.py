@@ -12,8 +12,11 @@ from exactspline.errors import ShapeError
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.forms import Patch, formula, in_parameters, lowest, on_patch, sides_of
+from exactspline.geometry.surface.merged import merged_places
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point, sign_on_patch
 from exactspline.language.rational import Rational
+from exactspline.splines.expected import surface_of
 from exactspline.splines.patch_forms import Box, PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -40,7 +43,8 @@ class MapInspection:
     kind: MapKind
     positive: Point | None = None
     negative: Point | None = None
-    zeros: tuple[Point, ...] = ()
+    #: Each with the patches from which the determinant vanishes there.
+    zeros: tuple[Place, ...] = ()
     edges: tuple[tuple[Patch, Edge], ...] = ()
     undecided: tuple[Box, ...] = ()
 
@@ -48,6 +52,11 @@ class MapInspection:
     def regular(self) -> bool:
         """Whether the determinant is proved to have no zero on the closed rectangle (one-sided at knots)."""
         return self.kind in (MapKind.POSITIVE, MapKind.NEGATIVE)
+
+    @property
+    def complete(self) -> bool:
+        """Whether everything was decided."""
+        return not self.undecided
 
 
 def jacobian_sign(surface: NurbsSurface) -> MapInspection:
@@ -62,6 +71,7 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
 
     Raises `ShapeError` for a surface that is not in the plane.
     """
+    surface = surface_of(surface)
     if surface.dimension != 2:
         raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
     determinant = _determinant(surface)
@@ -74,7 +84,7 @@ def jacobian_sign(surface: NurbsSurface) -> MapInspection:
         found.kind,
         found.positive,
         found.negative,
-        tuple(found.zeros),
+        merged_places(found.zeros, surface.domain, ()),
         tuple(found.edges),
         tuple(found.undecided),
     )
@@ -87,7 +97,7 @@ class _Found:
     positive: Point | None = None
     negative: Point | None = None
     degenerate: bool = False
-    zeros: list[Point] = field(default_factory=list)
+    zeros: list[Place] = field(default_factory=list)
     edges: list[tuple[Patch, Edge]] = field(default_factory=list)
     undecided: list[Box] = field(default_factory=list)
 
@@ -114,7 +124,7 @@ def _add_patch(found: _Found, determinant: TensorSpline, patch: Patch, sides: Bo
         found.positive = found.positive or _inside(signs.positive, 1, own.whole, sides, domain)
     if signs.negative:
         found.negative = found.negative or _inside(signs.negative, -1, own.whole, sides, domain)
-    found.zeros += [_placed(point, sides) for point in signs.zeros]
+    found.zeros += [Place((patch,), None, *_placed(point, sides)) for point in signs.zeros]
     found.undecided += [in_parameters(box, sides) for box in signs.undecided]
     found.edges += [(patch, edge) for edge, times in zip(EDGES, own.borders, strict=True) if times]
 
@@ -131,13 +141,15 @@ def _determinant(surface: NurbsSurface) -> TensorSpline:
 
 def _inside(point: Point, sign: int, whole: PatchForm, sides: Box, domain: Box) -> Point:
     """A point at or near another one at which the determinant has a sign: a factor may vanish on the border, and at a
-    knot the determinant is the one of the patch behind.
+    knot the determinant is another one as seen from another patch.
     """
     (x, y), half = point, mpq(1, 2)
     place, part = point, mpq(1, 4)
-    ends = zip(point, sides, domain, strict=True)
-    behind = any(t == 1 and side[1] != whole_side[1] for t, side, whole_side in ends)
-    while (behind and place == point) or whole.value(*place) * sign <= 0:
+    at_knot = any(
+        (t == 0 and low != first) or (t == 1 and high != last)
+        for t, (low, high), (first, last) in zip(point, sides, domain, strict=True)
+    )
+    while (at_knot and place == point) or whole.value(*place) * sign <= 0:
         place, part = (mpq(x + (half - x) * part), mpq(y + (half - y) * part)), part / 2
     return _placed(place, sides)
 

@@ -33,8 +33,9 @@ class Sign(StrEnum):
 
 @dataclass(frozen=True)
 class Signs:
-    """The sign of a form, points of the unit square at which it is positive and negative, those found where it is
-    zero, and boxes in which it could not be decided (of a form with both signs: none are looked for).
+    """The sign of a form, points of the unit square at which it is positive and negative (of a form that is not zero
+    at least one of them), those found where it is zero, and boxes in which it could not be decided (of a form with both
+    signs: none are looked for).
     """
 
     sign: Sign
@@ -51,6 +52,12 @@ def sign_on_patch(form: PatchForm) -> Signs:
     <Sign.BOTH: 'both signs'>
     >>> sign_on_patch(PatchForm.of_net([[1, 0, 0], [0, 0, 0], [0, 0, 1]])).zeros
     ((mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(0,1)))
+
+    A sign is never that of the corners alone:
+
+    >>> found = sign_on_patch(PatchForm.of_net([[0, 1, 0], [1, 1, 1], [0, 1, 0]]))
+    >>> found.sign, len(found.zeros), found.negative
+    (<Sign.NOT_NEGATIVE: 'positive but for single zeros'>, 4, None)
     """
     if form.is_zero:
         return Signs(Sign.ZERO)
@@ -74,8 +81,8 @@ def _cut(form: PatchForm) -> list[Box]:
 
 def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     """The same, beginning with boxes that fill the square."""
-    found: dict[int, Point] = {}
-    zeros: list[Point] = []
+    found = dict([_witness(form)])
+    zeros: dict[Point, None] = {}
     undecided: list[Box] = []
     todo = deque(Sized(box, [form.part(box)], 0) for box in boxes)
     seen = 0
@@ -84,13 +91,17 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
         seen += 1
         own = part.forms[0]
         for value, place in zip(own.corners, product(*part.box), strict=True):
-            if value == 0 and place not in zeros:
-                zeros.append(place)
-            elif value:
+            if value == 0:
+                zeros[place] = None
+            else:
                 found.setdefault(1 if value > 0 else -1, place)
+        sign = own.sign or _sign_but_for_corners(own)
+        if sign:
+            # where all corners are zeros the inside alone has it
+            found.setdefault(sign, _middle(part.box))
         if len(found) > 1:
             return Signs(Sign.BOTH, found[1], found[-1])
-        if own.sign is not None or _only_at_corners(own):
+        if sign:
             continue
         if seen > BOXES or part.depth >= DEPTH:
             undecided.append(part.box)
@@ -100,19 +111,37 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     if undecided:
         return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros), tuple(undecided))
     if zeros:
-        sign = Sign.NOT_NEGATIVE if positive else Sign.NOT_POSITIVE
+        sign_told = Sign.NOT_NEGATIVE if positive else Sign.NOT_POSITIVE
     else:
-        sign = Sign.POSITIVE if positive else Sign.NEGATIVE
-    return Signs(sign, positive, negative, tuple(sorted(zeros)))
+        sign_told = Sign.POSITIVE if positive else Sign.NEGATIVE
+    return Signs(sign_told, positive, negative, tuple(sorted(zeros)))
 
 
-def _only_at_corners(form: PatchForm) -> bool:
-    """Whether the coefficients show one sign on the closed square but for corners that are zero.
+def _witness(form: PatchForm) -> tuple[int, Point]:
+    """The sign of a form that is not zero at a point inside at which it is not."""
+    (m, n) = form.degree
+    # a form of degrees m, n that vanishes at (m + 1)(n + 1) points of a grid is zero
+    for i, j in product(range(1, m + 2), range(1, n + 2)):
+        place = mpq(i, m + 2), mpq(j, n + 2)
+        if value := form.value(*place):
+            return (1 if value > 0 else -1), place
+    raise AssertionError("the zero form")
+
+
+def _middle(box: Box) -> Point:
+    (a, b), (c, d) = box
+    return mpq((a + b) / 2), mpq((c + d) / 2)
+
+
+def _sign_but_for_corners(form: PatchForm) -> int | None:
+    """The sign that the coefficients show on the closed square but for corners that are zero; None where they do not.
 
     Coefficients of one sign, zeros among them, give a zero in the inside only if all are zero, and one on the open
     edge only if those of the edge are.
     """
     low, high = form.range
     if low < 0 < high or low == high == 0:
-        return False
-    return all(any(form.edge(direction, end)) for direction in (0, 1) for end in (0, 1))
+        return None
+    if not all(any(form.edge(direction, end)) for direction in (0, 1) for end in (0, 1)):
+        return None
+    return 1 if high > 0 else -1

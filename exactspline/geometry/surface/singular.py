@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along
+from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along, vanishes_at
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, are_one, isolate, same
+from exactspline.geometry.surface.isolation import Zero, are_one, is_known, isolate, same
 from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
@@ -70,14 +70,15 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
             along_curve = curve.has_branches or sign is Sign.BOTH
     zeros, undecided = _inner(forms, patch, normal, sides)
     multiples, undecided = _multiples([f for f in normal if f is not None], undecided)
+    multiples = [spot for spot in multiples if not any(zero.is_at(spot[0][0], spot[1][0]) for zero in zeros)]
     if curve is not None:
         if along_curve:
-            places = [place for place in places if not _is_on(curve.form, place, sides)]
+            places = [place for place in places if not vanishes_at(curve.form, place.spot, sides)]
         for zero in curve.single_points:
             equal = [are_one(zero, known) for known in zeros]
             if None in equal:
                 undecided.append(zero.box)
-            elif not any(equal):
+            elif not any(equal) and not any(zero.is_at(x, y) for (x, _), (y, _) in multiples):
                 zeros.append(zero)
         undecided += curve.undecided
     inner = [Place((patch,), InnerZero(zero, sides)) for zero in zeros]
@@ -89,15 +90,6 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
 def _is_end(root: Root, edge: Edge, sides: Box) -> bool:
     """Whether a point of an edge is one of a neighbouring edge."""
     return bool(root == edge.value(sides))
-
-
-def _is_on(factor: PatchForm, place: Place, sides: Box) -> bool:
-    """Whether a point of the border is a zero of a form."""
-    for edge in EDGES:
-        own, other = (place.u, place.v)[edge.direction], (place.u, place.v)[1 - edge.direction]
-        if own == edge.value(sides) and isinstance(other, Root):
-            return other.is_root_of(along(factor, edge, sides))
-    return False
 
 
 def _inner(
@@ -128,8 +120,9 @@ def _inner(
                 left.append(zero.box)
             elif verdict and not any(same(zero, known) for known in certain):
                 certain.append(zero)
-        rest.append(left)
-        if not left:
+        # in the region of a zero of two coordinates there is no other one
+        rest.append([box for box in left if not is_known(box, certain)])
+        if not rest[-1]:
             return certain, []
     return certain, min(rest, key=len, default=[])
 

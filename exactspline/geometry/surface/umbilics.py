@@ -196,7 +196,7 @@ class _Search:
             if not left:
                 break
         assert best is not None, "one form alone is its own common factor"
-        umbilics, undecided = self._multiples(list(given.values()), best[1])
+        umbilics, undecided = self._multiples(list(given.values()), best[1], best[0])
         return [*best[0], *umbilics], undecided
 
     def _with_pair(self, given: dict[int, PatchForm], pair: tuple[int, int]) -> tuple[list[Umbilic], tuple[Box, ...]]:
@@ -243,8 +243,12 @@ class _Search:
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         return UmbilicKind.UNKNOWN
 
-    def _multiples(self, given: list[PatchForm], boxes: Sequence[Box]) -> tuple[list[Umbilic], list[Box]]:
-        """Rational multiple umbilics inside the patch that explain undecided boxes, and the boxes they do not."""
+    def _multiples(
+        self, given: list[PatchForm], boxes: Sequence[Box], known: Sequence[Umbilic]
+    ) -> tuple[list[Umbilic], list[Box]]:
+        """Rational multiple umbilics inside the patch that explain undecided boxes and are not known, and the boxes
+        that they do not explain.
+        """
         left, found = list(boxes), list[Umbilic]()
         while left:
             multiple: Multiple | None = multiple_zero(given, left)
@@ -252,6 +256,8 @@ class _Search:
                 break
             left = [box for box in left if not multiple.explains(box)]
             x, y = multiple.place
+            if any(one.place.inner is not None and one.place.inner.zero.is_at(x, y) for one in known):
+                continue
             spot: Box = ((x, x), (y, y))
             if self.area.form.part(spot).sign == 1 and 0 < x < 1 and 0 < y < 1:
                 (u, _), (v, _) = in_parameters(spot, self.sides)

@@ -16,23 +16,25 @@ from functools import cached_property
 from itertools import pairwise
 from math import comb
 
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 
 from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES
+from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
 from exactspline.geometry.surface.isolation import Zero
-from exactspline.roots.root import Root, between
+from exactspline.reals.real import between
+from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, clusters, halved
 
 #: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
 DEPTH, BOXES = 30, 4000
-#: Where the square is first cut: no line that a symmetric surface would have its zeros on.
-FIRST_CUT = mpq(29, 61)
+#: Where the square is first cut: no lines that a symmetric surface would have its zeros on.
+FIRST_CUTS = tuple(mpq(a, b) for a, b in ((29, 61), (31, 67), (37, 79), (41, 89), (43, 97), (47, 101), (53, 109)))
 #: Half branches that leave a point at which two branches cross.
 BRANCHES = 4
 #: Bits to which points of a curve are found that is drawn.
@@ -46,6 +48,8 @@ class Shape(StrEnum):
     ARC = "arc from border to border"
     CROSSED = "branches that cross"
     POINT = "single point"
+    #: All of it is on the curve, but it goes on in boxes that are undecided.
+    OPEN = "arc into an undecided box"
     #: Of several patches, where they meet without continuous curvature.
     BROKEN = "arc that ends where patches meet"
 
@@ -84,6 +88,8 @@ class Part:
     cells: tuple[Box, ...] = ()
     #: The points of it on lines of the subdivision, those on the border of the patch among them.
     vertices: tuple[Vertex, ...] = field(default=(), repr=False)
+    #: The certified point that it is, if it is one inside.
+    zero: Zero | None = field(default=None, repr=False, compare=False)
 
 
 class ZeroCurve:
@@ -104,9 +110,7 @@ class ZeroCurve:
         self._arcs: list[Arc] = []
         self._crossings: list[tuple[Cell, list[Vertex]]] = []
         self._points: list[Cell] = []
-        cells, left = singular_cells(form, known)
-        self.undecided += left
-        self._subdivide(cells)
+        self._subdivide(singular_cells(form, known))
 
     # ---- the subdivision
 
@@ -116,11 +120,11 @@ class ZeroCurve:
             ends = list(dict.fromkeys(self._on_border(cell.box)))
             if cell.crossing is Crossing.POINT:
                 self._points.append(cell)
-            elif len(ends) == BRANCHES:
+            elif len(ends) == BRANCHES and not self._vanishes_around(cell.box):
                 self._crossings.append((cell, ends))
             else:
                 self.undecided.append(cell.box)
-        todo = deque(Sized(box, [self.form.part(box)], 0) for box in _grid(done) if box not in done)
+        todo = deque(Sized(box, [self.form.part(box)], 0) for box in _grid(self.form, done) if box not in done)
         boxes = 0
         while todo:
             part = todo.popleft()
@@ -130,12 +134,17 @@ class ZeroCurve:
             boxes += 1
             slopes = [own.derivative(k).sign for k in (0, 1)]
             direction = next((k for k in (0, 1) if slopes[k]), None)
-            if direction is not None:
+            on_a_line = direction is not None and self._vanishes_around(part.box)
+            if direction is not None and not on_a_line:
                 self._graph(part.box, direction)
-            elif part.depth >= DEPTH or boxes > BOXES:
+            elif on_a_line or part.depth >= DEPTH or boxes > BOXES:
                 self.undecided.append(part.box)
             else:
                 todo.extend(halved(part))
+
+    def _vanishes_around(self, box: Box) -> bool:
+        """Whether the form vanishes all along a side of a box: its zeros are no single points there."""
+        return any(not any(self._along(direction, box[direction][end])) for direction, end in EDGES)
 
     def _graph(self, box: Box, direction: int) -> None:
         """The curve in a box in which it meets every line of the direction at most once."""
@@ -156,12 +165,16 @@ class ZeroCurve:
     def _value(self, direction: int, x: mpq, y: mpq) -> mpq:
         return self.form.value(x, y) if direction == 0 else self.form.value(y, x)
 
+    def _along(self, direction: int, value: mpq) -> list[fmpz]:
+        """The Bernstein coefficients on a line across the whole square."""
+        box: Box = ((value, value), UNIT[1]) if direction == 0 else (UNIT[0], (value, value))
+        return self.form.part(box).edge(direction, 0)
+
     def _line(self, direction: int, value: mpq) -> list[Root]:
         """The zeros on a line across the whole square, in order."""
         key = direction, value
         if key not in self._lines:
-            box: Box = ((value, value), UNIT[1]) if direction == 0 else (UNIT[0], (value, value))
-            edge = self.form.part(box).edge(direction, 0)
+            edge = self._along(direction, value)
             n = len(edge) - 1
             c = fmpz_poly([comb(n, i) * x for i, x in enumerate(edge)])
             spline = BSpline.from_forms(n, Mesh([mpq(0), mpq(1)]), (), [(c, ONE)])
@@ -213,9 +226,10 @@ class ZeroCurve:
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """The connected parts of the zeros that are resolved."""
-        if self.undecided:
-            return ()
+        """The connected parts of the zeros that are resolved; those that go on in undecided boxes as far as they are.
+
+        A part that meets no undecided box is whole: zeros on the borders of boxes are all known.
+        """
         joined = _Joined(self._vertices)
         for arc in self._arcs:
             joined.join(arc.first, arc.last)
@@ -232,16 +246,34 @@ class ZeroCurve:
         crossings: dict[Vertex, list[Box]] = {}
         for cell, ends in self._crossings:
             crossings.setdefault(joined.root(ends[0]), []).append(cell.box)
-        found = [
-            Part(
-                _shape(arcs, bool(crossings.get(group))),
-                tuple(_in_order(arcs)),
-                tuple(crossings.get(group, ())),
-                tuple(members[group]),
-            )
-            for group, arcs in groups.items()
-        ]
-        return (*found, *(Part(Shape.POINT, (), (cell.box,)) for cell in self._points))
+        found = []
+        for group, arcs in groups.items():
+            crossed = crossings.get(group, [])
+            shape = _shape(arcs, bool(crossed))
+            if self.undecided and any(self._is_open_at(vertex) for vertex in members[group]):
+                if not arcs and not crossed:
+                    continue  # what it is belongs to the box
+                shape = Shape.OPEN
+            found.append(Part(shape, tuple(_in_order(arcs)), tuple(crossed), tuple(members[group])))
+        return (*found, *(Part(Shape.POINT, (), (cell.box,), (), cell.zero) for cell in self._points))
+
+    def _is_open_at(self, vertex: Vertex) -> bool:
+        """Whether a vertex is on an undecided box."""
+        along: mpq | Root
+        if vertex.other is not None:
+            at, along = vertex.value, vertex.other
+        else:
+            at, along = vertex.value, self._line(vertex.direction, vertex.value)[vertex.index]
+        spot = (at, along) if vertex.direction == 0 else (along, at)
+
+        def is_in(box: Box) -> bool:
+            return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
+
+        return any(is_in(hull) and any(map(is_in, own)) for hull, own in self._clusters)
+
+    @cached_property
+    def _clusters(self) -> list[tuple[Box, list[Box]]]:
+        return clusters(self.undecided)
 
     def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
         """Points near an arc, for pictures: so many steps, each found to `DRAWN_BITS` bits."""
@@ -293,15 +325,26 @@ class _Joined:
         self.parents[self.root(one)] = self.root(other)
 
 
-def _grid(cells: Sequence[Box]) -> Iterator[Box]:
+def _grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
     """The square cut along the borders of cells, and once more."""
     cuts = []
     for k in (0, 1):
         ends = {mpq(0), mpq(1), *(end for cell in cells for end in cell[k])}
-        if not any(cell[k][0] <= FIRST_CUT <= cell[k][1] for cell in cells):
-            ends.add(FIRST_CUT)
+        first = _first_cut(rational_lines(form, k))
+        if not any(cell[k][0] <= first <= cell[k][1] for cell in cells):
+            ends.add(first)
         cuts.append(list(pairwise(sorted(ends))))
     return ((side, other) for side in cuts[0] for other in cuts[1])
+
+
+def _first_cut(lines: Sequence[mpq]) -> mpq:
+    """A place to cut such that halving both parts never cuts along a line of zeros."""
+
+    def met(cut: mpq, line: mpq) -> bool:
+        place = line / cut if line < cut else (line - cut) / (1 - cut)
+        return int(place.denominator).bit_count() == 1
+
+    return next((cut for cut in FIRST_CUTS if not any(met(cut, line) for line in lines)), FIRST_CUTS[0])
 
 
 def _shape(arcs: Sequence[Arc], crossed: bool) -> Shape:

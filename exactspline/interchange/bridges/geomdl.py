@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from exactspline.errors import ShapeError
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
 from exactspline.interchange.writing import homogeneous
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -15,7 +17,16 @@ if TYPE_CHECKING:
 def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
     """The exact curve of the numbers that geomdl holds. By default geomdl has mapped the knots to [0, 1], rounding
     them; of a rational curve it holds the points times their weights, and these are read.
+
+    Raises `ShapeError` for a surface, a volume, and what is not of geomdl.
     """
+    from geomdl import abstract
+
+    if not isinstance(curve, abstract.Curve):
+        raise ShapeError(
+            f"a {type(curve).__name__}, where a curve of geomdl is expected",
+            remedy="give a BSpline.Curve or NURBS.Curve",
+        )
     knots = [exact(t) for t in curve.knotvector]
     if curve.rational:
         return Nurbs.from_homogeneous(int(curve.degree), knots, exact_rows(curve.ctrlptsw), name=str(curve.name))
@@ -24,6 +35,8 @@ def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
 
 def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
     """A geomdl curve with the correctly rounded knots and points, its knots left as they are."""
+    curve = curve_of(curve)
+
     from geomdl import NURBS
     from geomdl import BSpline as Polynomial
 

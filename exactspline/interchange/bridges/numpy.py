@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
-from exactspline.exact import Number
+from exactspline.exact import Number, from_float, is_float
 from exactspline.interchange.bridges.values import doubles
 from exactspline.splines.nurbs import Nurbs
 
@@ -38,4 +38,5 @@ def points_at(curve: Nurbs, parameters: Iterable[Number]) -> np.ndarray:
     """
     import numpy as np
 
-    return np.reshape(np.array(curve.at_floats(parameters), dtype=float), (-1, curve.dimension))
+    points = [doubles(curve(from_float(t) if is_float(t) else t)) for t in parameters]
+    return np.reshape(np.array(points, dtype=float), (-1, curve.dimension))

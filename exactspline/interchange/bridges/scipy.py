@@ -1,27 +1,71 @@
-"""scipy's `BSpline`: in exactly, out correctly rounded."""
+"""scipy's piecewise polynomials: in exactly, `BSpline` out correctly rounded."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from math import comb
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, shown
+from exactspline.exact import mpq
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
+    import numpy as np
     import scipy.interpolate
 
+    #: What scipy keeps a spline in one parameter as; `CubicSpline`, `PchipInterpolator` and the like are `PPoly`.
+    Piecewise: TypeAlias = (
+        scipy.interpolate.BSpline
+        | scipy.interpolate.PPoly
+        | scipy.interpolate.BPoly
+        | tuple[np.ndarray, np.ndarray | list[np.ndarray], int]
+    )
 
-def from_scipy(spline: scipy.interpolate.BSpline) -> Nurbs | BSpline:
+
+def from_scipy(spline: Piecewise) -> Nurbs | BSpline:
     """The exact curve of a vector-valued spline, the exact `BSpline` of a scalar one: every double is its binary value.
 
-    Raises `ShapeError` for coefficients of more than two axes, and the errors of `Nurbs`.
+    Takes scipy's `BSpline`, `PPoly` (with it `CubicSpline`, `PchipInterpolator`, `Akima1DInterpolator`), `BPoly`, and
+    the ``(t, c, k)`` of `splrep` and `splprep`. The pieces of a `PPoly` meet up to rounding only: they keep their own
+    ends, at knots of full multiplicity.
+
+    >>> from scipy.interpolate import CubicSpline
+    >>> from_scipy(CubicSpline([0, 1, 2], [0, 1, 0]))("1/2")
+    mpq(3,4)
+
+    Raises `ShapeError` for anything else and for coefficients of more than two axes, and the errors of `Nurbs`.
     """
-    degree, knots = int(spline.k), [exact(t) for t in spline.t]
-    count = len(knots) - degree - 1
+    import numpy as np
+    import scipy.interpolate as si
+
+    given: Any = spline
+    if isinstance(given, (tuple, list)) and len(given) == 3:
+        t, c, k = given
+        # splprep lists the coefficients of each coordinate
+        given = si.BSpline(t, np.stack(c, axis=1) if isinstance(c, (list, tuple)) else c, k) if _is_tck(t, k) else None
+    if isinstance(given, (si.PPoly, si.BPoly)):
+        return _of_pieces(given.c, given.x, powers=isinstance(given, si.PPoly))
+    if not isinstance(given, si.BSpline):
+        raise ShapeError(
+            f"{shown(spline)} is not a spline of scipy in one parameter",
+            remedy="give a BSpline, PPoly or BPoly of scipy.interpolate, or (t, c, k)",
+        )
+    degree, knots = int(given.k), [exact(t) for t in given.t]
     # scipy allows more coefficients than the knots need
-    coefficients = spline.c[:count]
+    return _made(degree, knots, given.c[: len(knots) - degree - 1])
+
+
+def _is_tck(t: object, k: object) -> bool:
+    import numpy as np
+
+    return isinstance(t, (np.ndarray, list, tuple)) and isinstance(k, (int, np.integer))
+
+
+def _made(degree: int, knots: list[mpq], coefficients: np.ndarray) -> Nurbs | BSpline:
     if coefficients.ndim == 1:
         return BSpline(degree, knots, [exact(c) for c in coefficients])
     if coefficients.ndim != 2:
@@ -29,17 +73,37 @@ def from_scipy(spline: scipy.interpolate.BSpline) -> Nurbs | BSpline:
     return Nurbs(degree, knots, exact_rows(coefficients))
 
 
+def _of_pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> Nurbs | BSpline:
+    """Pieces in their own Bernstein coefficients ``c[i, piece]``, or in powers of the distance from their start, the
+    highest first.
+    """
+    import numpy as np
+
+    degree, breaks = len(c) - 1, [exact(t) for t in x]
+    exactly = np.vectorize(exact, otypes=[object])(c)
+    if powers:
+        exactly = exactly[::-1].copy()
+        for piece, (a, b) in enumerate(pairwise(breaks)):
+            scaled = [exactly[j, piece] * (b - a) ** j for j in range(degree + 1)]
+            for i in range(degree + 1):
+                exactly[i, piece] = sum(scaled[j] * mpq(comb(i, j), comb(degree, j)) for j in range(i + 1))
+    rows = np.swapaxes(exactly, 0, 1).reshape(-1, *exactly.shape[2:])
+    return _made(degree, [t for t in breaks for _ in range(degree + 1)], rows)
+
+
 def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
     """A scipy spline with the correctly rounded knots and control points.
 
-    Raises `ShapeError` for a rational curve, for which scipy has no class.
+    Raises `ShapeError` for a rational curve, for which scipy has no class, and for anything but a curve or a spline.
     """
+    if not isinstance(curve, BSpline) and not curve_of(curve).polynomial:
+        raise ShapeError("a rational curve", remedy="convert the components of its p and w separately")
+
     import numpy as np
     from scipy.interpolate import BSpline as SciPyBSpline
 
     if isinstance(curve, BSpline):
-        return SciPyBSpline(np.array(doubles(curve.knots)), np.array(doubles(curve.control_points)), curve.degree)
-    if not curve.polynomial:
-        raise ShapeError("a rational curve", remedy="convert the components of its p and w separately")
-    points = np.array([doubles(point) for point in curve.control_points])
-    return SciPyBSpline(np.array(doubles(curve.knots)), points, curve.degree)
+        coefficients = doubles(curve.control_points)
+    else:
+        coefficients = [doubles(point) for point in curve.control_points]
+    return SciPyBSpline(np.array(doubles(curve.knots)), np.array(coefficients), curve.degree)

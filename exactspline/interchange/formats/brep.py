@@ -2,7 +2,8 @@
 
 B-spline and Bézier curves are read; of circles and ellipses the whole curve, exactly as far as the axes are written.
 Lines, parabolas and hyperbolas have no end here (edges cut them) and are skipped, and so are trimmed and offset curves.
-A periodic curve repeats its first poles; knots are continued by the period.
+A periodic curve repeats its first poles; knots are continued by the period. Edges, which may use a part of a curve, and
+placements are not followed: a note says so.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from exactspline.splines.nurbs import Nurbs
 
 LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, BEZIER, BSPLINE, TRIMMED, OFFSET = range(1, 10)
 NAMES = {LINE: "line", PARABOLA: "parabola", HYPERBOLA: "hyperbola", TRIMMED: "trimmed curve", OFFSET: "offset curve"}
+_EDGE = re.compile(r"^Ed[ \t]*\r?$", re.M)
 _SECTION = re.compile(r"^(Curve2ds|Curves) (\d{1,9})[ \t]*\r?$", re.M)
 
 
@@ -34,6 +36,8 @@ def looks_like(head: bytes) -> bool:
 def read(source: Source) -> Reading:
     """The curves of both sections."""
     found = Collector("brep", source)
+    if _EDGE.search(source.text):
+        found.note("curves are read as defined: edges may use a part of them, and be placed elsewhere")
     for match in _SECTION.finditer(source.text):
         words = Tokens(source.text, source.limits, match.end())
         dimension = 2 if match[1] == "Curve2ds" else 3
@@ -57,7 +61,7 @@ def _curve(found: Collector, words: Tokens, dimension: int, where: str) -> bool:
     elif kind in NAMES:
         frame = {LINE: 2, PARABOLA: 3, HYPERBOLA: 3}[kind] + (dimension == 3 and kind != LINE)
         words.numbers(frame * dimension + {LINE: 0, PARABOLA: 1, HYPERBOLA: 2}[kind])
-        found.skip(NAMES[kind], where, "it has no ends here")
+        found.skip(NAMES[kind], where, "it has no ends here", curve=kind != LINE)
     else:
         raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
     return kind in (TRIMMED, OFFSET)

@@ -2,7 +2,8 @@
 
 Circles are rational and exact; so are the arcs of a polyline, whose bulge is the tangent of a quarter of the angle. An
 ARC or ELLIPSE that ends at a multiple of a right angle is exact, any other has irrational ends and is skipped. A curve
-at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not followed.
+at z = 0 is read as a plane curve. INSERT (a placed copy of a block) is not followed: curves in a block are read as the
+block defines them. Notes name the unit, and what is invisible, in paper space, or has a thickness.
 """
 
 from __future__ import annotations
@@ -22,6 +23,14 @@ from exactspline.interchange.segments import Segment, arc_around_origin, bulged,
 from exactspline.interchange.writing import in_space
 
 CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
+#: Entities that are curves, or place some, and are not read.
+CURVES = ("INSERT", "POLYLINE", "HELIX", "MLINE", "LEADER", "MULTILEADER", "ACAD_PROXY_ENTITY")
+WHY = {"INSERT": "a placed copy of a block is not followed"}
+#: Units of length by their code in $INSUNITS.
+UNITS = {"1": "inches", "2": "feet", "3": "miles", "4": "millimetres", "5": "centimetres", "6": "metres",
+         "7": "kilometres", "8": "microinches", "9": "mils", "10": "yards", "11": "angstroms", "12": "nanometres",
+         "13": "microns", "14": "decimetres", "15": "decametres", "16": "hectometres", "17": "gigametres",
+         "18": "astronomical units", "19": "light years", "20": "parsecs", "21": "US survey feet"}  # fmt: skip
 SILENT = ("SEQEND", "VERTEX", "ENDBLK", "BLOCK", "SECTION", "ENDSEC", "EOF")
 
 
@@ -57,7 +66,8 @@ def read(source: Source) -> Reading:
         reader = _READERS.get(entity.kind)
         if reader is None:
             if entity.kind not in SILENT:
-                found.skip(entity.kind, where, "no entity that is read")
+                why = WHY.get(entity.kind, "no entity that is read")
+                found.skip(entity.kind, where, why, curve=entity.kind in CURVES)
             continue
         try:
             reader(_Values(found, entity, where))
@@ -69,7 +79,7 @@ def read(source: Source) -> Reading:
 def _entities(source: Source, found: Collector) -> Iterator[Entity]:
     """The entities of the sections ENTITIES and BLOCKS."""
     lines = source.text.split("\n")
-    section, block = "", ""
+    section, block, variable = "", "", ""
     entity: Entity | None = None
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
@@ -89,6 +99,10 @@ def _entities(source: Source, found: Collector) -> Iterator[Entity]:
                 entity = Entity(value, [], i + 1, block)
         elif code == "2" and lines[i - 1].strip() == "SECTION":
             section = value
+        elif section == "HEADER":
+            variable = value if code == "9" else variable
+            if variable == "$INSUNITS" and code == "70" and value in UNITS:
+                found.note(f"lengths in {UNITS[value]}: read as written")
         elif entity:
             entity.pairs.append((int(code), value))
             if entity.kind == "BLOCK" and code == "2":
@@ -103,6 +117,14 @@ class _Values:
     def __init__(self, found: Collector, entity: Entity, where: str) -> None:
         self.found, self.entity, self.where = found, entity, where
         self.notes: list[str] = []
+        if entity.block:
+            self.notes.append("as its block defines it, before any copy is placed")
+        if self.flag(60):
+            self.notes.append("marked invisible")
+        if self.flag(67):
+            self.notes.append("in paper space")
+        if any(text.strip("+-0. ") for text in entity.texts(39)):
+            self.notes.append("its thickness makes it a surface: the curve alone is read")
 
     def number(self, code: int, default: int | None = None) -> mpq:
         """The value of a group code."""

@@ -3,12 +3,14 @@
 fontTools gives the numbers of the file unrounded: integers, and for components and CFF fractions exact dyadic doubles.
 A TrueType contour becomes one quadratic B-spline: simple knots within a run of off-curve points, double knots at
 on-curve points; a CFF contour one cubic with triple knots. Of a variable font the default instance is read. Components
-are placed exactly; one placed by matching points is skipped.
+are placed exactly; one placed by matching points is skipped. All fonts of a collection (``.ttc``) are read; the names
+of curves of the second begin with ``2/``, and ``fonts.ttc:2/A`` is a glyph of the second.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +25,9 @@ if TYPE_CHECKING:
     from fontTools.ttLib import TTFont
 
 MAGIC = (b"\0\1\0\0", b"OTTO", b"true", b"ttcf")
-SCALED_OFFSET = 0x0800
+SCALED_OFFSET, OVERLAP_COMPOUND, OVERLAP_SIMPLE = 0x0800, 0x0400, 0x40
+#: Tables that hold outlines besides `glyf` and `CFF `.
+OTHER_OUTLINES = ("VARC", "SVG ", "COLR", "CBDT", "sbix", "EBDT")
 
 
 def looks_like(head: bytes) -> bool:
@@ -35,7 +39,8 @@ def read(source: Source) -> Reading:
     """The contours of the glyph asked for (by its name or its character), or of all glyphs."""
     found = [piece.reading for piece in pieces(source)]
     curves = tuple(curve for reading in found for curve in reading.curves)
-    return Reading("font", curves, tuple(skipped for reading in found for skipped in reading.skipped))
+    notes = tuple(dict.fromkeys(note for reading in found for note in reading.notes))
+    return Reading("font", curves, tuple(skipped for reading in found for skipped in reading.skipped), notes)
 
 
 def pieces(source: Source) -> Iterator[Piece]:
@@ -45,44 +50,113 @@ def pieces(source: Source) -> Iterator[Piece]:
         from fontTools.ttLib import TTFont
     except ImportError:
         raise CurveFileError("fontTools is not installed", remedy="pip install 'exactspline[fonts]'") from None
+    opened = [_opened(TTFont, source, number) for number in range(_count(source))]
+    wanted = _wanted(opened, source.part)
+    for number, (font, name) in enumerate(wanted, 1):
+        for note in font.notes:
+            found.note(note)
+        _add(found, font, name)
+        yield Piece(found.taken(), number, len(wanted))
+
+
+@dataclass
+class _Font:
+    """A font of a file: the tables, the names of its glyphs, its outlines, what its curves are called before the name
+    of the glyph, notes on all of its curves and on each of them.
+    """
+
+    tables: TTFont
+    names: list[str]
+    glyphs: Any
+    prefix: str
+    notes: list[str]
+    on_each: list[str]
+
+
+def _count(source: Source) -> int:
+    """How many fonts the file holds, as its header says."""
+    if source.data[:4] != b"ttcf":
+        return 1
+    count = int.from_bytes(source.data[8:12], "big")
+    if not 0 < count <= source.limits.objects or 12 + 4 * count > len(source.data):
+        raise CurveFileError(f"a collection of {count} fonts", remedy="repair the font")
+    return count
+
+
+def _opened(reader: type[TTFont], source: Source, number: int) -> _Font:
     try:
-        font = TTFont(BytesIO(source.data), lazy=True, fontNumber=0)
+        font = reader(BytesIO(source.data), lazy=True, fontNumber=number)
         names = list(font.getGlyphOrder())
-        wanted = [_named(font, names, source.part)] if source.part else names
-        notes = ["the default instance of a variable font"] if "fvar" in font else []
         glyphs = font["glyf"] if "glyf" in font else font.getGlyphSet()
+        em = font["head"].unitsPerEm if "head" in font else None
+        other = [tag for tag in OTHER_OUTLINES if tag in font]
     except ExactSplineError:
         raise
     # a damaged font may raise any exception
     except Exception as error:
-        raise CurveFileError(
-            f"is not a font that can be read ({type(error).__name__})", remedy="repair the font"
-        ) from None
-    for number, name in enumerate(wanted, 1):
-        _add(found, glyphs, name, notes)
-        yield Piece(found.taken(), number, len(wanted))
+        raise _damaged(error) from None
+    notes = [f"in units of the font, {em} for an em"] if em else []
+    notes += [f"outlines in its table {tag.strip()} are not read" for tag in other]
+    on_each = ["the default instance of a variable font"] if "fvar" in font else []
+    return _Font(font, names, glyphs, f"{number + 1}/" if number else "", notes, on_each)
 
 
-def _add(found: Collector, glyphs: Any, name: str, notes: Sequence[str]) -> None:
-    """The contours of one glyph."""
+def _damaged(error: Exception) -> CurveFileError:
+    return CurveFileError(f"is not a font that can be read ({type(error).__name__})", remedy="repair the font")
+
+
+def _wanted(fonts: Sequence[_Font], part: str) -> list[tuple[_Font, str]]:
+    """The glyphs to be read, each with its font."""
+    if not part:
+        return [(font, name) for font in fonts for name in font.names]
     try:
-        contours = _Glyph(found, glyphs, name).drawn()
+        found = [(font, name) for font in fonts if (name := _named(font, part)) is not None]
+    # a damaged font may raise any exception
+    except Exception as error:
+        raise _damaged(error) from None
+    if not found:
+        some = ", ".join(fonts[0].names[:5])
+        raise CurveFileError(f"there is no glyph called {part[:40]!r}", remedy=f"there are {some}, …")
+    return found
+
+
+def _add(found: Collector, font: _Font, name: str) -> None:
+    """The contours of one glyph."""
+    where, notes = f"glyph {font.prefix}{name}", list(font.on_each)
+    try:
+        contours = _Glyph(found, font.glyphs, name).drawn()
+        notes += ["marked: contours may overlap"] if _overlaps(font.glyphs, name) else []
     except ExactSplineError as error:
-        found.skip("glyph", name, str(error))
+        found.skip("glyph", where.removeprefix("glyph "), str(error))
         return
     except Exception as error:
-        found.skip("glyph", name, f"its outline is damaged ({type(error).__name__})")
+        found.skip("glyph", where.removeprefix("glyph "), f"its outline is damaged ({type(error).__name__})")
         return
     for i, (degree, knots, points) in enumerate(contours, 1):
-        found.add("contour", f"glyph {name}, contour {i}", degree, knots, points, name=f"{name}.{i}", notes=notes)
+        called = f"{font.prefix}{name}.{i}"
+        found.add("contour", f"{where}, contour {i}", degree, knots, points, name=called, notes=notes)
 
 
-def _named(font: TTFont, names: Sequence[str], part: str) -> str:
-    if part in names:
+def _overlaps(glyphs: Any, name: str) -> bool:
+    """Whether a TrueType glyph is marked as one whose contours overlap: the first flag of its points says so, or of its
+    components.
+    """
+    if not hasattr(glyphs, "glyphOrder"):
+        return False
+    glyph = glyphs[name]
+    if glyph.isComposite():
+        return bool(glyph.components and glyph.components[0].flags & OVERLAP_COMPOUND)
+    return bool(glyph.numberOfContours and glyph.flags[0] & OVERLAP_SIMPLE)
+
+
+def _named(font: _Font, part: str) -> str | None:
+    """The name of a glyph by its name or its character, in this font."""
+    if font.prefix and part.startswith(font.prefix):
+        part = part[len(font.prefix) :]
+    if part in font.names:
         return part
-    if len(part) == 1 and (name := (font.getBestCmap() or {}).get(ord(part))):
-        return str(name)
-    raise CurveFileError(f"there is no glyph called {part[:40]!r}", remedy=f"there are {', '.join(names[:5])}, …")
+    name = (font.tables.getBestCmap() or {}).get(ord(part)) if len(part) == 1 else None
+    return None if name is None else str(name)
 
 
 class _Glyph:

@@ -22,6 +22,8 @@ CLASSES = {
     170: "parabola", SURFACE: "spline surface", 210: "bounded surface", 250: "plane", 260: "cylinder", 270: "sphere",
     280: "cone", 290: "torus", POINTS: "point cloud", LINES: "line cloud", VOLUME: "spline volume",
 }  # fmt: skip
+#: Classes of curves that are not read.
+OTHER_CURVES = (110, 120, 130, 140, 150, 160, 170)
 _HEADER = re.compile(r"^[ \t]*([1-9]\d\d)[ \t]+([01])[ \t]+([09])[ \t]+(\d+)(?:[ \t]+\d+){0,4}[ \t]*\r?$", re.M)
 
 
@@ -49,7 +51,7 @@ def read(source: Source) -> Reading:
         if kind == CURVE:
             _curve(found, words, where)
             continue
-        found.skip(CLASSES.get(kind, f"class {kind}"), where, "no curve or no spline")
+        found.skip(CLASSES.get(kind, f"class {kind}"), where, "no curve or no spline", curve=kind in OTHER_CURVES)
         if kind in (SURFACE, VOLUME):
             _step_over(words, 2 if kind == SURFACE else 3)
         elif kind in (POINTS, LINES):

@@ -38,7 +38,9 @@ def read(source: Source) -> Reading:
         try:
             _curve(found, entry, where)
         except ExactSplineError as error:
-            found.skip("shape", where, str(error))
+            # surfaces and volumes are shapes too
+            kind = entry.get("type", "curve") if isinstance(entry, dict) else "curve"
+            found.skip("shape", where, str(error), curve=kind not in ("surface", "volume"))
     return found.reading()
 
 

@@ -31,7 +31,7 @@ def read(source: Source) -> Reading:
         kind = element.attributes.get("type", "of no type")
         where = f"geometry {element.attributes.get('id', number)} (line {element.line})"
         if kind not in CURVES:
-            found.skip(f"geometry {kind}", where, "no spline curve")
+            found.skip(f"geometry {kind}", where, "no spline curve", curve=False)
             continue
         try:
             degree, knots, points, weights = _parts(found, element)

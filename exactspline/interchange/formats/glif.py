@@ -36,9 +36,9 @@ def read(source: Source) -> Reading:
     for element in outline.children if outline else ():
         where = f"line {element.line}"
         if element.tag != "contour":
-            found.skip(
-                element.tag[:40], where, "it stands in another file" if element.tag == "component" else "no curve"
-            )
+            placed = element.tag == "component"
+            why = "it stands in another file" if placed else "no curve"
+            found.skip(element.tag[:40], where, why, curve=placed)
             continue
         number += 1
         pen = ContourPen(source.limits.objects)

@@ -2,8 +2,8 @@
 transformation (124).
 
 An arc is exact where its ends lie exactly on it, a conic where its equation holds exactly at its ends; otherwise it is
-skipped, with the reason. Coordinates are in the units of the file. Curves in the parameter space of a surface (entity
-use 05) are read in the plane.
+skipped, with the reason. A spline is read over the parameters that its entity uses. Coordinates are in the units of the
+file, which a note names. Curves in the parameter space of a surface (entity use 05) are read in the plane.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.exact import mpq
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.iges_records import Entry, entries, formatted
+from exactspline.interchange.iges_records import Entry, entries, formatted, unit_of
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
@@ -28,6 +28,10 @@ NAMES = {
     122: "tabulated cylinder", 128: "rational B-spline surface", 130: "offset curve", 140: "offset surface",
     141: "boundary", 142: "curve on a surface", 143: "bounded surface", 144: "trimmed surface",
 }  # fmt: skip
+#: Entities that are curves, or hold curves that are read nowhere else.
+CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
+NAMES |= {308: "subfigure definition", 408: "placed subfigure", 412: "rectangular array of subfigures",
+          414: "circular array of subfigures", 420: "placed network subfigure"}  # fmt: skip
 PARAMETER_SPACE = "05"
 
 
@@ -67,13 +71,17 @@ def read(source: Source) -> Reading:
     """The curves of a file."""
     found = Collector("iges", source)
     directory = {entry.number: entry for entry in entries(source.text, source.limits)}
+    if unit := unit_of(source.text):
+        found.note(f"lengths in {unit}: read as written")
     for entry in directory.values():
         where = f"entity {entry.kind} (DE {entry.number})"
         reader = _READERS.get(entry.kind)
         if entry.kind == MATRIX:
             continue
         if reader is None:
-            found.skip(NAMES.get(entry.kind, f"entity {entry.kind}"), where, "no entity that is read")
+            name = NAMES.get(entry.kind, f"entity {entry.kind}")
+            why = "its parts are read one by one" if entry.kind == COMPOSITE else "no entity that is read"
+            found.skip(name, where, why, curve=entry.kind in CURVES)
             continue
         try:
             reader(found, entry, where, _placement(found, directory, entry))
@@ -106,27 +114,45 @@ def _spline(found: Collector, entry: Entry, where: str, placed: Affine) -> None:
     knots, weights = values.numbers(last + degree + 2), values.numbers(last + 1)
     points = [placed(point) for point in values.rows(last + 1)]
     start, end = values.numbers(2)
-    notes = []
-    if len(knots) > 2 * degree + 1 and (start, end) != (knots[degree], knots[-degree - 1]):
-        notes.append(f"the entity uses the parameters from {start} to {end}; the whole spline is read")
+    within, notes = _used(knots, degree, start, end)
     if flagged_polynomial and len(set(weights)) > 1:
         notes.append("flagged polynomial, but its weights differ: read as rational")
     if periodic and knots[:1] == knots[degree : degree + 1]:
         notes.append("flagged periodic, but its knots are clamped: read as written")
     equal = len(set(weights)) == 1
     plain = None if equal and weights[0] == 1 and flagged_polynomial else weights
-    _add(found, entry, where, (degree, knots, points, plain), notes)
+    _add(found, entry, where, (degree, knots, points, plain), notes, within)
+
+
+def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] | None, list[str]]:
+    """The part of the domain that an entity uses (its V(0) and V(1)), and what is to be said of it."""
+    if len(knots) < 2 * degree + 2 or (start, end) == (low_high := (knots[degree], knots[-degree - 1])):
+        return None, []
+    low, high = max(start, low_high[0]), min(end, low_high[1])
+    if not low < high:
+        return None, [f"the entity uses no parameters of the spline ({start} to {end}): the whole spline is read"]
+    beyond = "" if (low, high) == (start, end) else f", its spline only those from {low_high[0]} to {low_high[1]}"
+    return (low, high), [f"the entity uses the parameters from {start} to {end}{beyond}"]
 
 
 Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
 
 
-def _add(found: Collector, entry: Entry, where: str, parts: Parts, notes: Sequence[str] = ()) -> None:
+def _add(
+    found: Collector,
+    entry: Entry,
+    where: str,
+    parts: Parts,
+    notes: Sequence[str] = (),
+    within: tuple[mpq, mpq] | None = None,
+) -> None:
     degree, knots, points, weights = parts
     if entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points):
         points, notes = [point[:2] for point in points], [*notes, "in the parameter plane of a surface"]
-    name = f"{entry.label or entry.kind} {entry.number}"
-    found.add(f"entity {entry.kind}", where, degree, knots, points, weights, name=name, notes=notes)
+    if entry.blanked:
+        notes = [*notes, "blanked: not to be displayed"]
+    name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {entry.kind}"
+    found.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within)
 
 
 def _pieces(found: Collector, entry: Entry, where: str, segments: Sequence[Segment]) -> None:

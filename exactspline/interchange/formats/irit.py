@@ -48,7 +48,7 @@ def read(source: Source) -> Reading:
             except ExactSplineError as error:
                 found.skip("curve", where, str(error))
         elif keyword in SKIPPED:
-            found.skip(keyword.lower(), name or "unnamed object", "no spline curve")
+            found.skip(keyword.lower(), name or "unnamed object", "no spline curve", curve=keyword == "POLYLINE")
         else:
             waiting += [(item, name) for item in reversed(node) if isinstance(item, list)]
     return found.reading()
@@ -69,7 +69,7 @@ def _tree(source: Source, found: Collector) -> Node:
             nodes.append(inner)
         elif token == "]":
             if len(nodes) == 1:
-                found.skip("closing bracket", f"character {match.start()}", "no bracket is open there")
+                found.skip("closing bracket", f"character {match.start()}", "no bracket is open there", curve=False)
             else:
                 nodes.pop()
         else:

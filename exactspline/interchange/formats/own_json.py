@@ -75,6 +75,7 @@ def _curve(found: Collector, entry: Any, where: str) -> None:
         [_point(found, row) for row in _list(entry["control_points"])],
         None if entry.get("weights") is None else _row(found, entry["weights"]),
         name=str(entry.get("name") or "") or found.source.name,
+        notes=[f"{key}: {entry[key]}" for key in ("note", "source") if entry.get(key)],
     )
 
 

@@ -3,7 +3,7 @@
 NURBS curves, lines and polylines are read, of polycurves every segment, of arcs the full circles, exactly for the
 plane as written; other arcs have irrational ends. openNURBS leaves out the first and the last knot: they are added
 again, which changes nothing, as no point of the domain depends on them. Edges of Breps and all other objects are
-skipped.
+skipped; copies of block definitions are not placed: their curves are read as the block defines them, with a note.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ from exactspline.interchange.writing import homogeneous, in_space
 
 #: How long the library may work on one archive.
 SECONDS = 30
+#: Objects that are curves, or place some.
+CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "PolylineCurve", "NurbsCurve")
 MISSING = "the first and the last knot, which openNURBS leaves out, repeat their neighbours"
 
 
@@ -49,6 +51,9 @@ def read(source: Source) -> Reading:
     found = Collector("3dm", source)
     _rhino()
     for entry in _entries(source):
+        if "unit" in entry:
+            found.note(f"lengths in {entry['unit']}: read as written")
+            continue
         where, kind = entry["where"], entry["kind"]
         try:
             if "plane" in entry:
@@ -56,7 +61,7 @@ def read(source: Source) -> Reading:
             elif "points" in entry:
                 _spline(found, entry)
             else:
-                found.skip(kind, where, "no curve that is read")
+                found.skip(kind, where, "no curve that is read", curve=kind in CURVES)
         except ExactSplineError as error:
             found.skip(kind, where, str(error))
     return found.reading()
@@ -82,7 +87,7 @@ def _spline(found: Collector, entry: dict[str, Any]) -> None:
     inner, rows = [rational(knot) for knot in entry["knots"]], [[rational(x) for x in row] for row in entry["points"]]
     if not inner:
         raise CurveFileError("no knots", remedy="repair the object")
-    knots, notes = [inner[0], *inner, inner[-1]], [MISSING]
+    knots, notes = [inner[0], *inner, inner[-1]], [MISSING, *entry["notes"]]
     kind, where, name, homogeneous_points = entry["kind"], entry["where"], entry["name"], entry["rational"]
     points = rows if homogeneous_points else [row[:3] for row in rows]
     degree = entry["degree"]
@@ -99,7 +104,7 @@ def _circle(found: Collector, entry: dict[str, Any]) -> None:
     degree, knots, points = joined(mapped(arc_around_origin(one, one), frame))
     note = "a whole circle, exact for the plane as written; its angle was the parameter"
     where, name = entry["where"], entry["name"]
-    found.add("ArcCurve", where, degree, knots, points, homogeneous=True, name=name, notes=[note])
+    found.add("ArcCurve", where, degree, knots, points, homogeneous=True, name=name, notes=[note, *entry["notes"]])
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -1,7 +1,8 @@
 """STEP part 21: polylines and B-spline curves, plain and rational, of all kinds of knots (with knots, Bézier, uniform,
 quasi-uniform).
 
-Curves are read as they are in the file, in its units; placements of an assembly and the use by edges are not followed.
+Curves are read as they are in the file, in its units; placements of an assembly and the use of splines by edges are not
+followed: notes say so.
 Lines, circles and ellipses are read between the vertices of an edge, closed ones also whole; exactly, so only
 where the axes have rational length and the vertices are exactly on the curve. Everything else is listed as skipped.
 """
@@ -26,9 +27,19 @@ SKIPPED = {
     "PARABOLA": "no ends", "HYPERBOLA": "no ends", "TRIMMED_CURVE": "the trimming is not followed",
     "COMPOSITE_CURVE": "its parts are read one by one", "OFFSET_CURVE_2D": "not rational",
     "OFFSET_CURVE_3D": "not rational", "B_SPLINE_SURFACE_WITH_KNOTS": "a surface", "B_SPLINE_SURFACE": "a surface",
-    "CLOTHOID": "not rational",
+    "CLOTHOID": "not rational", "CURVE_REPLICA": "a moved copy is not followed",
 }  # fmt: skip
+#: Of these no curve is missing.
+NO_CURVE = ("COMPOSITE_CURVE", "B_SPLINE_SURFACE_WITH_KNOTS", "B_SPLINE_SURFACE")
+#: Instances that place something.
+PLACING = (
+    "MAPPED_ITEM", "ITEM_DEFINED_TRANSFORMATION", "CARTESIAN_TRANSFORMATION_OPERATOR_3D",
+    "CARTESIAN_TRANSFORMATION_OPERATOR_2D", "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION",
+)  # fmt: skip
+_METRE = re.compile(r"\bSI_UNIT\s*\(\s*(\$|\.[A-Z]+\.)\s*,\s*\.METRE\.\s*\)")
+_CONVERSION = re.compile(r"\bCONVERSION_BASED_UNIT\s*\(\s*'([^']{1,40})'")
 _KEYWORD = re.compile(r"\(?\s*([A-Z0-9_]+)")
+_REFERENCE = re.compile(r"#(\d{1,12})", re.ASCII)
 _CURVE = re.compile(rf"\b(?:{SPLINE}|{'|'.join(KINDS)})\b")
 
 
@@ -48,7 +59,7 @@ def read(source: Source) -> Reading:
         keyword = match[1] if match else ""
         if keyword == "POLYLINE" or (_CURVE.search(text) and (text.startswith("(") or keyword in (SPLINE, *KINDS))):
             try:
-                _curve(file, parts(text, source.limits), where)
+                _curve(file, parts(text, source.limits), where, edges.notes(number))
             except ExactSplineError as error:
                 found.skip(keyword, where, str(error))
         elif keyword in ELEMENTARY or keyword == EDGE:
@@ -57,16 +68,39 @@ def read(source: Source) -> Reading:
             except ExactSplineError as error:
                 found.skip(keyword, where, str(error))
         elif keyword in SKIPPED:
-            found.skip(keyword, where, SKIPPED[keyword])
+            found.skip(keyword, where, SKIPPED[keyword], curve=keyword not in NO_CURVE)
+        elif keyword in PLACING:
+            found.note("parts are placed by the file: curves are read where they are defined")
+    for unit in sorted(_units(file)):
+        found.note(f"lengths in {unit}: read as written")
     return found.reading()
 
 
-def _curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
+def _units(file: StepFile) -> set[str]:
+    """The units of length that the representations of the file use."""
+    used = {
+        reference
+        for text in file.instances.values()
+        if "GLOBAL_UNIT_ASSIGNED_CONTEXT" in text
+        for reference in _REFERENCE.findall(text.partition("GLOBAL_UNIT_ASSIGNED_CONTEXT")[2])
+    }
+    found = set()
+    for reference in used:
+        text = file.instances.get(int(reference), "")
+        metre, other = _METRE.search(text), _CONVERSION.search(text)
+        if metre:
+            found.add(f"{metre[1].strip('.$').lower()}metres")
+        elif other and "LENGTH_UNIT" in text:
+            found.add(other[1].lower())
+    return found
+
+
+def _curve(file: StepFile, entity: dict[str, list[Value]], where: str, notes: Sequence[str]) -> None:
     kind = next((kind for kind in ("POLYLINE", *KINDS) if kind in entity), "")
     if kind == "POLYLINE":
         points = [file.point(reference) for reference in file.texts(_last(entity[kind]))]
         knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
-        file.found.add(kind, where, 1, knots, points, name=_name(entity[kind], where))
+        file.found.add(kind, where, 1, knots, points, name=_name(entity[kind], where), notes=notes)
         return
     if not kind:
         raise CurveFileError("a B-spline curve without knots", remedy=f"one of {', '.join(KINDS)} is needed")
@@ -82,7 +116,7 @@ def _curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
     points = [file.point(reference) for reference in file.texts(base[1])]
     knots = _listed(file, own) if kind == WITH_KNOTS else _standard(kind, degree, len(points))
     weights = file.numbers(entity[RATIONAL][0]) if entity.get(RATIONAL) else None
-    notes = [] if kind == WITH_KNOTS else [f"{kind}: the knots that the standard defines"]
+    notes = [*notes, *([] if kind == WITH_KNOTS else [f"{kind}: the knots that the standard defines"])]
     file.found.add(kind, where, degree, knots, points, weights, name=_name(name, where), notes=notes)
 
 

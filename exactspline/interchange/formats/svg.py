@@ -1,16 +1,18 @@
 """SVG: paths and basic shapes, one curve per subpath, in the coordinates of the outermost ``<svg>``.
 
 Lines, quadratics and cubics are exact, elliptic arcs where their centre is rational and their axes are parallel to the
-coordinate axes (or they are circular); a subpath with another arc is skipped. Transforms are applied exactly; one with
-an irrational sine, cosine or tangent skips what it moves. Path data with an error count up to the error, as the
-standard says. Definitions (`defs`, `marker`, …) and copies (`use`) are skipped. svgelements and
-svgpathtools hold floats, so the text is parsed here.
+coordinate axes (or they are circular); a subpath with another arc is skipped. Transforms are applied exactly, about
+their origin; one with an irrational sine, cosine or tangent skips what it moves. Path data with an error count up to
+the error, as the standard says. Copies (`use`) are placed, of a `switch` the first child is drawn that needs no
+extension and no language. What style sheets may move or shape is skipped, what they may hide is said in a note.
+Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools hold floats, so the text is parsed here.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from exactspline.errors import ExactSplineError, ShapeError
@@ -20,18 +22,45 @@ from exactspline.interchange.collector import Collector
 from exactspline.interchange.numbers import NumberText, decimal
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
 from exactspline.interchange.segments import Segment, arc_around_origin, joined, mapped, polynomial
-from exactspline.interchange.svg_paths import Subpath, subpaths
-from exactspline.interchange.svg_transforms import transform
+from exactspline.interchange.svg_paths import Subpath, least_size, subpaths
+from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, Sheet, declarations, in_words
+from exactspline.interchange.svg_transforms import about, length, transform
 from exactspline.interchange.writing import pen_segments
 from exactspline.interchange.xml_tree import Element, attribute, parse
 
-DEFINITIONS = ("defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "font", "glyph")
-SKIPPED = {"use": "a placed copy is not followed", "text": "glyphs need a font", "image": "no curve"}
+DEFINITIONS = (
+    "defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "radialGradient", "filter", "font",
+    "glyph", "missing-glyph", "hatch", "cursor",
+)  # fmt: skip
+SKIPPED = {
+    "text": "glyphs need a font", "image": "not a curve", "foreignObject": "another language", "video": "not a curve",
+    "audio": "not a curve", "canvas": "not a curve", "iframe": "not a curve",
+}  # fmt: skip
 SHAPES = ("path", "line", "polyline", "polygon", "rect", "circle", "ellipse")
+CONTAINERS = ("svg", "g", "a", "switch", "use", "symbol")
+SILENT = ("style", "script", "title", "desc", "metadata", "view")
+ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set", "discard")
 IDENTITY = Affine.identity(2)
 
-
 LOSES = "SVG holds no knots: segments are kept, their parameter intervals are not"
+
+
+class NotDrawnError(ShapeError):
+    """A shape of which nothing is drawn: no curve is missing."""
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where an element is drawn: the map from its coordinates, what is to be said of all curves below, how it is
+    reached, and the ids of what is copied there.
+    """
+
+    placed: Affine = IDENTITY
+    notes: tuple[str, ...] = ()
+    reached: str = ""
+    copies: frozenset[str] = frozenset()
+    #: Whether the element is itself what a `use` copies.
+    copied: bool = False
 
 
 def looks_like(head: bytes) -> bool:
@@ -42,52 +71,181 @@ def looks_like(head: bytes) -> bool:
 def read(source: Source) -> Reading:
     """The curves of a file in the order of drawing."""
     found = Collector("svg", source)
-    waiting: list[tuple[Element, Affine]] = [(parse(source.data, source.limits), IDENTITY)]
-    root = waiting[0][0]
-    while waiting:
-        element, placed = waiting.pop()
-        where = f"{element.tag} at line {element.line}"
-        if element.tag in DEFINITIONS:
-            for below in element.walk():
-                if below.tag in SHAPES:
-                    found.skip(below.tag, f"{below.tag} at line {below.line}", f"not drawn: inside {element.tag}")
-            continue
-        if element.tag in SKIPPED:
-            found.skip(element.tag, where, SKIPPED[element.tag])
-            continue
-        try:
-            placed = placed @ _own_transform(element, element is root, source)
-            if element.tag in SHAPES:
-                _shape(found, element, where, placed)
-        except ExactSplineError as error:
-            found.skip(element.tag, where, str(error))
-            continue
-        waiting += [(child, placed) for child in reversed(element.children)]
+    _Drawing(found, parse(source.data, source.limits)).draw()
+    if b"<?xml-stylesheet" in source.data:
+        found.note("a style sheet in another file is not read: it may move, shape or hide curves")
     return found.reading()
 
 
-def _own_transform(element: Element, is_root: bool, source: Source) -> Affine:
-    if element.tag == "svg" and not is_root and {"x", "y", "viewBox"} & element.attributes.keys():
-        raise ShapeError("an inner svg with its own view", remedy="flatten the drawing")
-    if re.search(r"(?:^|[;\s])transform\s*:", element.attributes.get("style", "")):
-        raise ShapeError("a transform in CSS", remedy="write it as an attribute")
-    return transform(element.attributes.get("transform", ""), source.limits)
+class _Drawing:
+    """The walk through a file."""
+
+    def __init__(self, found: Collector, root: Element) -> None:
+        self.found, self.root, self.sheet = found, root, Sheet()
+        self.by_id: dict[str, Element] = {}
+        for element in root.walk():
+            self.by_id.setdefault(element.attributes.get("id", ""), element)
+            if element.tag == "style":
+                self.sheet.add(element.text)
+            if element.tag in ANIMATIONS:
+                found.note("animations are not followed: curves are as the file has them before")
+            if element.tag == "script":
+                found.note("a script is not run: it may change any curve")
+        if self.sheet.imports:
+            found.note("a style sheet in another file is not read: it may move, shape or hide curves")
+        if "viewBox" in root.attributes:
+            found.note("coordinates are those inside the viewBox: its placing on the page is not applied")
+
+    def draw(self) -> None:
+        """Collect the curves."""
+        waiting: list[tuple[Element, _Place]] = [(self.root, _Place())]
+        while waiting:
+            element, place = waiting.pop()
+            self.found.count(1)
+            where = f"{element.tag} at line {element.line}{place.reached}"
+            try:
+                below = self._entered(element, where, place)
+            except NotDrawnError as error:
+                self._not_drawn(element, where, str(error))
+            except ExactSplineError as error:
+                self.found.skip(element.tag, where, str(error))
+            else:
+                waiting += reversed(below)
+
+    def _entered(self, element: Element, where: str, place: _Place) -> list[tuple[Element, _Place]]:
+        """Collect the curves of an element itself; what is drawn below it, and where."""
+        tag = element.tag
+        if tag in SILENT or tag in ANIMATIONS:
+            return []
+        if tag in DEFINITIONS and not (tag == "symbol" and place.copied):
+            self._not_drawn(element, where, f"not drawn: inside {tag}")
+            return []
+        if tag in SKIPPED:
+            self.found.skip(tag, where, SKIPPED[tag], curve=False)
+            return []
+        if why := _condition(element):
+            raise NotDrawnError(why)
+        place = self._placed(element, place)
+        if tag in SHAPES:
+            _shape(self.found, element, where, place)
+            return []
+        if tag == "use":
+            return [self._copied(element, place)]
+        if tag not in CONTAINERS:
+            place = replace(place, notes=(*place.notes, f"inside of <{tag[:40]}>, which SVG does not define"))
+        return [(child, place) for child in (self._chosen(element) if tag == "switch" else element.children)]
+
+    def _not_drawn(self, element: Element, where: str, why: str) -> None:
+        """Name the shapes of an element of which nothing is drawn."""
+        for below in element.walk():
+            if below.tag in (*SHAPES, "use"):
+                own = where if below is element else f"{below.tag} at line {below.line}"
+                self.found.skip(below.tag, own, why, curve=False)
+
+    def _chosen(self, switch: Element) -> list[Element]:
+        """Of the children of a `switch` the first that can be drawn."""
+        chosen = next((child for child in switch.children if child.tag not in SILENT and not _condition(child)), None)
+        for child in switch.children:
+            if child is not chosen and child.tag not in SILENT:
+                why = _condition(child) or "not drawn: an earlier child of the switch is"
+                self._not_drawn(child, f"{child.tag} at line {child.line}", why)
+        return [] if chosen is None else [chosen]
+
+    def _placed(self, element: Element, place: _Place) -> _Place:
+        """Where the inside of an element is drawn."""
+        style, sheet = declarations(element.attributes.get("style", "")), self.sheet.may_set(element)
+        is_root = element is self.root
+        if element.tag == "svg" and not is_root and {"x", "y", "viewBox"} & element.attributes.keys():
+            raise ShapeError("an inner svg with its own view", remedy="flatten the drawing")
+        if element.tag == "symbol" and {"x", "y", "viewBox", "refX", "refY"} & element.attributes.keys():
+            raise ShapeError("a symbol with its own view", remedy="flatten the drawing")
+        if is_root:
+            # the size and the place of the outermost svg are those of the page
+            if element.attributes.get("transform", "").strip() or MOVING & {*style, *sheet}:
+                self.found.note("the outermost svg is moved on the page: not applied")
+            return replace(place, notes=self._hidden(element, style, sheet))
+        shaping = SHAPING.get(element.tag, frozenset()) | {"all"}
+        if given := shaping & {*style, *sheet}:
+            raise ShapeError(f"CSS sets {in_words(given)}", remedy="write attributes")
+        moving = {name for name in MOVING & style.keys() if style[name].lower() != "none"} | MOVING & sheet
+        if moving or ORIGIN & sheet:
+            raise ShapeError(
+                f"a transform in CSS ({in_words(moving | ORIGIN & sheet)})", remedy="write it as an attribute"
+            )
+        own = IDENTITY
+        if "transform" not in style:
+            own = transform(element.attributes.get("transform", ""), self.found.limits)
+        if not own.is_identity:
+            own = about(own, element.attributes, style, self.found.limits)
+        clips = element.tag in ("svg", "symbol") and ({"width", "height"} & element.attributes.keys())
+        cut = ("an inner svg may show a part of it alone",) if clips else ()
+        notes = tuple(dict.fromkeys((*place.notes, *self._hidden(element, style, sheet), *cut)))
+        return replace(place, placed=place.placed @ own, notes=notes, copied=False)
+
+    def _hidden(self, element: Element, style: dict[str, str], sheet: frozenset[str]) -> tuple[str, ...]:
+        """What is said of curves that are hidden, in part or perhaps; `NotDrawnError` where nothing is drawn."""
+        given = {name: element.attributes[name] for name in HIDING if name in element.attributes}
+        given |= {name: style[name] for name in HIDING if name in style}
+        given = {name: value.strip() for name, value in given.items()}
+        may = sheet & set(HIDING)
+        if given.get("display") == "none" and not may:
+            raise NotDrawnError("not drawn: display is none")
+        said = [f"{name} is {value[:40]}, here or around it: the whole curve is read" for name, value in given.items()
+                if value not in ("", "none", "visible", "inline", "block", "auto", "inherit")]  # fmt: skip
+        said += [f"a style sheet may hide it ({in_words(may)})"] if may else []
+        return tuple(said)
+
+    def _copied(self, use: Element, place: _Place) -> tuple[Element, _Place]:
+        """The element that a `use` copies, and where: its x and y are a translation within its transform."""
+        links = [value for key, value in use.attributes.items() if key.rpartition(":")[2] == "href"]
+        # the attribute without a prefix comes first
+        link = use.attributes.get("href", links[0] if links else "").strip()
+        if not link.startswith("#"):
+            raise ShapeError(
+                "a copy of what stands in another file" if link else "a copy of nothing", remedy="place it"
+            )
+        target = self.by_id.get(link[1:])
+        if target is None or not link[1:]:
+            raise ShapeError(f"a copy of {link[:40]!r}, which is not in the file", remedy="correct the link")
+        if link in place.copies or len(place.copies) >= self.found.limits.depth:
+            raise ShapeError("a copy of itself", remedy="correct the link")
+        if target.tag == "svg":
+            raise ShapeError("a copy of an svg with its own view", remedy="flatten the drawing")
+        shift = [length(use.attributes.get(axis, "0"), self.found.limits) for axis in "xy"]
+        moved = place.placed @ Affine([[1, 0, shift[0]], [0, 1, shift[1]]])
+        reached, copies = f"{place.reached}, copied at line {use.line}", place.copies | {link}
+        return target, _Place(moved, place.notes, reached, copies, copied=True)
 
 
-def _shape(found: Collector, element: Element, where: str, placed: Affine) -> None:
+def _condition(element: Element) -> str:
+    """Why an element is not drawn by a reader that supports no extension and prefers no language; "" if it is."""
+    if "requiredExtensions" in element.attributes:
+        return "not drawn: it requires an extension"
+    if "systemLanguage" in element.attributes:
+        return f"not drawn: it is for the language {element.attributes['systemLanguage'][:40]!r}"
+    return ""
+
+
+def _shape(found: Collector, element: Element, where: str, place: _Place) -> None:
     name = element.attributes.get("id") or f"{element.tag} {element.line}"
+    notes = list(place.notes)
     if element.tag == "path":
-        parsed, problem = subpaths(element.attributes.get("d", ""), found.limits)
+        data = element.attributes.get("d", "")
+        found.room(least_size(data))
+        parsed, problem = subpaths(data, found.limits)
+        if not parsed:
+            raise ShapeError(problem, remedy="correct the path data") if problem else NotDrawnError("no segments")
+        notes += [f"{problem}: read up to there"] if problem else []
     else:
-        parsed, problem = [Subpath(_basic(found, element))], ""
-    notes = [f"{problem}: read up to there"] if problem else []
+        segments, said = _basic(found, element)
+        parsed, notes = [Subpath(segments)], notes + said
     several = len(parsed) > 1
     for i, part in enumerate(parsed, 1):
-        place = f"{where}, subpath {i}" if several else where
+        at = f"{where}, subpath {i}" if several else where
         if part.problem:
-            found.skip("subpath", place, part.problem)
+            found.skip("subpath", at, part.problem)
             continue
-        _add(found, element.tag, place, mapped(part.segments, placed), f"{name}.{i}" if several else name, notes)
+        _add(found, element.tag, at, mapped(part.segments, place.placed), f"{name}.{i}" if several else name, notes)
 
 
 def _add(found: Collector, what: str, where: str, segments: Sequence[Segment], name: str, notes: Sequence[str]) -> None:
@@ -98,36 +256,47 @@ def _add(found: Collector, what: str, where: str, segments: Sequence[Segment], n
         found.add(what, where, degree, knots, points, homogeneous=True, name=name, notes=notes)
 
 
-def _basic(found: Collector, element: Element) -> list[Segment]:
-    """The segments of a basic shape, in the order in which the standard draws them."""
+def _basic(found: Collector, element: Element) -> tuple[list[Segment], list[str]]:
+    """The segments of a basic shape, in the order in which the standard draws them, and what is to be said of them."""
 
-    def length(attribute: str) -> mpq:
-        text = element.attributes.get(attribute, "0").strip()
-        return decimal(text.removesuffix("px"), found.limits)
+    def size(key: str) -> mpq:
+        return length(element.attributes.get(key, "0"), found.limits)
 
+    notes: list[str] = []
     if element.tag == "line":
-        return [polynomial((length("x1"), length("y1")), (length("x2"), length("y2")))]
+        return [polynomial((size("x1"), size("y1")), (size("x2"), size("y2")))], notes
     if element.tag in ("circle", "ellipse"):
-        circle = element.tag == "circle"
-        rx, ry = (length("r"), length("r")) if circle else (length("rx"), length("ry"))
-        if rx <= 0 or ry <= 0:
-            raise ShapeError("no radius is positive", remedy="nothing is drawn")
-        one = (mpq(1), mpq(0))
-        return mapped(arc_around_origin(one, one), Affine([[rx, 0, length("cx")], [0, ry, length("cy")]]))
+        return _round(element, size), notes
     if element.tag == "rect":
-        if {"rx", "ry"} & element.attributes.keys():
+        radii = [element.attributes[key].strip() for key in ("rx", "ry") if key in element.attributes]
+        if any(radius != "auto" and length(radius, found.limits) for radius in radii):
             raise ShapeError("a rectangle with round corners", remedy="write it as a path")
-        x, y, width, height = map(length, ("x", "y", "width", "height"))
+        x, y, width, height = (size(key) for key in ("x", "y", "width", "height"))
+        if width <= 0 or height <= 0:
+            raise NotDrawnError("no width or no height", remedy="nothing is drawn")
         corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
     else:
         texts = element.attributes.get("points", "").replace(",", " ").split()
-        found.count(len(texts))
+        found.room(len(texts))
         numbers = [decimal(text, found.limits) for text in texts]
         corners = list(zip(numbers[::2], numbers[1::2], strict=False))
+        notes += ["an odd number of coordinates: the last one is left out"] if len(numbers) % 2 else []
         corners += corners[:1] if element.tag == "polygon" and corners[:1] != corners[-1:] else []
     if len(corners) < 2:
-        raise ShapeError("fewer than two points", remedy="nothing is drawn")
-    return [polynomial(a, b) for a, b in pairwise(corners)]
+        raise NotDrawnError("fewer than two points", remedy="nothing is drawn")
+    return [polynomial(a, b) for a, b in pairwise(corners)], notes
+
+
+def _round(element: Element, size: Callable[[str], mpq]) -> list[Segment]:
+    """A whole circle or ellipse; a radius that is left out is the other one."""
+    given = ["r"] if element.tag == "circle" else [
+        key for key in ("rx", "ry") if element.attributes.get(key, "auto").strip() != "auto"
+    ]  # fmt: skip
+    rx, ry = (size(given[0]), size(given[-1])) if given else (mpq(0), mpq(0))
+    if rx <= 0 or ry <= 0:
+        raise NotDrawnError("no radius is positive", remedy="nothing is drawn")
+    one = (mpq(1), mpq(0))
+    return mapped(arc_around_origin(one, one), Affine([[rx, 0, size("cx")], [0, ry, size("cy")]]))
 
 
 def write(curves: Sequence[NamedCurve], numbers: NumberText) -> bytes:

@@ -91,6 +91,26 @@ def signed_offset_speed(c):
     return c.gamma.d(1) * (1 - ph_curvature(c))
 
 
+@formula("phCurve", on="plane with delta")
+def hodograph_of_three(c):
+    """``c′ = w² h``, for u and v the numerators of a plane curve and h its denominator."""
+    return complex_product(c.p, c.p) * c.w
+
+
+@formula("phCurve, computePHOffset", on="plane with delta")
+def offset_velocity_at_any_distance(c):
+    """The derivative of the offset ``c + δ n``."""
+    unit_normal = perp(complex_product(c.p, c.p)) / norm2(c.p)
+    return hodograph_of_three(c) + (unit_normal * c.delta).d(1)
+
+
+@formula("Divide out the scale", on="plane with delta")
+def velocity_times_offset_factor(c):
+    """``(1 − δκ) c′`` with ``κ = [c′ c″]/σ³``."""
+    a = hodograph_of_three(c)
+    return a * (1 - det(a, a.d(1)) * c.delta / (norm2(c.p) * c.w) ** 3)
+
+
 @formula("curvature in complex notation", on="hodograph")
 def spinor_wronskian(c):
     """``2 (u v′ − v u′) h``."""

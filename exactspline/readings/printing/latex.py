@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
+from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, PRODUCT, Printer, leaf, named_binding, number
-from exactspline.readings.tree import Node, Operation
 
 _GREEK = {"gamma": r"\gamma", "sigma": r"\sigma", "rho": r"\rho"}
 
@@ -15,7 +15,7 @@ class LatexPrinter(Printer):
 
     minus, cross, dot, between, ruling = "-", r"\times", r"\cdot", r"\,", r"\zeta"
 
-    def atom(self, n: Node) -> tuple[str, int]:
+    def atom(self, n: Expression) -> tuple[str, int]:
         """A name or a number."""
         if n.op is Operation.NUMBER:
             text, binding = number(n.value)
@@ -27,7 +27,7 @@ class LatexPrinter(Printer):
         symbol = _GREEK.get(name) or re.sub(r"(?<=[a-zA-Z])(\d+)$", r"_{\1}", name)
         return (rf"\bar{{{symbol}}}" if barred else symbol), ATOM
 
-    def quotient(self, a: Node, b: Node) -> tuple[str, int]:
+    def quotient(self, a: Expression, b: Expression) -> tuple[str, int]:
         """A fraction."""
         return rf"\frac{{{self.inner(a)}}}{{{self.inner(b)}}}", PRODUCT
 

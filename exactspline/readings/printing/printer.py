@@ -6,8 +6,8 @@ from abc import ABC, abstractmethod
 
 from exactspline.exact import Number
 from exactspline.language.choices import Parameter
+from exactspline.readings.expression import ATOMS, Expression, Operation
 from exactspline.readings.printing.units import without_units
-from exactspline.readings.tree import ATOMS, Node, Operation
 
 #: The parameters of surfaces: derivatives by them are written as subscripts.
 SUBSCRIPTS = (Parameter.U, Parameter.V)
@@ -19,15 +19,15 @@ SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
 class Printer(ABC):
     """A walk over a tree; subclasses define how each node is written."""
 
-    def __call__(self, node: Node) -> str:
+    def __call__(self, node: Expression) -> str:
         """The text of a tree."""
         return self.inner(without_units(node))
 
-    def inner(self, node: Node) -> str:
+    def inner(self, node: Expression) -> str:
         """The text of a part of a tree."""
         return self.show(node)[0]
 
-    def show(self, n: Node) -> tuple[str, int]:
+    def show(self, n: Expression) -> tuple[str, int]:
         """The text of a node and how tightly it binds."""
         if n.op in ATOMS:
             return self.atom(n)
@@ -61,12 +61,12 @@ class Printer(ABC):
             return self.parentheses(", ".join(map(self.inner, n.args))), ATOM
         return self.product(n)
 
-    def at(self, n: Node, least: int) -> str:
+    def at(self, n: Expression, least: int) -> str:
         """The text of an argument, in parentheses if it binds less tightly than required."""
         text, binding = self.show(n)
         return text if binding >= least else self.parentheses(text)
 
-    def times(self, n: Node) -> str:
+    def times(self, n: Expression) -> str:
         """A product, scalars before vectors."""
         a, b = n.args
         if (
@@ -78,7 +78,7 @@ class Printer(ABC):
             a, b = b, a
         return f"{self.at(a, PRODUCT)}{self.between}{self.at(b, POWER)}"
 
-    def product(self, n: Node) -> tuple[str, int]:
+    def product(self, n: Expression) -> tuple[str, int]:
         """A product of vectors."""
         parts = [self.at(a, POWER) for a in n.args]
         if n.op is Operation.DOT and n.args[0] is n.args[1]:
@@ -99,11 +99,11 @@ class Printer(ABC):
     ruling: str
 
     @abstractmethod
-    def atom(self, n: Node) -> tuple[str, int]:
+    def atom(self, n: Expression) -> tuple[str, int]:
         """A leaf, a number or a named formula."""
 
     @abstractmethod
-    def quotient(self, a: Node, b: Node) -> tuple[str, int]:
+    def quotient(self, a: Expression, b: Expression) -> tuple[str, int]:
         """A quotient."""
 
     @abstractmethod
@@ -147,7 +147,7 @@ class Printer(ABC):
         """A generalized cross product."""
 
 
-def _letters(n: Node) -> tuple[Node, str]:
+def _letters(n: Expression) -> tuple[Expression, str]:
     """The innermost operand of nested derivatives, and their parameters, the first one first."""
     letters = ""
     while n.op is Operation.DERIVATIVE and n.value.by in SUBSCRIPTS:
@@ -156,7 +156,7 @@ def _letters(n: Node) -> tuple[Node, str]:
     return n, letters
 
 
-def named_binding(n: Node) -> int:
+def named_binding(n: Expression) -> int:
     """How tightly the symbol of a named formula binds: one that ends in a power needs parentheses before another
     power.
     """

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
+from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
-from exactspline.readings.tree import Node, Operation
 
 _GREEK = {
     **{"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"},
@@ -20,7 +20,7 @@ class TextPrinter(Printer):
 
     minus, cross, dot, between, ruling = "−", "×", "·", " ", "ζ"
 
-    def atom(self, n: Node) -> tuple[str, int]:
+    def atom(self, n: Expression) -> tuple[str, int]:
         """A name or a number."""
         if n.op is Operation.NUMBER:
             return number(n.value)
@@ -29,7 +29,7 @@ class TextPrinter(Printer):
         name, barred = leaf(n.value)
         return _barred(_GREEK.get(name, name).translate(_SUBSCRIPT), barred), ATOM
 
-    def quotient(self, a: Node, b: Node) -> tuple[str, int]:
+    def quotient(self, a: Expression, b: Expression) -> tuple[str, int]:
         """``a/b``."""
         return f"{self.at(a, 2)}/{self.at(b, 3)}", 2
 

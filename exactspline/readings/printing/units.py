@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from exactspline.exact import Number
-from exactspline.readings.tree import ATOMS, Node, Operation
+from exactspline.readings.expression import ATOMS, Expression, Operation
 
 
-def without_units(n: Node) -> Node:
+def without_units(n: Expression) -> Expression:
     """A tree of the same value: nothing is added to 0 or multiplied by 0, 1 or −1, and products have their sign in
     front; shared nodes stay shared.
 
     >>> from exactspline.readings.printing.text import print_text
+    >>> from exactspline.readings.tree import Node
     >>> x, y = Node(Operation.LEAF, value="x"), Node(Operation.LEAF, value="y")
     >>> print_text((0 + x * (-1)) * (1 + 0 * y) + y * (-1)), print_text(2 * x - 0 * y)
     ('−x − y', '2 x')
@@ -24,55 +25,61 @@ class _Cleaned:
     """The trees made so far, by the nodes that they are made of."""
 
     def __init__(self) -> None:
-        self.made: dict[int, Node] = {}
+        self.made: dict[int, Expression] = {}
 
-    def __call__(self, n: Node) -> Node:
+    def __call__(self, n: Expression) -> Expression:
         if n.op in ATOMS:
             return n
         found = self.made.get(id(n))
         if found is None:
             args = tuple(map(self, n.args))
             same = all(a is b for a, b in zip(args, n.args, strict=True))
-            found = n if same else Node(n.op, args, n.value, vector=n.is_vector)
+            found = n if same else Expression(n.op, args, n.value, vector=n.is_vector)
             if n.op in _RULES:
                 found = _RULES[n.op](found, *args)
             self.made[id(n)] = found
         return found
 
 
-def _is(n: Node, value: int) -> bool:
+def _is(n: Expression, value: int) -> bool:
     return n.op is Operation.NUMBER and n.value == value
 
 
-def _is_integer(n: Node) -> bool:
+def _is_integer(n: Expression) -> bool:
     return n.op is Operation.NUMBER and n.value == int(n.value)
 
 
-def _number(value: Number) -> Node:
-    return Node(Operation.NUMBER, value=value)
+def _number(value: Number) -> Expression:
+    return Expression(Operation.NUMBER, value=value)
 
 
-def _negative(n: Node) -> Node:
+def _negative(n: Expression) -> Expression:
     if n.op is Operation.NUMBER:
         return _number(-n.value)
-    return n.args[0] if n.op is Operation.NEGATIVE else -n
+    if n.op is Operation.NEGATIVE:
+        return n.args[0]
+    return Expression(Operation.NEGATIVE, (n,), vector=n.is_vector)
 
 
-def _sum(n: Node, a: Node, b: Node) -> Node:
+def _made(op: Operation, a: Expression, b: Expression) -> Expression:
+    return Expression(op, (a, b), vector=a.is_vector or b.is_vector)
+
+
+def _sum(n: Expression, a: Expression, b: Expression) -> Expression:
     if _is(a, 0) or _is(b, 0):
         return b if _is(a, 0) else a
     if b.op is Operation.PLUS and b.args[0].op is Operation.NEGATIVE:
-        return a - b.args[0].args[0] + b.args[1]
-    return a - b.args[0] if b.op is Operation.NEGATIVE else n
+        return _made(Operation.PLUS, _made(Operation.MINUS, a, b.args[0].args[0]), b.args[1])
+    return _made(Operation.MINUS, a, b.args[0]) if b.op is Operation.NEGATIVE else n
 
 
-def _difference(n: Node, a: Node, b: Node) -> Node:
+def _difference(n: Expression, a: Expression, b: Expression) -> Expression:
     if _is(a, 0) or _is(b, 0):
         return _negative(b) if _is(a, 0) else a
     return n
 
 
-def _product(n: Node, a: Node, b: Node) -> Node:
+def _product(n: Expression, a: Expression, b: Expression) -> Expression:
     if _is(a, 0) or _is(b, 0):
         return n if n.is_vector else _number(0)
     for unit, other in ((a, b), (b, a)):
@@ -84,15 +91,17 @@ def _product(n: Node, a: Node, b: Node) -> Node:
             return _negative(_product(n, unit.args[0], other) if unit is a else _product(n, other, unit.args[0]))
     if _is_integer(b) and a.op is not Operation.NUMBER and not a.is_vector:
         return _in_front(b, a)
-    return n if a is n.args[0] and b is n.args[1] else a * b
+    return n if a is n.args[0] and b is n.args[1] else _made(Operation.TIMES, a, b)
 
 
-def _in_front(factor: Node, n: Node) -> Node:
+def _in_front(factor: Expression, n: Expression) -> Expression:
     """A product with a number before its first factor."""
-    return _in_front(factor, n.args[0]) * n.args[1] if n.op is Operation.TIMES else factor * n
+    if n.op is Operation.TIMES:
+        return _made(Operation.TIMES, _in_front(factor, n.args[0]), n.args[1])
+    return _made(Operation.TIMES, factor, n)
 
 
-_RULES: dict[Operation, Callable[..., Node]] = {
+_RULES: dict[Operation, Callable[..., Expression]] = {
     Operation.PLUS: _sum,
     Operation.MINUS: _difference,
     Operation.TIMES: _product,

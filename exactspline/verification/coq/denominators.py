@@ -12,8 +12,10 @@ from flint import fmpq_mpoly
 from exactspline.exact import mpq, to_fmpq
 from exactspline.language.operand import CONSTANTS
 from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import factorize
+from exactspline.readings.expression import Operation
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, Operation, applied
+from exactspline.readings.tree import Node, applied
 
 
 class Evaluation:
@@ -67,7 +69,7 @@ def factored(value: JetFraction | mpq) -> Factored:
         return Factored(mpq(value), ())
     constant, powers = mpq(1), list[tuple[fmpq_mpoly, int]]()
     for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
-        content, factors = polynomial.factor()
+        content, factors = factorize(polynomial)
         constant *= _rational(content) ** sign
         for factor, exponent in factors:
             plain = primitive(factor)

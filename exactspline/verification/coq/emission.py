@@ -52,6 +52,30 @@ class Library:
         listed = "\n".join([f"-R . {ROOT}", *[f"{name}.v" for name in self.files]])
         _write(directory / "_CoqProject", f"{listed}\n")
 
+    def of(self, claims: Iterable[Claim]) -> Library:
+        """The theorems of some claims alone, and the files that they require.
+
+        Raises `ClaimError` where none of them has a theorem, with the reasons.
+        """
+        chosen = list(claims)
+        keys = {(claim.paper, claim.key) for claim in chosen}
+        files = {name: text for name, text in self.files.items() if name not in self.theorems}
+        theorems: dict[str, tuple[Stated, ...]] = {}
+        for name, own in self.theorems.items():
+            if found := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
+                theorems[name] = found
+                if any(not each.reason for each in found):
+                    files[name] = claims_file(found[0].claim.source_paper, found)
+        known = {(each.claim.paper, each.claim.key) for own in theorems.values() for each in own}
+        without = [Stated(c, "", "", why_unstated(c)) for c in chosen if (c.paper, c.key) not in known]
+        if without:
+            theorems[""] = tuple(without)
+        made = Library(files, theorems)
+        if len(made.unstated) == sum(map(len, theorems.values())):
+            told = dict.fromkeys(f"{each.claim.key}: {each.reason}" for each in made.unstated)
+            raise ClaimError("no theorem", where="; ".join(list(told)[:3]), remedy="name an equality of a paper")
+        return made
+
     @property
     def unstated(self) -> list[Stated]:
         """The claims of equalities that have no theorem, with the reason."""
@@ -146,8 +170,15 @@ def claims_header(name: str, text: str) -> str:
     )
 
 
-def emit(directory: Path) -> Library:
-    """Write all theorems into a directory."""
-    made = library()
+def why_unstated(claim: Claim) -> str:
+    """Why a claim has no theorem."""
+    if not isinstance(claim, STATED):
+        return f"claims of the kind {claim.kind!r} are not equalities"
+    return "formulas of users' folders are not written in Coq" if not claim.source_paper.package else "it has none"
+
+
+def emit(directory: Path, claims: Iterable[Claim] | None = None) -> Library:
+    """Write theorems into a directory: of these claims, of all papers without any."""
+    made = library() if claims is None else library().of(claims)
     made.write(directory)
     return made

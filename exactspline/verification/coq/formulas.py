@@ -11,7 +11,8 @@ from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, TableKind
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.papers import Paper
-from exactspline.readings.tree import Node, Operation
+from exactspline.readings.expression import Operation
+from exactspline.readings.tree import Node
 from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.tracing import body
 
@@ -97,10 +98,10 @@ class Formulas:
             raise FormulaError(
                 f"{formula.name} is another term in every dimension", remedy="write one formula per dimension"
             )
-        said = " ".join((formula.__doc__ or "").split()).replace("*)", "* )")
+        said = " ".join((formula.__doc__ or "").split())
         name = identifier(formula.name)
         return (
-            f"(** {formula.source}. {comment(said)} *)\n"
+            f"(** {comment(formula.source)}. {comment(said)} *)\n"
             f"Definition {name} (c : {type_of(formula.kind)}) : {result_type(trees[0])} :=\n  {texts.pop()}.\n"
         )
 
@@ -126,7 +127,7 @@ def _constants(formulas: Iterable[Formula]) -> list[str]:
 
 def comment(text: str) -> str:
     """A text that is safe in a comment, in which Coq interprets quotation marks and comment signs."""
-    return text.replace('"', "”").replace("(*", "( *").replace("``", "`")
+    return text.replace('"', "”").replace("(*", "( *").replace("*)", "* )").replace("``", "`")
 
 
 def result_type(tree: Node) -> str:

@@ -18,9 +18,10 @@ from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
+from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Node, Operation, nodes
+from exactspline.readings.tree import Node, nodes
 from exactspline.verification.coq.ruled_settings import HodographSetting, ImplicitSetting
 from exactspline.verification.coq.settings import Setting
 from exactspline.verification.coq.surface_settings import FormsSetting, SurfaceCurveSetting, SurfaceSetting

@@ -15,11 +15,13 @@ from exactspline.language.formula import Formula
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import POINT_IN_SPACE, FramedKind, Kind, kind_of
 from exactspline.language.vector import Vector
-from exactspline.readings.tree import Node, Operation
+from exactspline.polynomials.factors import factorize
+from exactspline.readings.expression import Operation
+from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.denominators import Evaluation, primes
 from exactspline.verification.coq.explicit import ExplicitCurve, RationalFunction, candidates, written
-from exactspline.verification.coq.formulas import type_of
+from exactspline.verification.coq.formulas import comment, type_of
 from exactspline.verification.coq.terms import Writer, identifier
 from exactspline.verification.coq.theorems import Statement, times_factor
 from exactspline.verification.coq.tracing import Calling
@@ -42,7 +44,7 @@ class Units:
         exponents: dict[tuple[int, ...], int] = {}
         for polynomial, sign in ((value.top, 1), (value.bottom, -1)):
             numerator = polynomial.numer()
-            content, factors = numerator.factor()
+            content, factors = factorize(numerator)
             for number, s in ((int(abs(content)), sign), (int(polynomial.denom()), -sign)):
                 for p, e in primes(number).items():
                     exponents[(p,)] = exponents.get((p,), 0) + s * e
@@ -195,7 +197,7 @@ class _Attempt(Statement):
         several = len(self.kind.dimensions) > 1
         name = identifier(self.claim.key) + (f"_in_dimension_{self.dimension}" if several else "") + "_fails"
         return (
-            f"(** {self.claim.id}, {self.claim.source}, fails. *)\n"
+            f"(** {comment(self.claim.id)}, {comment(self.claim.source)}, fails. *)\n"
             f"Theorem {name} : forall (K : differential_field) (t : K),\n"
             "  characteristic_zero K -> derivative K s t = one K ->\n"
             f"  let c := {curve} in\n  {conclusion}.\n"

@@ -8,10 +8,11 @@ from functools import cache
 from importlib import resources
 
 from exactspline.errors import FormulaError
-from exactspline.exact import rational
+from exactspline.exact import rational, text
 from exactspline.language.formula import Formula
 from exactspline.language.operand import Constant
-from exactspline.readings.tree import Node, Operation, nodes
+from exactspline.readings.expression import Operation
+from exactspline.readings.tree import Node, nodes
 
 #: How tightly an operation binds.
 SUM, PRODUCT, UNARY, POWER, APPLICATION, ATOM = range(6)
@@ -189,12 +190,12 @@ def number(value: Constant) -> tuple[str, int]:
     """
     exact = rational(value)
     top = f"number {integer(int(exact.numerator))}"
-    return (top, APPLICATION) if exact.denominator == 1 else (f"{top} / number {exact.denominator}", PRODUCT)
+    return (top, APPLICATION) if exact.denominator == 1 else (f"{top} / number {text(exact.denominator)}", PRODUCT)
 
 
 def integer(value: int) -> str:
     """An integer, in parentheses where it is negative."""
-    return f"({value})" if value < 0 else str(value)
+    return f"({text(value)})" if value < 0 else text(value)
 
 
 def leaves(tree: Node) -> set[str]:

@@ -17,13 +17,14 @@ from exactspline.language.operand import FieldOperand
 from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
+from exactspline.readings.expression import Operation
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.readings.tree import Derivation, Node, Operation
+from exactspline.readings.tree import Derivation, Node
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_factor import WEIGHTS, factor_parts
 from exactspline.verification.coq.denominators import Evaluation, factored
-from exactspline.verification.coq.formulas import surface
+from exactspline.verification.coq.formulas import comment, surface
 from exactspline.verification.coq.framed_setting import setting_of
 from exactspline.verification.coq.proofs import Premise, Proof
 from exactspline.verification.coq.terms import Writer, identifier
@@ -129,7 +130,7 @@ class _Theorem(Statement):
         first = f"{self.setting.opening}; intros {introduced}."
         said = " ->\n  ".join([*premises, conclusion])
         return (
-            f"(** {self.claim.id}, {self.claim.source}. *)\n"
+            f"(** {comment(self.claim.id)}, {comment(self.claim.source)}. *)\n"
             f"Theorem {self.name} : {self.setting.quantifier} (fun K c =>\n  {said}).\n"
             f"Proof.\n  {first}\n  " + "\n  ".join(lines) + "\nQed.\n"
         )

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from exactspline.language.argument import Callee
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
-from exactspline.readings.tree import Node, Operation, Traced
+from exactspline.readings.expression import Operation
+from exactspline.readings.tree import Node, Traced
 
 
 class Called(NamedTuple):
@@ -48,8 +50,9 @@ class Calling(Traced):
             return Calling(self._kind.parts[name], self._dimension, path=f"{name}.", known=self._known)
         return found
 
-    def calls(self, formula: Formula) -> Node:
+    def calls(self, formula: Callee) -> Node:
         """A node with the formula; a formula called twice is traced once."""
+        assert isinstance(formula, Formula)
         called = Called(formula, self._path)
         if called not in self._known:
             self._known[called] = Call(formula.function(self), called)

@@ -14,7 +14,7 @@ from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, sampled, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Curves
 
 #: The degrees for which the generic Bézier segment is computed.
@@ -83,7 +83,8 @@ class Coefficients(Claim):
                 if not any(parts):
                     told = f"coefficient {i} is zero for every curve of degree {d}"
                     return Finding(REFUTED, NONE, f"coefficient {i} of degree {d}", witness=told)
-        return Finding(VERIFIED, NONE, f"none vanishes for d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}")
+        degrees = f"d = {GENERIC_DEGREES[0]}…{GENERIC_DEGREES[-1]}"
+        return sampled(Finding(VERIFIED, NONE, f"none vanishes for {degrees}"), degrees)
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """No control point is zero."""

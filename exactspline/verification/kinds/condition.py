@@ -11,8 +11,9 @@ from exactspline.language.parts import split
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.verification.claim import ExampleClaim, formula_name, only_component, read
+from exactspline.verification.claim import ExampleClaim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 

@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import field
+from functools import cache
 from typing import Any, ClassVar
 
-from exactspline.errors import ClaimError, FormulaError
-from exactspline.exact import mpq, text
+from exactspline.errors import ClaimError, FormulaError, VanishingDivisorError
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS
+from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading
-from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor import TensorSpline, surface_pair
-from exactspline.verification.check_arguments import beginning
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import OUTSIDE, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.segments import at_equal_parameters, equated, on_segments
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, vacuous
 from exactspline.verification.vocabulary import Relation
 
 #: Why a curve of higher contact decides nothing about the generic one.
 HIGHER_HERE = "the contact is of a higher order on it, as it may be on special curves"
 #: The denominators of the two curves.
 BAR = dict(zip((*BARRED, "W"), (*COORDINATES, "w"), strict=True))
-
-
+#: Why a formula has no contact.
+SINGULAR = "as a function of the point at s̄ it is singular where the points meet: it defines no object there"
 #: The largest order.
 LARGEST_ORDER = 12
 
@@ -80,44 +80,67 @@ class Contact(Claim):
         """The derivatives as differential polynomials of one curve, which both are."""
         formula = self.find(self.formula)
         ring = RationalJetReading(order_of(formula, dimension) + self.order + 1)
-        value = _components(formula(ring.argument(formula.kind, dimension, polynomial=polynomial)))
+        value = split(formula(ring.argument(formula.kind, dimension, polynomial=polynomial)))[0]
         if all(x.is_zero for x in value):
             return vacuous(self.claims)
+        if is_singular(formula, dimension, polynomial):
+            return Finding(UNDECIDED, self.claims, "no contact", witness=SINGULAR)
+        found = self._order(value, on_diagonal)
+        if found is None:
+            return Finding(PROVED, self.claims, self.claims)
+        if found > self.order:
+            higher, why = f"at least {found}", f"{told(found, '= 0')} on every curve"
+            return Finding(REFUTED, self.claims, higher, witness=why)
+        less = f"{found - 1}" if found else "none: it does not pass through the point"
+        return Finding(REFUTED, self.claims, less, witness=self.refuted_on_examples().witness or told(found))
+
+    def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
+        """None where the contact is as claimed; else the order of the derivative at fault: one that does not vanish, or
+        that which follows the claimed order where it vanishes too.
+        """
         for n in range(self.order + 1):
             if any(not on_diagonal(x).is_zero for x in value):
-                found = f"{n - 1}" if n else "none: it does not pass through the point"
-                return Finding(REFUTED, self.claims, found, witness=self.refuted_on_examples().witness or told(n))
+                return n
             value = [x.d(1, by=PARAMETERS[1]) for x in value]
-        if self.relation == Relation.EQUAL and all(on_diagonal(x).is_zero for x in value):
-            higher = f"at least {self.order + 1}"
-            return Finding(REFUTED, self.claims, higher, witness=f"{told(self.order + 1, '= 0')} on every curve")
-        return Finding(PROVED, self.claims, self.claims)
+        higher = self.relation == Relation.EQUAL and all(on_diagonal(x).is_zero for x in value)
+        return self.order + 1 if higher else None
+
+    @property
+    def tries_all(self) -> bool:
+        """All segments, and indeterminates."""
+        return True
 
     def beside(self, own: Evaluation) -> str:
-        """A claim of all curves is tried on the first segment."""
-        return ", first segment"
+        """Both curves are the one that is given."""
+        return ", with itself"
+
+    def missing(self, argument: Handed) -> str:
+        """No check beforehand: the formula is handed the curve twice."""
+        return ""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
-        """On the first segment of the curve, at more parameters than the derivatives can have zeros."""
-        curve: Nurbs = own.curve
-        formula, piece = self.find(self.formula), beginning(curve)
-        value = formula(surface_pair(piece, piece))
-        numerators, below = split(value)
-        if all(x.is_zero for x in numerators):
-            return vacuous(self.claims)
-        if below is not None and all(below(t, t) == 0 for t in _parameters(below)):
-            return vacuous(self.claims, "it does not exist where the points meet: 1/0")
-        higher = True
-        for f in numerators:
-            for t in _parameters(f):
-                along = f.at_s(t)
-                for n in range(self.order + 1):
-                    if along(t):
-                        return Finding(REFUTED, self.claims, "less", witness=f"{told(n)} at the parameter {text(t)}")
-                    along = along.d()
-                higher = higher and not along(t)
-        if higher and self.relation == Relation.EQUAL:
-            return Finding(UNDECIDED, self.claims, f"at least {self.order + 1}", witness=OUTSIDE + HIGHER_HERE)
+        """The derivatives as polynomials in the two parameters, on every segment."""
+        formula, curve = self.find(self.formula), own.curve
+        if is_singular(formula, curve.dimension, curve.polynomial):
+            return Finding(UNDECIDED, self.claims, "no contact", witness=SINGULAR)
+        order, found, higher = order_of(formula, curve.dimension), None, 0
+        whole = list(on_segments(formula.kind, curve, order, same=True))
+        for segment in whole:
+            try:
+                value = split(formula(segment.argument))[0]
+                found = self._order(value, at_equal_parameters)
+            except VanishingDivisorError:
+                return vacuous(self.claims, f"it does not exist {segment}: 1/0")
+            if all(x.is_zero for x in value):
+                return vacuous(self.claims, f"0 {segment}")
+            if found is not None and found <= self.order:
+                for _ in range(found):
+                    value = [x.d(1, by=PARAMETERS[1]) for x in value]
+                rest = next(x for x in map(at_equal_parameters, value) if not x.is_zero)
+                return Finding(REFUTED, self.claims, "less", witness=f"{told(found)} {segment.place(rest)}")
+            higher += found is not None
+        if higher == len(whole):
+            return inapplicable(self.claims, HIGHER_HERE, f"at least {self.order + 1}")
         return Finding(VERIFIED, self.claims, self.claims)
 
 
@@ -126,25 +149,59 @@ def told(n: int, what: str = "≠ 0") -> str:
     return f"the derivative of order {n} by s̄ is {what} at s̄ = s" if n else f"the value is {what} at s̄ = s"
 
 
+#: The value of a quotient of both parameters where they are equal.
+Diagonal = Callable[[JetFraction], JetFraction]
+
+
 def on_diagonal(value: JetFraction) -> JetFraction:
     """A quotient of jets of two curves where they are one, at one parameter.
 
     Raises `FormulaError` where its denominator vanishes there.
     """
-    ring = value.ring
-    images = [ring.gens[ring.index[BAR.get(name, name), order]] for name, order in ring.variables]
-    top, bottom = (p.compose(*images, ctx=ring.context) for p in (value.top, value.bottom))
-    if not bottom:
-        raise FormulaError("a denominator vanishes where the points meet", remedy="multiply the formula by it")
-    return JetFraction(ring, top, bottom)
+    return equated(value, BAR)
 
 
-def _components(value: Any) -> list[Any]:
-    return split(value)[0]
+@cache
+def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
+    """Whether the equations ``value = 0`` for the point at s̄ have fewer independent gradients where the points meet
+    than elsewhere: there is no tangent there with which contact could be made. Any formula times ``‖γ(s̄) − γ(s)‖²``
+    vanishes there to second order.
+
+    Raises `FormulaError` where the value depends on derivatives at s̄: it is not the equation of an object.
+    """
+    reading = RationalJetReading(order_of(formula, dimension))
+    value = split(formula(reading.argument(formula.kind, dimension, polynomial=polynomial)))[0]
+    ring = value[0].ring
+    second = {name: order for name, order in ring.variables if name in BAR}
+    for x in value:
+        used = [ring.variables[i] for p in (x.top, x.bottom) for i, n in enumerate(p.degrees()) if int(n)]
+        if any(name in BAR and order != (0,) for name, order in used):
+            raise FormulaError(
+                "the formula speaks of derivatives of the second curve", remedy="contact is that of the point at s̄"
+            )
+    names = [name for name in BARRED[:dimension] if name in second]
+    rows = [[_partial(x, ring.index[name, (0,)]) for name in names] for x in value]
+    met = [[on_diagonal(entry) for entry in row] for row in rows]
+    return _rank(met) < _rank(rows)
 
 
-def _parameters(f: TensorSpline) -> list[mpq]:
-    """More inner parameters than the diagonal has zeros, if it has not all."""
-    (a, b), _ = f.domain
-    n = int(f.degree.s) + int(f.degree.t) + 1
-    return [a + (b - a) * mpq(i, n + 1) for i in range(1, n + 1)]
+def _partial(x: JetFraction, i: int) -> JetFraction:
+    """The derivative by one variable, up to the square of the denominator."""
+    top, bottom = (JetFraction(x.ring, p, x.ring.context.constant(1)) for p in (x.top, x.bottom))
+    d_top, d_bottom = (JetFraction(x.ring, p.derivative(i), x.ring.context.constant(1)) for p in (x.top, x.bottom))
+    return d_top * bottom - top * d_bottom
+
+
+def _rank(rows: list[list[JetFraction]]) -> int:
+    """The rank of a matrix, by elimination."""
+    rows, rank = [list(row) for row in rows], 0
+    for column in range(len(rows[0])):
+        pivot = next((i for i in range(rank, len(rows)) if not rows[i][column].is_zero), None)
+        if pivot is None:
+            continue
+        rows[rank], rows[pivot] = rows[pivot], rows[rank]
+        for i in range(rank + 1, len(rows)):
+            k, m = rows[i][column], rows[rank][column]
+            rows[i] = [a * m - b * k for a, b in zip(rows[i], rows[rank], strict=True)]
+        rank += 1
+    return rank

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.parts import joined, split
-from exactspline.roots.zero_set import zeros
-from exactspline.splines.lowest_terms import control_point_count
-from exactspline.verification.claim import Claim, ExampleClaim, formula_name, only_component, read
+from exactspline.language.rational import Rational
+from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
+from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
+from exactspline.verification.claim import Claim, ExampleClaim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import REFUTED, VERIFIED, Finding
+from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Counter, word
 
 
@@ -71,24 +72,57 @@ class Count(ExampleClaim):
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""
-        from exactspline.geometry.features import curvature_extrema
-
-        value = self.find(self.formula)(argument)
-        value = joined(value)
-        numerators = split(value)[0]
-        counters: dict[Counter, Callable[[], int]] = {
-            Counter.DEGREE: lambda: int(value.degree),
-            Counter.CONTROL_POINTS: lambda: control_point_count(value),
-            Counter.ROOTS: lambda: len(
-                zeros(only_component(self, self.formula, numerators), periodic=own.curve.closed)
-            ),
-            Counter.EXTREMA: lambda: len(curvature_extrema(own.curve)),
-            Counter.NOMINAL_CONTINUITY: lambda: min(min(p.continuity) for p in numerators),
-            Counter.TRUE_CONTINUITY: lambda: min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]),
-        }
-        found = [(counters[what](), what) for _, what in counts(self.claimed)]
-        told = ", ".join(f"degree {n}" if what == Counter.DEGREE else f"{n} {what}" for n, what in found)
-        told = told.replace("-", "−")
-        if found == counts(self.claimed):
+        value = joined(self.find(self.formula)(argument))
+        numerators, below = split(value)
+        if below is not None and below.vanishes_somewhere:
+            return vacuous(self.claimed, f"{self.formula} does not exist on all of this curve: 0/0")
+        if all(p.is_zero for p in numerators):
+            return vacuous(self.claimed, "0")
+        wanted = counts(self.claimed)
+        if not numerators[0].breakpoints[1:-1] and {what for _, what in wanted} & CONTINUITIES:
+            return vacuous(self.claimed, "one segment: nothing is joined")
+        found = [(self._counted(what, value, own), what) for _, what in wanted]
+        told = ", ".join(_text(n, what) for n, what in found)
+        if found == wanted:
             return Finding(VERIFIED, self.claimed, told)
         return Finding(REFUTED, self.claimed, told, witness=f"on the example curve {self.example}: {told}")
+
+    def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
+        """One of the numbers; None where there are infinitely many, or where it is not one of the formula."""
+        numerators = split(value)[0]
+        if what == Counter.DEGREE:
+            return int(value.degree)
+        if what == Counter.CONTROL_POINTS:
+            return int(control_point_count(value))
+        if what == Counter.NOMINAL_CONTINUITY:
+            return int(min(min(p.continuity) for p in numerators))
+        if what == Counter.TRUE_CONTINUITY:
+            return int(min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]))
+        lowest = split(in_lowest_terms(value) if isinstance(value, Rational) else value)
+        zero_set = zeros(only_component(self, self.formula, lowest[0]), periodic=own.curve.closed)
+        if what == Counter.ROOTS:
+            return None if zero_set.intervals else len(zero_set)
+        return _extrema(zero_set, own)
+
+
+#: What is counted at knots.
+CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
+
+
+def _extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
+    """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
+    else None: it says nothing of them.
+    """
+    from exactspline.geometry.analysis import analyse
+
+    found = analyse(own.curve).curvature_extrema
+    changes = [root for root in zero_set if root.sign_change]
+    changes += [jump_root(jump) for jump in zero_set.jumps if jump.sign_change]
+    same = len(found) == len(changes) and all(any(each.root == root for root in changes) for each in found)
+    return len(found) if same and not zero_set.intervals else None
+
+
+def _text(n: int | None, what: Counter) -> str:
+    if n is None:
+        return "infinitely many roots" if what == Counter.ROOTS else "not a form whose sign is that of κ′"
+    return (f"degree {n}" if what == Counter.DEGREE else f"{n} {what}").replace("-", "−")

@@ -19,21 +19,21 @@ from exactspline.readings.degree import parse
 from exactspline.readings.differential_order import order_of
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_lines import Degrees
-from exactspline.verification.claim import Claim, count_from, degree_text, formula_name, one_of, read
+from exactspline.splines.tensor_parts import Degrees
+from exactspline.verification.claim import count_from, degree_text, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import reduction_of, transposed
-from exactspline.verification.kinds.degree_proof import decide
+from exactspline.verification.kinds.degree_proof import DegreeStatement, decide
 from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import (
     LOWER_HERE,
     NO_DERIVATIVES,
-    OUTSIDE,
     REFUTED,
-    UNDECIDED,
     VERIFIED,
     Finding,
+    inapplicable,
+    sampled,
     vacuous,
 )
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation, Scope
@@ -46,12 +46,14 @@ MEASURES = {
     Measure.REDUCED: r"\deg_{\mathrm{reduced}}",
     Measure.HEIGHT: r"\mathrm{height}",
 }
+#: In lowest terms a value of two parameters is measured along one line.
+ONE_LINE = "one value of the other parameter"
 #: Relations in LaTeX, as prefixes of a claimed degree.
 RELATIONS = {Relation.EQUAL: ("=", ""), Relation.AT_MOST: (r"\le", "≤ "), Relation.AT_LEAST: (r"\ge", "≥ ")}
 
 
 @claim_kind
-class DegreeClaim(Claim):
+class DegreeClaim(DegreeStatement):
     """The degree of ``formula`` is ``claimed``, or at most or at least that, for every d from ``least_d`` on.
 
     The ``measure`` is ``nominal`` (Table 1), ``true`` (of a polynomial on the generic curve), ``lowest terms`` (of the
@@ -127,22 +129,29 @@ class DegreeClaim(Claim):
         found = decide(self, dimension, polynomial)
         return replace(found, claimed=self.claims, relation=self.relation)
 
+    @property
+    def tries_all(self) -> bool:
+        """A nominal degree is that of every segment, with any point and any constants."""
+        return self.measure == Measure.NOMINAL
+
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The degree of the given splines. A curve of higher degree refutes what is claimed of the generic one; a
         curve of lower degree may be a special one, and decides nothing.
         """
         if self._has_too_few_derivatives(argument):
-            return Finding(UNDECIDED, self.claims, witness=f"{OUTSIDE}{NO_DERIVATIVES}", relation=self.relation)
+            return inapplicable(self.claims, NO_DERIVATIVES, relation=self.relation)
         claimed = self._claimed(argument)
         text = f"{RELATIONS[self.relation][1]}{claimed}"
         computed = self._computed(argument)
         if computed < 0 and self.measure.is_generic:
             return vacuous(text, "0")
         if self.measure.is_generic and self.relation == Relation.EQUAL and computed < claimed:
-            return Finding(UNDECIDED, text, str(computed), witness=f"{OUTSIDE}{LOWER_HERE}", relation=self.relation)
+            return inapplicable(text, LOWER_HERE, str(computed), self.relation)
         holds = self.relation.holds(computed, claimed)
         told = "" if holds else f"{computed}, not {text}"
-        return Finding(VERIFIED if holds else REFUTED, text, str(computed), witness=told, relation=self.relation)
+        found = Finding(VERIFIED if holds else REFUTED, text, str(computed), witness=told, relation=self.relation)
+        along_a_line = self.measure == Measure.LOWEST_TERMS and isinstance(argument, (Pair, Surface))
+        return sampled(found, ONE_LINE) if holds and along_a_line else found
 
     def _claimed(self, argument: Any) -> int:
         degree = parse(self.claimed)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Sequence
+from itertools import chain, product
+from typing import Any
 
 from exactspline.errors import FormulaError
-from exactspline.language.choices import Parameter
+from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
@@ -15,20 +16,38 @@ from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.symbolic.covariants import degree_at, generic_degree, graded, true_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction
+from exactspline.verification.claim import Claim
 from exactspline.verification.generic_degree import joined_degree
-from exactspline.verification.generic_proof import degree_table, reduction_of, transposed
-from exactspline.verification.verdict import PROVED, REFUTED, ContradictionError, Finding
+from exactspline.verification.generic_proof import degree_table, reduction_of, transposed, vanishes
+from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, ContradictionError, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Relation
 
-if TYPE_CHECKING:
-    from exactspline.verification.kinds.degree import DegreeClaim
+
+class DegreeStatement(Claim):
+    """What is decided: the fields of `exactspline.verification.kinds.degree.DegreeClaim`."""
+
+    formula: str
+    claimed: str
+    measure: Measure
+    relation: Relation
+    parameter: Parameter
+    counting: Counting
+    least_d: int
 
 
-def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
+#: How many values of each of several degrees are tried for a witness.
+UNEQUAL = 12
+
+
+def decide(claim: DegreeStatement, dimension: int, polynomial: bool) -> Finding:
     """The finding on the degree of a claim for every d from its least one on."""
     formula = claim.find(claim.formula)
+    zero = claim.curve != ArgumentKind.TABLE and vanishes(formula, dimension, polynomial)
     if claim.measure == Measure.NOMINAL:
-        return _held(claim, _nominal(claim, dimension, polynomial), {}, "")
+        told = ", as it is written: it vanishes on every curve" if zero else ""
+        return _held(claim, _nominal(claim, dimension, polynomial), {}, "", told)
+    if zero:
+        return vacuous(claim.claimed, "0")
     if claim.parameter == Parameter.SECOND:
         formula = transposed(formula)
     if claim.measure == Measure.TRUE:
@@ -49,7 +68,7 @@ def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     return _lowest(claim, found)
 
 
-def _counted(claim: DegreeClaim) -> Parameter:
+def _counted(claim: DegreeStatement) -> Parameter:
     """The parameter in which the degree is counted; of two exchanged curves it is the first."""
     return Parameter.FIRST if claim.parameter == Parameter.SECOND else claim.parameter
 
@@ -58,7 +77,7 @@ def _grading(true: Any) -> str:
     return f" (k, m, j = {true.k}, {true.m}, {true.j})" if true else ""
 
 
-def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
+def _nominal(claim: DegreeStatement, dimension: int, polynomial: bool) -> Degree:
     formula = claim.find(claim.formula)
     if claim.curve == ArgumentKind.TABLE:
         handed: object = degree_table()
@@ -102,7 +121,7 @@ def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -
     return {d: n for d, n in found.items() if n != generic.at(dict.fromkeys(generic.names, d))}
 
 
-def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
+def _lowest(claim: DegreeStatement, found: Reduction) -> Finding:
     """The value in lowest terms; of a ruled surface directrix and generator over one denominator."""
     parameter = _counted(claim)
     computed = found.main.generic_lowest if len(found.parts) == 1 else joined_degree(found, parameter)
@@ -119,7 +138,7 @@ def _lowest(claim: DegreeClaim, found: Reduction) -> Finding:
     return _held(claim, computed, lower, str(found.main.cancelled))
 
 
-def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: str, grading: str = "") -> Finding:
+def _held(claim: DegreeStatement, computed: Degree, lower: dict[int, int], factor: str, grading: str = "") -> Finding:
     """A computed degree against the claimed one, for every d from the least one on; with every exception."""
     claimed = parse(claim.claimed)
     larger = computed.max(claimed)
@@ -147,14 +166,21 @@ def _held(claim: DegreeClaim, computed: Degree, lower: dict[int, int], factor: s
     ]
     if start is not None and not failing and _agree_before(start, claim, computed, claimed, lower):
         return Finding(PROVED, computed=told, factor=factor)
-    d = failing[0] if failing else _first_failure(claim, computed, claimed)
-    n = lower.get(d, _at(computed, d))
-    where = "at " + " and ".join(f"{name} = {d}" for name in sorted(names)) if names else "for every d"
-    return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {_at(claimed, d)}")
+    wrong: dict[str, int] | None
+    if failing:
+        n, wrong = lower[failing[0]], dict.fromkeys(names, failing[0])
+    else:
+        wrong = _first_failure(claim, computed, claimed, names)
+        n = 0 if wrong is None else computed.at(wrong)
+    if wrong is None:
+        return Finding(UNDECIDED, computed=told, factor=factor, witness="no degrees are found for which it fails")
+    where = "at " + " and ".join(f"{name} = {d}" for name, d in sorted(wrong.items())) if wrong else "for every d"
+    relation = "" if claim.relation == Relation.EQUAL else f"{claim.relation} "
+    return Finding(REFUTED, computed=told, factor=factor, witness=f"{where}: {n}, not {relation}{claimed.at(wrong)}")
 
 
 def _agree_before(
-    start: int, claim: DegreeClaim, computed: Degree, claimed: Degree, exceptions: dict[int, int]
+    start: int, claim: DegreeStatement, computed: Degree, claimed: Degree, exceptions: dict[int, int]
 ) -> bool:
     """Whether the relation holds between the least d and the one from which on it always does, exceptions aside: the
     last d before that must be an exception, so that it is a small one. Of operands of several degrees exceptions are
@@ -168,16 +194,20 @@ def _agree_before(
     )
 
 
-def _first_failure(claim: DegreeClaim, computed: Degree, claimed: Degree) -> int:
-    """The least d from max(3, least d) on, then below it, at which the relation fails; 3 where the operands have
-    unequal degrees.
+def _first_failure(
+    claim: DegreeStatement, computed: Degree, claimed: Degree, names: frozenset[str]
+) -> dict[str, int] | None:
+    """The degrees at which the relation fails: equal ones from max(3, least d) on, then those below it, then unequal
+    ones; None where it fails at none of these.
     """
     first = max(3, claim.least_d)
-    tried: list[int] = [*range(first, first + 1001), *range(claim.least_d, first)]
-    for d in tried:
-        if not claim.relation.holds(_at(computed, d), _at(claimed, d)):
-            return d
-    return first
+    equal: Iterable[dict[str, int]] = (
+        dict.fromkeys(names, d) for d in (*range(first, first + 1001), *range(claim.least_d, first))
+    )
+    least = range(claim.least_d, claim.least_d + UNEQUAL)
+    unequal = (dict(zip(sorted(names), each, strict=True)) for each in product(least, repeat=len(names)))
+    tried = chain(equal, unequal if len(names) > 1 else ())
+    return next((d for d in tried if not claim.relation.holds(computed.at(d), claimed.at(d))), None)
 
 
 def _at(degree: Degree, d: int) -> int:

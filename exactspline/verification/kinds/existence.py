@@ -2,28 +2,49 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-from typing import ClassVar
+from dataclasses import field, replace
+from functools import cache
+from typing import Any, ClassVar
 
+from exactspline.errors import ClaimError
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind
 from exactspline.language.parts import split
-from exactspline.symbolic.factorization import jets_for
+from exactspline.symbolic.factorization import jets_with_roots
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, Handed
-from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding
+from exactspline.verification.verdict import REFUTED, UNDECIDED, Finding, vacuous
 
 NOT = "not rational"
 
 
 @claim_kind
 class Existence(Claim):
-    """The value of ``formula`` is not rational: refuted by the formula itself, a quotient of polynomials in the curve,
-    together with the proof of its meaning.
+    """What the formula ``definition`` defines is not rational: refuted where ``formula``, a quotient of polynomials in
+    the curve, is the same for all curves. The definition may speak of the unit vectors of a frame, which are roots.
     """
 
     kind: ClassVar[str] = "existence"
 
     formula: str = field(metadata=read(formula_name))
+    definition: str = field(metadata=read(formula_name))
+
+    def kind_of_field(self, name: str) -> Kind:
+        """A definition may have roots."""
+        own = super().kind_of_field(name)
+        if name != "definition" or type(own) is not CurveKind or own.constants:
+            return own
+        return FRAMED if len(own.dimensions) > 1 else FRAMED_PLANE if own.dimensions == (2,) else FRAMED_SPACE
+
+    def validate(self) -> None:
+        """Refuse a formula that is its own definition: any formula is a quotient of polynomials."""
+        if self.formula == self.definition:
+            raise ClaimError(
+                f"{self.formula!r} is said to be what it is",
+                where="definition",
+                remedy="name the formula that defines it",
+            )
 
     @property
     def claims(self) -> str:
@@ -32,21 +53,41 @@ class Existence(Claim):
 
     @property
     def latex(self) -> str:
-        """The formula is not rational."""
-        return rf"{self.symbol(self.formula)} \;\text{{is not rational}}"
+        """The definition is not rational."""
+        return rf"{self.symbol(self.definition)} \;\text{{is not rational}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The absence of a rational form is refuted by one: a formula without roots that is not the constant zero."""
-        formula = self.find(self.formula)
-        components = split(formula(jets_for((formula,), dimension, polynomial=polynomial)))[0]
-        rational = not all(x.is_zero for x in components)
-        told = f"{self.formula} is a quotient of polynomials in the curve"
-        return Finding(REFUTED if rational else UNDECIDED, NOT, "rational", witness=told)
+        """The absence of a rational form is refuted by one, if it is one: not zero, and equal to the definition."""
+        c: Any = jets_with_roots(self.compared, "1", dimension, polynomial=polynomial)
+        value, defined = (split(each(c))[0] for each in self.compared)
+        if all(x.is_zero for x in value):
+            return vacuous(NOT)
+        if len(value) == len(defined) and all((x - y).is_zero for x, y in zip(value, defined, strict=True)):
+            told = f"{self.formula} is a quotient of polynomials in the curve, and is {self.definition}"
+            return Finding(REFUTED, NOT, "rational", witness=told)
+        return Finding(UNDECIDED, NOT, "", witness=f"{self.formula} is not {self.definition}")
+
+    @property
+    def compared(self) -> list[Formula]:
+        """Both, and neither of them twice."""
+        return [self.find(self.formula), self.find(self.definition)]
+
+    def missing(self, argument: Handed) -> str:
+        """No check beforehand: splines have no roots."""
+        return ""
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """The rational form on this curve."""
+        general = _decided(self, own.curve.dimension, own.curve.polynomial)
+        if general.verdict != REFUTED:
+            return general
         value = self.find(self.formula)(argument)
-        numerators, denominator = split(value)
-        mesh = (numerators[0] if denominator is None else denominator).mesh
-        told = f"degree {value.degree} over {len(mesh)} segments"
-        return Finding(REFUTED, NOT, f"rational of degree {value.degree}", witness=told)
+        denominator = split(value)[1]
+        if denominator is not None and denominator.vanishes_somewhere:
+            return vacuous(NOT, f"{self.formula} does not exist on all of this curve: 0/0")
+        return replace(general, computed=f"rational of degree {value.degree}")
+
+
+@cache
+def _decided(claim: Existence, dimension: int, polynomial: bool) -> Finding:
+    return claim.decide(dimension, polynomial)

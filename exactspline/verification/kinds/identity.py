@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import field
 from typing import Any, ClassVar
 
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.argument import Evaluated
+from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.readings.jet import Jet, polynomial_text
@@ -16,10 +17,11 @@ from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_factor import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import printed_factor, where_it_differs
+from exactspline.verification.decision import Decision, Outcome, decide_identity
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.notation import factor_latex
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
 
@@ -41,6 +43,7 @@ class Identity(Claim):
 
     kind: ClassVar[str] = "identity"
     of_frames: ClassVar[bool] = True
+    has_residues: ClassVar[bool] = True
 
     left: str = field(metadata=read(formula_name))
     right: str = field(metadata=read(formula_name))
@@ -66,8 +69,9 @@ class Identity(Claim):
         left, right = self.find(self.left), self.find(self.right)
         if kind_of(self.curve).adjoins_roots:
             return self._over_roots(dimension, polynomial)
-        c = jets_for((left, right), dimension, polynomial=polynomial)
-        if all(x.is_zero for side in (left, right) for x in split(side(c))[0]):
+        c = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
+        found = decide_identity(left(c), right(c), factor_of_text(self.factor, c, self.find))
+        if found.verdict(PROVED) == VACUOUS:
             return vacuous(self.factor)
         if all(x.is_zero for x in split(right(c))[0]):
             return Finding(REFUTED, self.factor, "not proportional", "", "the right side vanishes, the left does not")
@@ -75,96 +79,68 @@ class Identity(Claim):
         if factor is None:
             witness = self.refuted_on_examples().witness or "the jet polynomials are not proportional"
             return Finding(REFUTED, self.factor, "not proportional", "", witness)
-        order = jets_for((left, right, *self._factors()), dimension, polynomial=polynomial)
-        top: Any
-        bottom: Any
-        top, bottom = factor_of_text(self.factor, order, self.find)
-        if bottom.is_zero:
-            return Finding(REFUTED, self.factor, str(factor), str(factor), "the factor is divided by zero")
-        if top.is_zero and all(x.is_zero for x in split(left(c))[0]):
-            return vacuous(self.factor)
-        stated, found = top / bottom, factor.fraction()
-        if self._same(stated, found):
-            return Finding(PROVED, self.factor, str(factor), str(factor))
-        return Finding(REFUTED, self.factor, str(factor), str(factor), f"the exact quotient is {factor}")
+        divided = found.outcome is Outcome.NO_FACTOR
+        told = "the factor is divided by zero" if divided else f"the exact quotient is {factor}"
+        equal = found.outcome is Outcome.EQUAL
+        return Finding(found.verdict(PROVED), self.factor, str(factor), str(factor), "" if equal else told)
 
     def _over_roots(self, dimension: int, polynomial: bool) -> Finding:
         """The same where a quotient is not a product of polynomials: component by component."""
         left, right = self.find(self.left), self.find(self.right)
         formulas = (left, right, *self._factors())
         c = jets_with_roots(formulas, self.factor, dimension, polynomial=polynomial)
-        ps, qs = split(left(c))[0], split(right(c))[0]
-        top, bottom = factor_of_text(self.factor, c, self.find)
-        if all(x.is_zero for x in ps) and (top.is_zero or all(x.is_zero for x in qs)):
+        found = decide_identity(left(c), right(c), factor_of_text(self.factor, c, self.find))
+        if found.outcome is Outcome.EQUAL:
+            return Finding(PROVED, self.factor, self.factor, self.factor)
+        if found.verdict(PROVED) == VACUOUS:
             return vacuous(self.factor)
-        if bottom.is_zero:
-            return Finding(REFUTED, self.factor, "1/0", "", "the factor is divided by zero")
-        if len(ps) != len(qs):
-            return Finding(REFUTED, self.factor, f"{len(ps)} components, and {len(qs)}")
-        for i, (p, q) in enumerate(zip(ps, qs, strict=True)):
-            if not (p * bottom - q * top).is_zero:
-                return Finding(REFUTED, self.factor, "not identical", "", f"component {i + 1} differs")
-        return Finding(PROVED, self.factor, self.factor, self.factor)
+        return Finding(REFUTED, self.factor, *self._difference(found, left(c), right(c)))
+
+    def _difference(self, found: Decision, left: Any, right: Any) -> tuple[str, str, str]:
+        """What was computed, no factor, and the witness, where two sides differ."""
+        if found.outcome is Outcome.NO_FACTOR:
+            return "1/0", "", "the factor is divided by zero"
+        if found.outcome is Outcome.UNLIKE:
+            told = f"{len(split(left)[0])} components, and {len(split(right)[0])}"
+            return told, "", "not as many components"
+        return "not identical", "", f"component {found.component + 1} differs"
 
     def _factors(self) -> list[Any]:
         return [self.find(name) for name, _ in factor_parts(self.factor) if name[0].isalpha() and name not in WEIGHTS]
 
-    def _same(self, stated: Any, found: tuple[Any, Any]) -> bool:
-        ring = stated.ring
-        top, bottom = (_over(ring, part) for part in found)
-        return bool(stated == JetFraction(ring, top, bottom))
-
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """``left · (denominators) = factor · right · (denominators)``, multiplied out on the spline."""
-        (ps, k), (qs, m) = (split(self.find(name)(argument)) for name in (self.left, self.right))
+        left, right = (self.find(name)(argument) for name in (self.left, self.right))
         assert isinstance(argument, Evaluated)  # operands of Table 1 have no factors
-        if len(ps) != len(qs):
-            return Finding(
-                REFUTED, self.factor, f"{len(ps)} components, and {len(qs)}", witness="not as many components"
-            )
-        top: Any
-        bottom: Any
-        top, bottom = factor_of_text(self.factor, argument, self.find)
+        found = decide_identity(left, right, factor_of_text(self.factor, argument, self.find))
         factor = printed_factor(self.factor, argument)
-        if all(x.is_zero for x in ps) and (top.is_zero or all(x.is_zero for x in qs)):
+        if found.outcome is Outcome.NOTHING:
             return vacuous(self.factor, factor=factor)
-        if not all(_numerator(bottom).polynomials) or not all(_denominator(top, bottom)):
+        if found.outcome is Outcome.NO_SIDE:
+            return vacuous(self.factor, "a side does not exist on all of this curve: 0/0", factor)
+        if found.outcome is Outcome.NO_FACTOR:
             return vacuous(self.factor, "the factor does not exist on all of this curve: 1/0", factor)
-        ((right,), a), ((left,), b) = split(top), split(bottom)
-        left = left if a is None else left * a
-        right = right if b is None else right * b
-        left = left if m is None else left * m
-        right = right if k is None else right * k
-        for p, q in zip(ps, qs, strict=True):
-            difference = p * left - q * right
-            if not difference.is_zero:
-                return Finding(
-                    REFUTED, self.factor, "not identical", factor, f"the sides differ {where_it_differs(difference)}"
-                )
+        if found.outcome is Outcome.UNLIKE:
+            return Finding(REFUTED, self.factor, *self._difference(found, left, right))
+        if found.outcome is Outcome.DIFFERENT:
+            told = f"the sides differ {where_it_differs(found.difference)}"
+            return Finding(REFUTED, self.factor, "not identical", factor, told)
         return Finding(VERIFIED, self.factor, factor, factor)
 
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The left side times the denominator of the factor, less the right one times its numerator."""
+        top: Any
+        bottom: Any
+        top, bottom = factor_of_text(self.factor, c, self.find)
+        if bottom.is_zero:
+            raise FormulaError("the factor is divided by zero")
+        sides = (split(self.find(name)(c))[0] for name in (self.left, self.right))
+        return [p * bottom - q * top for p, q in zip(*sides, strict=True)]
 
-def _numerator(value: Any) -> Any:
-    return split(value)[0][0]
-
-
-def _denominator(*values: Any) -> list[Any]:
-    return [p for value in values if (below := split(value)[1]) is not None for p in below.polynomials]
-
-
-def _over(ring: Any, polynomial: Any) -> Any:
-    """A polynomial of a ring with fewer derivatives, in this one."""
-    if polynomial.context() is ring.context:
-        return polynomial
-    names, own = list(polynomial.context().names()), list(ring.context.names())
-    place = [own.index(name) for name in names]
-    terms = {}
-    for exponents, c in polynomial.terms():
-        raised = [0] * len(own)
-        for i, e in zip(place, exponents, strict=True):
-            raised[i] = int(e)
-        terms[tuple(raised)] = c
-    return ring.context.from_dict(terms)
+    @property
+    def compared(self) -> list[Formula]:
+        """Both sides, and those in the factor."""
+        return [self.find(self.left), self.find(self.right), *self._factors()]
 
 
 @claim_kind
@@ -173,6 +149,7 @@ class Vanishing(Claim):
 
     kind: ClassVar[str] = "vanishing"
     of_frames: ClassVar[bool] = True
+    has_residues: ClassVar[bool] = True
 
     left: str = field(metadata=read(formula_name))
 
@@ -206,3 +183,7 @@ class Vanishing(Claim):
             if not p.is_zero:
                 return Finding(REFUTED, "0", "not zero", witness=f"it differs from 0 {where_it_differs(p)}")
         return Finding(VERIFIED, "0", "0")
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """Its components."""
+        return list(split(self.find(self.left)(c))[0])

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.exact import mpq, text
 from exactspline.language.parts import split
+from exactspline.polynomials.factors import factorize
 from exactspline.readings.jet import Jet
 from exactspline.splines.bernstein import is_nonnegative
 from exactspline.splines.bspline import BSpline
@@ -17,6 +18,7 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
 from exactspline.verification.claim_factor import factor_of_text, factor_parts
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.curve_check import extra_zero
 from exactspline.verification.evaluation import Evaluation, Handed, zero_of
 from exactspline.verification.kinds.identity import stated_factor
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -120,6 +122,11 @@ class SignClaim(Claim):
         told = "every square may vanish under the assumptions"
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, self.claims, "", witness=told)
 
+    @property
+    def asks_for_zeros(self) -> bool:
+        """Of functions of one parameter."""
+        return True
+
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """Segment by segment: no root at which the sign changes, and a value of that sign."""
         (p, *others), below = split(self.find(self.formula)(argument))
@@ -133,7 +140,8 @@ class SignClaim(Claim):
             if not is_nonnegative(c, value.degree):
                 place = _negative(value, i)
                 return Finding(REFUTED, self.claims, "the other sign", witness=f"at the parameter {text(place)}")
-        if self.sign.strict and (zero := zero_of(p)):
+        zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is no value
+        if self.sign.strict and zero:
             return Finding(REFUTED, self.claims, "zero", witness=f"zero {zero}")
         return Finding(VERIFIED, self.claims, self.claims)
 
@@ -149,7 +157,7 @@ def _zero_free(value: Any, assumed: Any) -> tuple[str, ...] | None:
     if square.is_zero:
         return None
     used = []
-    for p, _ in square.top.factor()[1]:
+    for p in factorize(square.top).bases:
         reason = zero_free(Jet(square.ring, p), assumed)
         if reason is None:
             return None

@@ -9,8 +9,9 @@ from exactspline.errors import ClaimError
 from exactspline.language.parts import split
 from exactspline.splines.bernstein import is_square_class
 from exactspline.symbolic.factorization import jets_for
-from exactspline.verification.claim import Claim, formula_name, only_component, read
+from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.components import only_component
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -62,6 +63,11 @@ class SquareClass(Claim):
         refuted = self.refuted_on_examples()
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
         return Finding(verdict, "a square", told, quotient, refuted.witness or told)
+
+    @property
+    def asks_for_zeros(self) -> bool:
+        """Of functions of one parameter."""
+        return True
 
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment both are squares up to a constant, or neither is; a segment where one is 0 is skipped."""

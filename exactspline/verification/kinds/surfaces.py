@@ -6,12 +6,13 @@ from dataclasses import field
 from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError
+from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, embedded
 from exactspline.language.kinds import POINT_IN_SPACE, Kind
 from exactspline.language.parts import split
 from exactspline.language.ruled import RuledSurface, differences
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.rational_jet import JetFraction, RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, read
@@ -19,7 +20,7 @@ from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero, where_it_differs
 from exactspline.verification.evaluation import Evaluation, Handed
 from exactspline.verification.generic_proof import harmful
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
+from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind
 
 ONE = "one surface"
@@ -31,6 +32,7 @@ class SameSurface(Claim):
     """The ruled surfaces ``left`` and ``right`` are one: parallel generators, directrices that differ along them."""
 
     kind: ClassVar[str] = "same surface"
+    has_residues: ClassVar[bool] = True
 
     left: str = field(metadata=read(formula_name))
     right: str = field(metadata=read(formula_name))
@@ -61,7 +63,7 @@ class SameSurface(Claim):
             if not isinstance(surface, RuledSurface):
                 raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
             if all(x.is_zero for x in split(surface.generator)[0]):
-                return Finding(UNDECIDED, ONE, "no surface", witness=f"the generator of {name} vanishes on every curve")
+                return vacuous(ONE, f"no surface: the generator of {name} vanishes on every curve")
         offset = b.directrix - a.directrix
         # no generator vanishes: vectors of quotients are parallel exactly if they are proportional
         scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
@@ -90,6 +92,10 @@ class SameSurface(Claim):
                     return Finding(REFUTED, ONE, "two surfaces", witness=f"they differ {where_it_differs(x)}")
         return Finding(VERIFIED, ONE, ONE + self._but(generators))
 
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The vector products with a generator."""
+        return [x for product in differences(self.find(self.left)(c), self.find(self.right)(c)) for x in product]
+
     def _but(self, generators: list[list[Any]]) -> str:
         """Where one generator vanishes and the other does not."""
         if isinstance(generators[0][0], TensorSpline):
@@ -111,6 +117,7 @@ class IsoCurve(Claim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 
     kind: ClassVar[str] = "iso-curve"
+    has_residues: ClassVar[bool] = True
 
     left: str = field(metadata=read(formula_name))
     right: str = field(metadata=read(formula_name))
@@ -143,8 +150,9 @@ class IsoCurve(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """As quotients of differential polynomials."""
         left, right = self.find(self.left), self.find(self.right)
-        order = max(order_of(left, dimension), order_of(right, dimension + 1))
-        c: Any = RationalJetReading(order).argument(left.kind, dimension, polynomial=polynomial)
+        c: Any = RationalJetReading(self.highest_derivative(dimension)).argument(
+            left.kind, dimension, polynomial=polynomial
+        )
         plane, space = left(c), right(embedded(c)).directrix
         if all(plane[i].is_zero for i in range(2)):
             return vacuous(ZETA)
@@ -162,6 +170,16 @@ class IsoCurve(Claim):
         if self._agree(plane, space):
             return Finding(VERIFIED, ZETA, ZETA)
         return Finding(REFUTED, ZETA, "another curve", witness="the two curves differ")
+
+    def highest_derivative(self, dimension: int) -> int:
+        """The right side is one in space."""
+        return max(order_of(self.find(self.left), dimension), order_of(self.find(self.right), dimension + 1))
+
+    def residues(self, c: Evaluated) -> list[JetFraction]:
+        """The differences of the coordinates."""
+        assert isinstance(c, Curve)
+        plane, space = self.find(self.left)(c), self.find(self.right)(embedded(c)).directrix
+        return [plane[0] - space[0], plane[1] - space[1], space[2]]
 
     def _agree(self, plane: Any, space: Any) -> bool:
         return bool(plane[0] == space[0] and plane[1] == space[1] and space[2].is_zero)

@@ -79,6 +79,11 @@ class ZeroSet(Claim):
             return Finding(REFUTED, ONE, "different zero sets", witness=refuted.witness)
         return Finding(UNDECIDED, ONE, "", names)
 
+    @property
+    def asks_for_zeros(self) -> bool:
+        """Of functions of one parameter."""
+        return True
+
     def examine(self, argument: Handed, own: Evaluation) -> Finding:
         """On every segment, what is left of each numerator after removing the other's factors has no zero."""
         values = [(name, self.find(name)(argument)) for name in self.formulas]

@@ -22,6 +22,7 @@ from exactspline.geometry.constructions import Construction, Variant, constructi
 from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.polynomials.factors import factorize
 from exactspline.splines.bernstein import divide_u_plus_v
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
@@ -138,11 +139,10 @@ def _irreducible(c: fmpz_poly, n: int) -> int | None:
     """A prime modulo which the form is irreducible and of full degree, if one is found."""
     if not 1 <= n <= LARGEST or c.degree() < n:
         return None
-    factors = c.factor()[1]
-    if len(factors) > 1 or factors[0][1] > 1:
+    if [e for _, e in factorize(c).powers] != [1]:
         return None
     for p in SMALL_PRIMES:
-        if int(c[n]) % p and [e for _, e in nmod_poly(c.coeffs(), p).factor()[1]] == [1]:
+        if int(c[n]) % p and [e for _, e in factorize(nmod_poly(c.coeffs(), p)).powers] == [1]:
             return p
     return None
 

@@ -146,6 +146,32 @@ Proof.
 Qed.
 
 (** PH2d, The Hodograph Lies on the Light Cone. *)
+Theorem PH2d_offset_velocity_at_any_distance_velocity_times_offset_factor : every_plane_curve_with 1 (fun K c =>
+  dot (p c) (p c) <> zero K ->
+  offset_velocity_at_any_distance c = velocity_times_offset_factor c).
+Proof.
+  apply plane_with_by_position; intros K x_ y_ w_ Hw delta_ Hdelta_ D1.
+  pose (l := jets s 1 x_ ++ jets s 1 y_ ++ jets s 1 w_ ++ [delta_]).
+  pose (r := of_parameters (chain 1 1 ++ chain 3 1 ++ chain 5 1 ++ constants [7]%positive) ([])).
+  assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.
+  pose (roots := [] : list expr).
+  assert (Q : roots_hold K l roots) by exact I.
+  pose (c := Accompanied (homogeneous s [var 1; var 3] (var 5) []) [var 7]).
+  pose (atoms := [var 1 ^ 2 + var 3 ^ 2; var 5]%formula : list expr).
+  pose (known := [([1; 2], [0; 0]); ([3; 9], [0; 0])] : list (list nat * list nat)).
+  assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.
+  assert (N1 : all_nonzero K l (firstn 1 atoms)).
+  { apply (and_nonzero K l (firstn 0 atoms) (nth 0 atoms (num 0)) N). apply (factor_nonzero K l r R roots Q (firstn 0 atoms) known N (dot (p c) (p c) : expr)%formula (var 5 ^ 2)%formula (var 1 ^ 2 + var 3 ^ 2)%formula); [vm_cast_no_check (eq_refl true) | vm_cast_no_check D1]. }
+  clear N. rename N1 into N.
+  assert (N2 : all_nonzero K l (firstn 2 atoms)).
+  { apply (and_nonzero K l (firstn 1 atoms) (nth 1 atoms (num 0)) N). exact Hw. }
+  clear N. rename N2 into N.
+  assert (E : map (value K l) (offset_velocity_at_any_distance c : list expr)%formula = map (value K l) (velocity_times_offset_factor c : list expr)%formula).
+  { apply (one_vector K l r R roots Q atoms known N). vm_cast_no_check (eq_refl true). }
+  vm_cast_no_check E.
+Qed.
+
+(** PH2d, The Hodograph Lies on the Light Cone. *)
 Theorem PH2d_ph_offset_velocity_signed_offset_speed : every_hodograph (fun K c =>
   ph_speed c <> zero K ->
   ph_offset_velocity c = signed_offset_speed c).

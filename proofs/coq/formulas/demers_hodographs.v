@@ -18,6 +18,9 @@ Definition a_of (c : accompanied A) : A := component 0 (beside c).
 (** The constant b. *)
 Definition b_of (c : accompanied A) : A := component 1 (beside c).
 
+(** The constant delta. *)
+Definition delta_of (c : accompanied A) : A := component 0 (beside c).
+
 (** The constant m. *)
 Definition m_of (c : accompanied A) : A := component 2 (beside c).
 
@@ -79,6 +82,18 @@ Definition ph_curvature (c : accompanied A) : A :=
 (** Divide out the scale. `(1 − κ) c′`: the velocity of the offset, of the signed speed `σ(1 − εκ)` for ε = 1. *)
 Definition signed_offset_speed (c : accompanied A) : list A :=
   vmul (number 1 - ph_curvature c) (vder (along c) (gamma c)).
+
+(** phCurve. `c′ = w² h`, for u and v the numerators of a plane curve and h its denominator. *)
+Definition hodograph_of_three (c : accompanied A) : list A :=
+  vmul (w c) (([component 0 (p c) * component 0 (p c) - component 1 (p c) * component 1 (p c)] ++ [component 0 (p c) * component 1 (p c) + component 1 (p c) * component 0 (p c)])).
+
+(** phCurve, computePHOffset. The derivative of the offset `c + δ n`. *)
+Definition offset_velocity_at_any_distance (c : accompanied A) : list A :=
+  vadd (hodograph_of_three c) (vder (along c) (vmul (delta_of c) (vdiv (perp (([component 0 (p c) * component 0 (p c) - component 1 (p c) * component 1 (p c)] ++ [component 0 (p c) * component 1 (p c) + component 1 (p c) * component 0 (p c)]))) (dot (p c) (p c))))).
+
+(** Divide out the scale. `(1 − δκ) c′` with `κ = [c′ c″]/σ³`. *)
+Definition velocity_times_offset_factor (c : accompanied A) : list A :=
+  vmul (number 1 - det [hodograph_of_three c; vder (along c) (hodograph_of_three c)] * delta_of c / (dot (p c) (p c) * w c) ^ 3) (hodograph_of_three c).
 
 (** curvature in complex notation. `2 (u v′ − v u′) h`. *)
 Definition spinor_wronskian (c : accompanied A) : A :=

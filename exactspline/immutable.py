@@ -34,7 +34,7 @@ class Immutable:
         return self
 
 
-def fill(value: Immutable, **fields: object) -> None:
+def fill(value: Immutable, /, **fields: object) -> None:
     """Set the fields of a value: when it is made, and when a part that is computed lazily is kept."""
     for name, content in fields.items():
         _set(value, name, content)

@@ -7,7 +7,7 @@ in h. It shares no code with the splines, so that their answers can be compared 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import Any, Protocol, cast
 
 from exactspline.errors import DomainError
 from exactspline.exact import Number, mpq, rational, short_text
@@ -16,9 +16,7 @@ from exactspline.language.choices import Side
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.vector import Vector
 from exactspline.readings.taylor import Coefficient, Series
-
-if TYPE_CHECKING:
-    from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.nurbs import Nurbs
 
 
 class Arithmetic(Protocol):

@@ -1,0 +1,111 @@
+"""Points of a surface found patch by patch, as points of the whole: once on borders and seams, and from which sides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import product
+
+from exactspline.geometry.surface.borders import EDGES, vanishes_at
+from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch
+from exactspline.splines.patch_forms import Box
+from exactspline.splines.surface import Along
+
+#: A point by its parameters.
+Spot = tuple[Parameter, Parameter]
+#: The ends of an interval of parameters.
+Ends = tuple[Parameter, Parameter]
+#: On which sides of a point, in u and in v, something is: the same however knots cut the patches around it.
+Sectors = set[tuple[int, int]]
+
+
+def merged_places(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> tuple[Place, ...]:
+    """The points, those on borders of patches and on seams once, with all patches on which they were found."""
+    return tuple(_together(own) for own in _groups(places, domain, closed))
+
+
+def merged_umbilics(
+    patches: Sequence[tuple[Box, UmbilicsOfPatch]], domain: Box, closed: Sequence[Along]
+) -> tuple[Umbilic, ...]:
+    """The umbilics of patches with these sides, each once; one-sided where not all of its sides have it."""
+    known = {id(one.place): (one, box) for box, own in patches for one in own.umbilics}
+    found = []
+    for own in _groups([one.place for one, _ in known.values()], domain, closed):
+        first, place = known[id(own[0])][0], _together(own)
+        if place.inner is None:
+            seen = {sector for one in own for sector in _sectors(one.spot, known[id(one)][1])}
+            for spot in _alike(place.spot, domain, closed):
+                seen |= {sector for box, all_of in patches if _has(all_of, spot, box) for sector in _sectors(spot, box)}
+            one_sided = seen != _sectors_of_surface(place.spot, domain, closed)
+            first = replace(first, place=place, one_sided=one_sided)
+        found.append(first)
+    return tuple(found)
+
+
+def _groups(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> list[list[Place]]:
+    """The places, those that are one point together."""
+    found: list[list[Place]] = []
+    for place in places:
+        own = next((own for own in found if are_one(place, own[0], domain, closed)), None)
+        if own is None:
+            found.append([place])
+        else:
+            own.append(place)
+    return found
+
+
+def _together(own: Sequence[Place]) -> Place:
+    first, *others = own
+    return first.with_patches(tuple(patch for place in others for patch in place.patches))
+
+
+def are_one(one: Place, other: Place, domain: Box, closed: Sequence[Along]) -> bool:
+    """Whether two points on borders are one, the two ends of a closed surface taken together."""
+    if one.inner is not None or other.inner is not None:
+        return False
+    return any(spot == other.spot for spot in _alike(one.spot, domain, closed))
+
+
+def is_in(place: Place, box: tuple[Ends, Ends], domain: Box, closed: Sequence[Along]) -> bool:
+    """Whether a point on a border is in a closed rectangle, the two ends of a closed surface taken together."""
+    return any(_within(spot, box) for spot in _alike(place.spot, domain, closed))
+
+
+def _within(spot: Spot, box: tuple[Ends, Ends]) -> bool:
+    return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
+
+
+def _alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:
+    """All pairs of parameters of a point: two for each seam that it is on."""
+    u, v = (
+        list(side) if line in closed and (t == side[0] or t == side[1]) else [t]
+        for t, side, line in zip(spot, domain, Along, strict=True)
+    )
+    return list(product(u, v))
+
+
+def _sectors(spot: Spot, box: Box) -> Sectors:
+    """The sides of a point of a closed rectangle on which the rectangle is."""
+    first, second = (
+        [sign for sign, end in ((-1, low), (1, high)) if t != end] for t, (low, high) in zip(spot, box, strict=True)
+    )
+    return set(product(first, second))
+
+
+def _sectors_of_surface(spot: Spot, domain: Box, closed: Sequence[Along]) -> Sectors:
+    """The sides of a point on which the surface goes on."""
+    return {sector for one in _alike(spot, domain, closed) for sector in _sectors(one, domain)}
+
+
+def _has(own: UmbilicsOfPatch, spot: Spot, box: Box) -> bool:
+    """Whether a point of a patch is one of an edge, a curve or a whole patch of umbilics."""
+    if not _within(spot, box):
+        return False
+    edges = [edge for edge in EDGES if spot[edge.direction] == edge.value(box)]
+    if own.everywhere or any(edge in own.edges for edge in edges):
+        return True
+    return own.curve is not None and vanishes_at(own.curve.form, spot, box)
+
+
+__all__ = ["are_one", "is_in", "merged_places", "merged_umbilics"]

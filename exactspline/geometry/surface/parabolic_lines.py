@@ -1,0 +1,120 @@
+"""Isoparametric lines along which K vanishes: on borders of patches and inside, whole whatever knots cut them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from exactspline.geometry.bisector.polynomials import exactly
+from exactspline.geometry.surface.borders import Edge, along, roots_along
+from exactspline.geometry.surface.common_factor import divided, line_factor
+from exactspline.geometry.surface.degenerate import line_of
+from exactspline.geometry.surface.forms import Patch
+from exactspline.geometry.surface.places import Parameter
+from exactspline.splines.patch_forms import Box, Interval, PatchForm, of_powers
+from exactspline.splines.surface import Along, NurbsSurface
+
+
+@dataclass(frozen=True)
+class ParabolicLine:
+    """An isoparametric line along which K vanishes: ``along`` runs over the `interval`, the other one is `value`.
+
+    `one_sided` tells that it does only as seen from the patches on one side of the line.
+    """
+
+    along: Along
+    value: Parameter
+    interval: Interval
+    #: Whether the line runs through a whole period of a closed surface.
+    closed: bool = False
+    one_sided: bool = False
+
+    @property
+    def box(self) -> tuple[tuple[Parameter, Parameter], tuple[Parameter, Parameter]]:
+        """The parameters of its points."""
+        across = self.value, self.value
+        return (self.interval, across) if self.along is Along.U else (across, self.interval)
+
+
+class LinesOfPatch(NamedTuple):
+    """Along which of its edges and on which lines inside K vanishes, as seen from a patch; all over it if `flat`."""
+
+    patch: Patch
+    sides: Box
+    edges: Sequence[Edge]
+    inner: Sequence[tuple[Along, Parameter]]
+    flat: bool
+
+
+def without_lines(form: PatchForm, sides: Box) -> tuple[PatchForm, tuple[tuple[Along, Parameter], ...]]:
+    """A square-free form on a patch without factors in one parameter alone that vanish inside, and the lines on which
+    they do, in the parameters of the surface.
+
+    >>> from gmpy2 import mpq
+    >>> rest, lines = without_lines(PatchForm.of_net([[-1, -2], [1, 2]]), ((mpq(0), mpq(4)), (mpq(0), mpq(1))))
+    >>> rest.degree, lines
+    ((0, 1), ((<Along.V: 'v'>, mpq(2,1)),))
+    """
+    found: list[tuple[Along, Parameter]] = []
+    for direction in (0, 1):
+        own = [[x] for x in line_factor(form, direction).coeffs()]
+        factor = of_powers(own if direction == 0 else [[x for (x,) in own]])
+        across, (low, high) = Edge(1 - direction, 0), sides[direction]
+        inside = [t for t in roots_along(along(factor, across, sides), across, sides) if low < t < high]
+        if inside:
+            form = divided(form, factor)
+            found += [(line_of(Edge(direction, 0)), exactly(t)) for t in inside]
+    return form, tuple(found)
+
+
+def parabolic_lines(
+    surface: NurbsSurface, patches: Sequence[LinesOfPatch], closed: Sequence[Along]
+) -> tuple[ParabolicLine, ...]:
+    """The lines on all patches, neighbours as one."""
+    sides: dict[tuple[Along, Parameter, bool], set[Interval]] = {}
+    by_place = {one.patch: one for one in patches}
+    for one in patches:
+        for edge in one.edges:
+            behind = by_place.get(_behind(one.patch, edge, surface.patches, closed))
+            one_sided = behind is not None and not (behind.flat or Edge(edge.direction, 1 - edge.end) in behind.edges)
+            key = line_of(edge), edge.value(one.sides), one_sided
+            sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
+        for line, value in one.inner:
+            sides.setdefault((line, value, False), set()).add(one.sides[line.direction])
+    lines = []
+    for (line, value, one_sided), intervals in sorted(sides.items(), key=lambda item: item[0]):
+        joined: list[Interval] = []
+        for a, b in sorted(intervals):
+            if joined and joined[-1][1] == a:
+                joined[-1] = joined[-1][0], b
+            else:
+                joined.append((a, b))
+        domain = surface.domain[line.direction]
+        lines += [ParabolicLine(line, value, side, line in closed and side == domain, one_sided) for side in joined]
+    return _without_seam(lines, surface.domain, closed)
+
+
+def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
+    """The patch on the other side of an edge; one that does not exist at the end of a surface that is not closed."""
+    place = list(patch)
+    k = edge.direction
+    place[k] += 1 if edge.end else -1
+    if list(Along)[k] in closed:
+        place[k] %= counts[k]
+    return place[0], place[1]
+
+
+def _without_seam(lines: list[ParabolicLine], domain: Box, closed: Sequence[Along]) -> tuple[ParabolicLine, ...]:
+    """The lines, one on the seam of a closed surface once."""
+    kept = []
+    for line in lines:
+        across = Along.V if line.along is Along.U else Along.U
+        low, high = domain[across.direction]
+        if across in closed and line.value == high and replace(line, value=low) in lines:
+            continue
+        kept.append(line)
+    return tuple(kept)
+
+
+__all__ = ["LinesOfPatch", "ParabolicLine", "parabolic_lines", "without_lines"]

@@ -1,0 +1,151 @@
+"""What style sheets may say of an SVG element's shape: which properties are set, not what they are set to.
+
+CSS overrides the attributes of an element (SVG 2, section 6.6), and `transform`, `d`, `r` and others are properties.
+Values are not followed. A selector is matched by its last part alone, one with brackets or escapes by everything, so
+that a rule may be thought to apply where it does not, but never the other way round.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from exactspline.interchange.xml_tree import Element
+
+#: Properties that move whatever they are set on.
+MOVING = frozenset(
+    ("transform", "translate", "rotate", "scale", "zoom", "offset", "offset-path", "offset-distance", "offset-position",
+     "offset-rotate", "offset-anchor", "all")
+)  # fmt: skip
+#: Properties that say where a transform of the element is applied.
+ORIGIN = frozenset(("transform-origin", "transform-box"))
+#: Properties that are the shape of an element.
+SHAPING = {
+    "path": frozenset(("d",)),
+    "circle": frozenset(("cx", "cy", "r")),
+    "ellipse": frozenset(("cx", "cy", "rx", "ry")),
+    "rect": frozenset(("x", "y", "width", "height", "rx", "ry")),
+    "svg": frozenset(("x", "y", "width", "height")),
+    "use": frozenset(("x", "y")),
+}
+#: Properties that hide something or a part of it.
+HIDING = ("display", "visibility", "clip-path", "clip", "mask", "mask-image", "content-visibility")
+ANY_PROPERTY = "all"
+
+_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)
+# what ends a part of a sheet; strings and brackets are stepped over, unclosed ones extend to the end
+_PART = re.compile(r"""(?:"(?:[^"\\]|\\.)*+(?:"|\Z)|'(?:[^'\\]|\\.)*+(?:'|\Z)|\\.|\([^()]*\)|[^;{}"'\\])*+""", re.S)
+_STATE = re.compile(r"::?[-\w]+")
+_NAME = re.compile(r"([.#]?)((?:[-\w]|[^\x00-\x7f])+|\*)")
+#: At-rules whose blocks hold rules.
+_GROUPS = ("@media", "@supports", "@layer", "@container", "@scope", "@document", "@starting-style")
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule: its selectors, as tag, ids and classes of their last parts, and the properties that it sets."""
+
+    parts: tuple[tuple[str, frozenset[str], frozenset[str]], ...]
+    properties: frozenset[str]
+
+    def applies(self, element: Element) -> bool:
+        """Whether it may apply to an element."""
+        classes = frozenset(element.attributes.get("class", "").split())
+        own = element.attributes.get("id", "")
+        return any(
+            tag in ("", "*", element.tag) and ids <= {own} and of_class <= classes for tag, ids, of_class in self.parts
+        )
+
+
+@dataclass
+class Sheet:
+    """The style sheets of a file.
+
+    >>> sheet = Sheet()
+    >>> sheet.add("/* a */ g > .moved:hover, #x { fill: red; transform: rotate(3deg) } @import url(more.css);")
+    >>> sorted(sheet.may_set(Element("path", {"class": "moved"}, 1))), sheet.imports
+    (['fill', 'transform'], True)
+    """
+
+    rules: list[Rule] = field(default_factory=list)
+    imports: bool = False
+
+    def add(self, text: str) -> None:
+        """The rules of a text."""
+        waiting: list[tuple[str, ...]] = [()]
+        own: list[set[str]] = [set()]
+        text, position = _COMMENT.sub(" ", text), 0
+        while position < len(text):
+            match = _PART.match(text, position)
+            part, position = (match[0].strip(), match.end()) if match else ("", position)
+            mark, position = text[position : position + 1], position + 1
+            if mark == "{":
+                waiting.append(_selectors(part, waiting[-1]))
+                own.append(set())
+                continue
+            self.imports |= part.lower().startswith("@import")
+            own[-1] |= _properties(part)
+            if mark == "}" and len(waiting) > 1:
+                self._close(waiting.pop(), own.pop())
+        # a block that is not closed ends with the sheet
+        for selectors, properties in zip(waiting, own, strict=True):
+            self._close(selectors, properties)
+
+    def _close(self, selectors: tuple[str, ...], properties: set[str]) -> None:
+        if selectors and properties:
+            self.rules.append(Rule(tuple(map(_last_part, selectors)), frozenset(properties)))
+
+    def may_set(self, element: Element) -> frozenset[str]:
+        """The properties that rules may set on an element."""
+        return frozenset[str]().union(*(rule.properties for rule in self.rules if rule.applies(element)))
+
+
+def _selectors(prelude: str, outer: tuple[str, ...]) -> tuple[str, ...]:
+    """The selectors of a block; a group of rules within a rule speaks of what that rule speaks of."""
+    if prelude.startswith("@"):
+        return outer if prelude.lower().startswith(_GROUPS) else ()
+    return ("*",) if set(prelude) & set("([\\&") else tuple(_STATE.sub("", prelude).split(","))
+
+
+def _last_part(selector: str) -> tuple[str, frozenset[str], frozenset[str]]:
+    last = re.split(r"[\s>+~|]+", selector.strip())[-1]
+    names = _NAME.findall(last)
+    by_mark = {mark: frozenset(name for found, name in names if found == mark) for mark in ("", "#", ".")}
+    return next(iter(by_mark[""]), ""), by_mark["#"], by_mark["."]
+
+
+def _properties(declaration: str) -> set[str]:
+    name, colon, _ = declaration.partition(":")
+    return {_property(name)} if colon and not declaration.startswith("@") else set()
+
+
+def _property(name: str) -> str:
+    """The name of a property; one written with escapes may be any."""
+    return ANY_PROPERTY if "\\" in name else name.strip().lower()
+
+
+def declarations(text: str) -> dict[str, str]:
+    """The properties that a `style` attribute sets, and their values.
+
+    >>> declarations("fill: url(a;b); TRANSFORM : none !important;")
+    {'fill': 'url(a;b)', 'transform': 'none'}
+    """
+    found: dict[str, str] = {}
+    text, position = _COMMENT.sub(" ", text), 0
+    while position < len(text):
+        match = _PART.match(text, position)
+        part, position = (match[0], match.end() + 1) if match else ("", position + 1)
+        name, colon, value = part.partition(":")
+        if colon:
+            found[_property(name)] = re.sub(r"\s*!\s*important\s*\Z", "", value.strip(), flags=re.I)
+    return found
+
+
+def in_words(properties: Iterable[str]) -> str:
+    """Properties in a sentence.
+
+    >>> in_words({"r", "d"})
+    'd, r'
+    """
+    return ", ".join(sorted("any property" if name == ANY_PROPERTY else name for name in properties))

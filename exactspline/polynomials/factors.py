@@ -1,0 +1,290 @@
+"""The one way to factor a polynomial: over the integers or the rationals in any number of variables, or modulo a prime.
+
+A factorization of FLINT is multiplied out again before it is believed. Where it may take long, for integer polynomials
+in one or two variables, irreducibility is tried to be shown modulo primes first; where that fails, a call beyond the
+bound on its cost is refused. Greatest common divisors in two variables likewise.
+
+Source: the degrees of factors modulo primes as a test of irreducibility, Knuth, The Art of Computer Programming 2,
+§4.6.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import reduce
+from typing import Any, Generic, NamedTuple, TypeVar
+
+from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
+
+from exactspline.exact import PRIME
+from exactspline.polynomials.cost import LONGEST, LONGEST_LOOP, affords, check_reach, height_bits
+from exactspline.polynomials.factorization import Factorization, multiplied
+
+P = TypeVar("P", fmpz_poly, nmod_poly, fmpz_mpoly, fmpq_mpoly)
+G = TypeVar("G", fmpz_poly, fmpz_mpoly)
+
+#: Nanoseconds for each coefficient bit of a dense polynomial, in one variable and in two, measured on products of two
+#: factors and of squares: of factorizations in irreducible ones (700 to 1300, and 1000 to 3700), of square-free ones
+#: (200, and 2500), and of greatest common divisors in two (400).
+FACTOR, SQUARE_FREE, DIVISOR = {1: 1500, 2: 4000}, {1: 250, 2: 3000}, 600
+#: Nanoseconds for a term in more variables, and for 1000 bits of it (measured: 3 to 50 microseconds).
+TERM = 50_000
+#: Nanoseconds for the square of the degree in one variable.
+SQUARE = 1200
+#: Nanoseconds from which on the images modulo primes are looked at first.
+WORTH_A_TRY = 200_000_000
+#: Nanoseconds for the square of the degree of an image modulo a small prime, to make and to factor it (measured: 150
+#: to 500).
+IMAGE = 600
+#: Small primes: what is asked for is the degrees of factors.
+PRIMES = (10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079, 10091, 10093, 10099, 10103)
+
+
+class Factored(NamedTuple, Generic[P]):
+    """``constant · Π baseᵉ``, no base a constant: with coprime integer coefficients or, modulo a prime, monic."""
+
+    constant: Any
+    powers: Factorization[P]
+
+    @property
+    def bases(self) -> list[P]:
+        """The factors, each once."""
+        return [base for base, _ in self.powers]
+
+
+def factorize(p: P) -> Factored[P]:
+    """A polynomial that is not zero as a constant times powers of irreducible ones.
+
+    >>> x = fmpz_poly([0, 1])
+    >>> constant, powers = factorize(-6 * (x - 1) ** 2 * (x**2 - 2))
+    >>> constant, list(powers)
+    (-6, [(x^2 + (-2), 1), (x + (-1), 2)])
+
+    Raises `ReachError` where FLINT may need too long.
+    """
+    if not isinstance(p, nmod_poly):
+        cost = _cost(p, FACTOR)
+        if isinstance(p, fmpz_poly) and cost > WORTH_A_TRY:
+            parts = factorize_square_free(p)
+            powers = [(q, e) for base, e in parts.powers for q in _split(base)]
+            return _believed(p, parts.constant, powers)
+        if isinstance(p, fmpz_mpoly) and cost > WORTH_A_TRY and _certainly_irreducible(p):
+            content = _content(p) if p.leading_coefficient() > 0 else -_content(p)
+            return _believed(p, content, [(p / content, 1)])
+        longest = LONGEST_LOOP if isinstance(p, fmpq_mpoly) else LONGEST
+        check_reach(cost, lambda: f"the factorization of a polynomial {_size(p)}", longest)
+    return _believed(p, *_by_flint(p))
+
+
+def factorize_square_free(p: P) -> Factored[P]:
+    """A polynomial that is not zero as a constant times powers of coprime ones without multiple factors.
+
+    >>> x = fmpz_poly([0, 1])
+    >>> list(factorize_square_free(x**2 * (x**2 - 1)).powers)
+    [(x^2 + (-1), 1), (x, 2)]
+
+    Raises `ReachError` like `factorize`.
+    """
+    if isinstance(p, fmpz_poly | fmpz_mpoly):
+        cost = _cost(p, SQUARE_FREE)
+        if cost > WORTH_A_TRY and isinstance(p, fmpz_poly) and certainly_square_free(p):
+            content = p.content() if p.leading_coefficient() > 0 else -p.content()
+            return _believed(p, content, [(p // content, 1)])
+        check_reach(cost, lambda: f"the square-free factorization of a polynomial {_size(p)}")
+    return _believed(p, *p.factor_squarefree())
+
+
+def certainly_square_free(c: fmpz_poly) -> bool:
+    """Whether the polynomial has no multiple factor modulo `PRIME`, which proves that it has none; False proves
+    nothing.
+
+    >>> certainly_square_free(fmpz_poly([1, -3, 1])), certainly_square_free(fmpz_poly([1, -2, 1]))
+    (True, False)
+    """
+    image = nmod_poly(c, PRIME)
+    return bool(image.degree() == c.degree() and image.gcd(image.derivative()).degree() == 0)
+
+
+def greatest_common_divisor(polynomials: Iterable[G]) -> G:
+    """The greatest common divisor of polynomials in one or two variables. Raises `ReachError` like `factorize`.
+
+    >>> from flint import Ordering, fmpz_mpoly_ctx
+    >>> s, t = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex).gens()
+    >>> greatest_common_divisor([s * s - t * t, (s + t) ** 2])
+    s + t
+    """
+    return reduce(_divisor_of_two, polynomials)
+
+
+def certainly_coprime(p: fmpz_poly, q: fmpz_poly) -> bool:
+    """Whether two polynomials have no common factor modulo a prime that keeps the degree of the first: then they have
+    none; False proves nothing.
+
+    >>> certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 1])), certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 2]))
+    (True, False)
+    """
+    image = nmod_poly(p, PRIME)
+    return bool(image.degree() == p.degree() and image.gcd(nmod_poly(q, PRIME)).degree() == 0)
+
+
+def _divisor_of_two(p: G, q: G) -> G:
+    if not p or not q:
+        return p.gcd(q)
+    if isinstance(p, fmpz_poly):
+        cost = _cost_of_divisor(p, q)
+        if cost > WORTH_A_TRY and certainly_coprime(p, q):
+            return fmpz_poly([p.content().gcd(q.content())])
+    else:
+        cost = max(_cost(f, {1: DIVISOR, 2: DIVISOR}) for f in (p, q))
+        if cost > WORTH_A_TRY and all(_certainly_without(p, q, k) for k in (0, 1)):
+            return p.context().constant(_content(p).gcd(_content(q)))
+    check_reach(cost, lambda: f"the greatest common divisor of polynomials {_size(p)} and {_size(q)}")
+    return p.gcd(q)
+
+
+def _cost_of_divisor(p: fmpz_poly, q: fmpz_poly) -> int:
+    """An estimate in nanoseconds of what the images modulo as many primes cost as there are words in a coefficient
+    (measured: 40 s for degree 32 and 1,300,000 bits, 3 s for 400 and 67,000).
+    """
+    degree, words = max(p.degree(), q.degree()), 1 + max(p.height_bits(), q.height_bits()) // 62
+    return words * degree * (4 * words + 10 * degree)
+
+
+def _split(base: fmpz_poly) -> list[fmpz_poly]:
+    """The irreducible factors of a square-free polynomial."""
+    cost = _cost(base, FACTOR)
+    if cost > WORTH_A_TRY and _certainly_irreducible(base):
+        return [base]
+    check_reach(cost, lambda: f"the factorization of a polynomial {_size(base)}")
+    return [q for q, _ in base.factor()[1]]
+
+
+def _by_flint(p: Any) -> Any:
+    """The factors as FLINT gives them. Those of integer polynomials in several variables come from their image over the
+    rationals: python-flint sorts the former by their coefficients as machine integers, and fails beyond 31 bits.
+    """
+    if not isinstance(p, fmpz_mpoly):
+        return p.factor()
+    context = p.context()
+    rationals = fmpq_mpoly_ctx.get(context.names(), context.ordering())
+    constant, factors = rationals.from_dict(p.to_dict()).factor()
+    found = [(context.from_dict({e: x.p for e, x in base.to_dict().items()}), k) for base, k in factors]
+    return constant.p, found
+
+
+def _believed(p: P, constant: Any, factors: list[tuple[P, int]]) -> Factored[P]:
+    """The factorization, once its product is the polynomial; `ArithmeticError` otherwise."""
+    found = Factorization((base, int(e)) for base, e in factors)
+    product_of_all = multiplied(found, p * 0 + 1) * constant
+    if product_of_all != p:
+        raise ArithmeticError("FLINT's factors do not multiply to the polynomial")
+    return Factored(constant, found)
+
+
+def _content(p: fmpz_mpoly) -> fmpz:
+    return reduce(lambda x, y: x.gcd(y), p.coeffs(), fmpz(0))
+
+
+# ---- cost
+
+
+def _degrees(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> list[int]:
+    """The degrees in the variables that occur."""
+    return [d for d in map(int, [p.degree()] if isinstance(p, fmpz_poly) else p.degrees()) if d > 0]
+
+
+def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
+    """The number of bits of the largest integer of a polynomial."""
+    if isinstance(p, fmpz_poly):
+        return int(p.height_bits())
+    if isinstance(p, fmpz_mpoly):
+        return height_bits(p.coeffs())
+    return max(height_bits([x.p for x in p.coeffs()]), height_bits([x.q for x in p.coeffs()]))
+
+
+def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> int:
+    """An estimate in nanoseconds: of a dense polynomial in one variable or two, by terms in more."""
+    degrees, terms = _degrees(p), 1
+    if not degrees:
+        return 0
+    if len(degrees) > 2:
+        return len(p) * TERM * (1 + _bits(p) // 1000)
+    for d in degrees:
+        terms *= d + 1
+    cost = terms * _bits(p) * per_bit[len(degrees)]
+    return cost + (SQUARE * degrees[0] ** 2 if len(degrees) == 1 else 0)
+
+
+def _size(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> str:
+    degrees = _degrees(p)
+    if len(degrees) > 2:
+        return f"of {len(p)} terms in {len(degrees)} variables"
+    return f"of degree {' × '.join(map(str, degrees))} with integers of {_bits(p)} bits"
+
+
+# ---- modulo primes
+
+
+def _certainly_irreducible(p: fmpz_poly | fmpz_mpoly) -> bool:
+    """Whether the degrees of factors modulo primes show that there are no two factors but for constants; False proves
+    nothing.
+
+    The degree of a factor in one variable is a sum of degrees of factors of every image of the same degree. In two
+    variables one of them takes a value: when a factor has all of the degree in the other one or nothing of it, there is
+    one factor, unless the coefficients, as polynomials in the first, have a common one.
+    """
+    if isinstance(p, fmpz_poly):
+        return _one_degree((nmod_poly([int(x % n) for x in p.coeffs()], n) for n in PRIMES), p.degree())
+    if len(_degrees(p)) < 2 or p.context().nvars() != 2:
+        return False
+    return any(_one_degree(_images(p, k), int(p.degrees()[1 - k])) and _certainly_primitive(p, k) for k in (0, 1))
+
+
+def _one_degree(images: Iterable[nmod_poly], degree: int) -> bool:
+    """Whether no sum of degrees of factors is between 0 and the degree, for all images of this degree."""
+    possible = (1 << (degree + 1)) - 1
+    for image in images:
+        if not affords(IMAGE * degree**2):
+            return False
+        if image.degree() == degree:
+            sums = 1
+            for base, e in image.factor()[1]:
+                for _ in range(int(e)):
+                    sums |= sums << base.degree()
+            possible &= sums
+            if possible == 1 | (1 << degree):
+                return True
+    return False
+
+
+def _images(p: fmpz_mpoly, variable: int) -> Iterator[nmod_poly]:
+    """Polynomials in the other variable: one variable takes a small value, modulo each prime."""
+    for value, prime in enumerate(PRIMES, 2):
+        yield _image(p, variable, value, prime)
+
+
+def _image(p: fmpz_mpoly, variable: int, value: int, prime: int) -> nmod_poly:
+    found = [0] * (int(p.degrees()[1 - variable]) + 1)
+    for powers, x in p.to_dict().items():
+        found[powers[1 - variable]] += int(x % prime) * pow(value, powers[variable], prime)
+    return nmod_poly([x % prime for x in found], prime)
+
+
+def _certainly_primitive(p: fmpz_mpoly, variable: int) -> bool:
+    """Whether the coefficients, polynomials in one variable, have no common factor: their images have none, and one of
+    them keeps its degree.
+    """
+    rows: dict[int, dict[int, int]] = {}
+    for powers, x in p.to_dict().items():
+        rows.setdefault(powers[1 - variable], {})[powers[variable]] = int(x % PRIMES[0])
+    images = [nmod_poly([row.get(k, 0) for k in range(max(row) + 1)], PRIMES[0]) for row in rows.values()]
+    kept = any(image.degree() == max(row) for image, row in zip(images, rows.values(), strict=True))
+    return kept and reduce(lambda f, g: f.gcd(g), images).degree() == 0
+
+
+def _certainly_without(p: fmpz_mpoly, q: fmpz_mpoly, variable: int) -> bool:
+    """Whether the greatest common divisor certainly does not depend on the other variable."""
+    for one, other in zip(_images(p, variable), _images(q, variable), strict=True):
+        if one.degree() == int(p.degrees()[1 - variable]) and one.gcd(other).degree() == 0:
+            return True
+    return False

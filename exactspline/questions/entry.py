@@ -1,0 +1,205 @@
+"""A question that can be asked about a geometric object: an entry of the registry. It stands where the exact answer
+is computed, as an attribute of what is asked, and carries what else there is to know of it; `questions_of` is the
+registry. The command line, the oracle, sweeps, the JSON and its schema, the comparison of libraries and the glossary
+read it.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass
+from enum import StrEnum
+from inspect import cleandoc
+from typing import Concatenate, Generic, ParamSpec, Protocol, TypeVar, cast, overload
+
+from exactspline.roots.zero_set import ZeroSet
+
+T = TypeVar("T")
+P = ParamSpec("P")
+
+
+class Remembers(Protocol):
+    """An object that keeps what was computed of it once."""
+
+    def once(self, key: Hashable, compute: Callable[[], T]) -> T:
+        """The value kept under a key, computed at the first request."""
+
+
+F = TypeVar("F", bound=Remembers)
+
+
+class Of(StrEnum):
+    """What a question is asked of."""
+
+    PLANE_CURVE = "plane curve"
+    SPACE_CURVE = "space curve"
+
+
+#: A question about curves in the plane and in space.
+CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
+
+
+class Answered(StrEnum):
+    """What an answer consists of."""
+
+    #: Points of the curve, and pieces all of whose points belong to it (`exactspline.questions.answers.Places`).
+    PLACES = "places"
+    #: Joints of its segments.
+    JOINTS = "joints"
+    #: Pieces of it.
+    PIECES = "pieces"
+    #: Pieces of it, each with its plane; or one plane.
+    PLANAR_PIECES = "planar pieces"
+    PLANE = "plane"
+
+
+class Known(Protocol):
+    """What the certified filter knows of a curve of which everything is certain (`exactspline.geometry.many_roots`): it
+    has no singular points, and is neither straight nor an arc of a circle on any segment.
+    """
+
+    @property
+    def inflections(self) -> object:
+        """Its inflections."""
+
+    @property
+    def extrema(self) -> object:
+        """The extrema of its curvature: all its critical points."""
+
+
+@dataclass(frozen=True)
+class About:
+    """What is said of a question beside its name, its meaning and its exact answer.
+
+    ``of``: what it is asked of. ``answered``: what its answer consists of. ``part_of``: another question, whose answer
+    contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
+    argument. ``known``: the answer
+    from what the certified filter knows. ``argument``: what it is asked with, an example of it in text ("" for
+    nothing).
+    """
+
+    of: tuple[Of, ...]
+    answered: Answered = Answered.PLACES
+    part_of: str = ""
+    proof: Callable[..., ZeroSet] | None = None
+    known: Callable[[Known], object] | None = None
+    argument: str = ""
+
+
+class Entry(ABC):
+    """A question as an entry of the registry, whatever its answer is."""
+
+    name: str
+    about: About
+
+    @abstractmethod
+    def answer(self, facts: Remembers, argument: str = "") -> object:
+        """The exact answer; an argument is given as text."""
+
+    @property
+    def meaning(self) -> str:
+        """What is asked, in one line: the first paragraph of the docstring, as a part of a sentence."""
+        paragraph = " ".join(cleandoc(self.__doc__ or "").split("\n\n")[0].split())
+        return (paragraph[:1].lower() + paragraph[1:]).removesuffix(".").replace("``", "")
+
+
+class Fact(Generic[F, T]):
+    """A property that is computed once for its object, under the object's lock, and kept: among the object's own
+    attributes, where Python looks first.
+    """
+
+    def __init__(self, compute: Callable[[F], T]) -> None:
+        self.compute, self.__doc__ = compute, compute.__doc__
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    @overload
+    def __get__(self, facts: None, owner: type) -> Fact[F, T]: ...
+
+    @overload
+    def __get__(self, facts: Remembers, owner: type) -> T: ...
+
+    def __get__(self, facts: Remembers | None, owner: type) -> T | Fact[F, T]:
+        if facts is None:
+            return self
+        found: T = facts.once(self.name, lambda: self.compute(cast(F, facts)))
+        vars(facts)[self.name] = found
+        return found
+
+
+class Question(Fact[F, T], Entry):
+    """A fact that can be asked for by its name."""
+
+    def __init__(self, compute: Callable[[F], T], about: About) -> None:
+        super().__init__(compute)
+        self.about = about
+
+    def answer(self, facts: Remembers, argument: str = "") -> object:
+        """The exact answer."""
+        return getattr(facts, self.name)
+
+
+class QuestionWith(Entry, Generic[F, P, T]):
+    """A question that is asked with an argument: a method, whose answers are kept by their arguments."""
+
+    def __init__(self, compute: Callable[Concatenate[F, P], T], about: About) -> None:
+        self.compute, self.__doc__, self.about = compute, compute.__doc__, about
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    @overload
+    def __get__(self, facts: None, owner: type) -> QuestionWith[F, P, T]: ...
+
+    @overload
+    def __get__(self, facts: Remembers, owner: type) -> Callable[P, T]: ...
+
+    def __get__(self, facts: Remembers | None, owner: type) -> Callable[P, T] | QuestionWith[F, P, T]:
+        if facts is None:
+            return self
+
+        def ask(*args: P.args, **kwargs: P.kwargs) -> T:
+            key = (self.name, args, tuple(sorted(kwargs.items())))
+            return facts.once(key, lambda: self.compute(cast(F, facts), *args, **kwargs))
+
+        return ask
+
+    def answer(self, facts: Remembers, argument: str = "") -> object:
+        """The exact answer, its argument given as text."""
+        return getattr(facts, self.name)(argument)
+
+
+def question(
+    *of: Of,
+    answered: Answered = Answered.PLACES,
+    part_of: str = "",
+    proof: Callable[..., ZeroSet] | None = None,
+    known: Callable[[Known], object] | None = None,
+) -> Callable[[Callable[[F], T]], Question[F, T]]:
+    """Make the property that computes an answer an entry of the registry (see `About`)."""
+    return lambda compute: Question(compute, About(of, answered, part_of, proof, known))
+
+
+def question_with(
+    argument: str, *of: Of, answered: Answered = Answered.PLACES, proof: Callable[..., ZeroSet] | None = None
+) -> Callable[[Callable[Concatenate[F, P], T]], QuestionWith[F, P, T]]:
+    """Make a method that computes an answer an entry of the registry; `argument` is an example of its argument, as
+    text.
+    """
+    return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, argument=argument))
+
+
+def questions_of(owner: type) -> dict[str, Entry]:
+    """The questions about the objects of a class, by their names, in the order of their definition, those of its base
+    classes first.
+
+    >>> from exactspline.geometry.analysis import Analysis
+    >>> list(questions_of(Analysis))[:2]
+    ['joints', 'singular_points']
+    """
+    found: dict[str, Entry] = {}
+    for each in reversed(owner.__mro__):
+        found |= {name: x for name, x in vars(each).items() if isinstance(x, Entry)}
+    return found

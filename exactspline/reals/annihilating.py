@@ -1,0 +1,217 @@
+"""Polynomials with integer coefficients that have a given real number as a zero: of sums, products, quotients, square
+roots and rational functions of algebraic numbers; their square-free parts and irreducible factors.
+
+Each is a resultant ``Res_y(p(y), h(x, y))`` (`exactspline.polynomials.elimination`), whose cost is known before it
+begins: beyond the bound it is refused with a `ReachError`.
+
+Source: Loos, Computing in algebraic extensions, 1982.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from flint import fmpq_poly, fmpz, fmpz_poly, nmod_poly
+
+from exactspline.exact import PRIME, mpq, to_fmpq
+from exactspline.polynomials.cost import check_reach
+from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factors import factorize
+
+#: The highest degree of a polynomial that is computed.
+DEGREE = 200
+#: Nanoseconds for each coefficient bit times the degree, of arithmetic modulo a polynomial.
+ARITHMETIC = 10
+#: Modulo these it is tried whether a zero can be rational.
+PRIMES = (5, 7, 11, 13, 17, 19)
+#: The polynomial x.
+X = fmpz_poly([0, 1])
+
+
+def check_size(degree: int, bits: int) -> None:
+    """Raise `ReachError` where a polynomial of this degree, with coefficients of this many bits, is out of reach."""
+    cost = degree * degree * bits * ARITHMETIC
+    check_reach(cost if degree <= DEGREE else max(cost, 10**10), lambda: f"a polynomial of degree {degree}")
+
+
+def sum_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
+    """A polynomial that vanishes at all sums of a zero of p and a zero of q.
+
+    >>> sum_of(fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 0, 1]))
+    x^4 + (-10)*x^2 + 1
+    """
+    n = q.degree()
+    check_size(p.degree() * n, 0)
+    # q(x − y) = Σ q⁽ʲ⁾(x) (−y)ʲ / j!
+    rows, derivative, factorial = [], q, fmpz(1)
+    for j in range(n + 1):
+        rows.append(derivative // factorial if j % 2 == 0 else -derivative // factorial)
+        derivative, factorial = derivative.derivative(), factorial * (j + 1)
+    return primitive(resultant(_rows(p), rows))
+
+
+def product_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
+    """A polynomial that vanishes at all products of a zero of p and a zero of q.
+
+    >>> product_of(fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 1]))
+    x^2 + (-18)
+    """
+    zeros = next(i for i in range(q.degree() + 1) if q[i] != 0)
+    q = q.right_shift(zeros)
+    n = q.degree()
+    check_size(p.degree() * n, 0)
+    # yⁿ q(x/y) = Σ qₙ₋ᵢ xⁿ⁻ⁱ yⁱ
+    found = primitive(resultant(_rows(p), [fmpz_poly([q[n - i]]).left_shift(n - i) for i in range(n + 1)]))
+    return found * X if zeros and found[0] != 0 else found
+
+
+def negated(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial with the negative zeros."""
+    return primitive(p(fmpz_poly([0, -1])))
+
+
+def inverted(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial with the reciprocals of the non-zero zeros.
+
+    >>> inverted(fmpz_poly([0, -2, 0, 3]))
+    2*x^2 + (-3)
+    """
+    return primitive(fmpz_poly([*reversed(p.coeffs())]))
+
+
+def square_root_of(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial with both square roots of every zero."""
+    check_size(2 * p.degree(), p.height_bits())
+    return p(fmpz_poly([0, 0, 1]))
+
+
+def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
+    """A polynomial that vanishes at ``top(α)/bottom(α)`` for all zeros α of m at which not both vanish.
+
+    >>> quotient_at(fmpz_poly([-2, 0, 1]), fmpq_poly([1, 1]), fmpq_poly([0, 1]))  # (√2 + 1)/√2
+    2*x^2 + (-4)*x + 1
+    """
+    (f, a), (g, b) = ((p.numer(), p.denom()) for p in (top, bottom))
+    f, g = f * b, g * a
+    m = m // m.gcd(f.gcd(g))
+    check_size(m.degree(), max(f.height_bits(), g.height_bits()))
+    return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
+
+
+def _rows(p: fmpz_poly) -> list[fmpz_poly]:
+    """A polynomial in y as one in x and y."""
+    return [fmpz_poly([c]) for c in p.coeffs()]
+
+
+def primitive(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial divided by the content, with a positive leading coefficient."""
+    if not p:
+        return p
+    return p // (p.content() if p.leading_coefficient() > 0 else -p.content())
+
+
+def square_free(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial with the same zeros, each once.
+
+    >>> square_free(fmpz_poly([1, 2, 1]))
+    x + 1
+    """
+    return primitive(p // p.gcd(p.derivative()))
+
+
+def irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:
+    """The irreducible factors with positive leading coefficients, shared by many numbers.
+
+    Raises `ReachError` where FLINT may need too long.
+    """
+    return _factors(*p.coeffs())
+
+
+@lru_cache(64)
+def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
+    return tuple(primitive(p) for p in factorize(fmpz_poly(list(coefficients))).bases)
+
+
+def without_rational_zero(p: fmpz_poly) -> bool:
+    """Whether it is certain that no zero is rational: a rational one is a zero modulo every prime that does not divide
+    the leading coefficient. False says nothing.
+
+    >>> [without_rational_zero(fmpz_poly(c)) for c in ([-2, 0, 1], [-4, 0, 1])]
+    [True, False]
+    """
+    return any(_no_zero_modulo(p, prime) for prime in PRIMES)
+
+
+def _no_zero_modulo(p: fmpz_poly, prime: int) -> bool:
+    """Whether a polynomial keeps its degree modulo a prime and has no zero there."""
+    residues = nmod_poly(p, prime)
+    return residues.degree() == p.degree() and all(int(residues(x)) for x in range(prime))
+
+
+def linear(value: mpq) -> fmpz_poly:
+    """The primitive linear polynomial with a rational zero.
+
+    >>> linear(mpq(2, 3))
+    3*x + (-2)
+    """
+    return fmpz_poly([int(-value.numerator), int(value.denominator)])
+
+
+def sign_at(p: fmpz_poly, t: mpq) -> int:
+    """The sign of a polynomial at a rational number."""
+    at = p(to_fmpq(t))
+    return int(at > 0) - int(at < 0)
+
+
+def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
+    """Whether a polynomial has opposite signs at two numbers."""
+    return sign_at(p, low) * sign_at(p, high) < 0
+
+
+class QuotientModulo:
+    """``top(α)/bottom(α)`` for a zero α of a polynomial: what `+ − * /` make of such quotients.
+
+    >>> y = QuotientModulo(fmpz_poly([-2, 0, 1]), fmpq_poly([0, 1]))
+    >>> ((y + y) * y).top, (y / y - y).top
+    (4, x + (-2))
+    """
+
+    __slots__ = ("bottom", "modulus", "top")
+
+    def __init__(self, modulus: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly | None = None) -> None:
+        self.modulus, self.top = modulus, top
+        self.bottom = fmpq_poly([1]) if bottom is None else bottom
+
+    def _made(self, top: fmpq_poly, bottom: fmpq_poly) -> QuotientModulo:
+        n = self.modulus.degree()
+        if top.degree() >= n or bottom.degree() >= n:
+            m = fmpq_poly(self.modulus)
+            top, bottom = top % m, bottom % m
+        check_size(n, max(p.numer().height_bits() + p.denom().bit_length() for p in (top, bottom)))
+        return QuotientModulo(self.modulus, top, bottom)
+
+    def __add__(self, other: QuotientModulo) -> QuotientModulo:
+        if self.bottom == other.bottom:
+            return self._made(self.top + other.top, self.bottom)
+        return self._made(self.top * other.bottom + other.top * self.bottom, self.bottom * other.bottom)
+
+    def __sub__(self, other: QuotientModulo) -> QuotientModulo:
+        return self + QuotientModulo(self.modulus, -other.top, other.bottom)
+
+    def __mul__(self, other: QuotientModulo) -> QuotientModulo:
+        return self._made(self.top * other.top, self.bottom * other.bottom)
+
+    def __truediv__(self, other: QuotientModulo) -> QuotientModulo:
+        return self._made(self.top * other.bottom, self.bottom * other.top)
+
+
+def may_vanish(p: fmpz_poly, t: mpq) -> bool:
+    """Whether an integer polynomial vanishes at a rational number modulo a prime; False proves that it does not vanish.
+
+    >>> may_vanish(fmpz_poly([-1, 3]), mpq(1, 3)), may_vanish(fmpz_poly([-1, 3]), mpq(1, 2))
+    (True, False)
+    """
+    below = int(t.denominator % PRIME)
+    if not below:
+        return True
+    return int(nmod_poly(p, PRIME)(int(t.numerator * pow(below, -1, PRIME) % PRIME))) == 0

@@ -1,0 +1,444 @@
+"""Real numbers: rational, quadratic and algebraic ones, known exactly, with `+ − * /`, order, equality and digits.
+
+A number is the tree of the operations that made it, over rational numbers and roots; an interval around it shrinks when
+digits are needed. Only what digits cannot decide (equality, whether it is rational, a minimal polynomial) asks for a
+polynomial with this zero, whose cost is bounded beforehand (`exactspline.reals.annihilating`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from operator import add, mul, sub, truediv
+from typing import Any, Self, TypeAlias, TypeVar, cast
+
+from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
+
+from exactspline.errors import NumberError
+from exactspline.exact import Number, Rounding, double, is_square, isqrt, lcm, mpq, mpz, rational, to_fmpq
+from exactspline.immutable import fill
+from exactspline.reals import annihilating
+from exactspline.reals.algebraic import EXACT, Algebraic
+from exactspline.reals.annihilating import QuotientModulo, linear
+from exactspline.reals.bounds import ball_around, ball_ends
+from exactspline.reals.radicals import square_root_parts
+
+V = TypeVar("V")
+#: An operation on numbers, on balls and on quotients of polynomials.
+Operation: TypeAlias = Callable[..., object]
+#: Bits beyond those of the digits asked for.
+GUARD = 16
+
+
+class Real(Algebraic):
+    """A real number, known exactly: ``Real(number)`` is a rational one, the others are roots and values of curves, and
+    what `+ − * /`, `abs` and `square_root` make of them.
+
+    Numbers compare by value, also with exact ones of other libraries; equal ones have one hash. ``float(x)`` is the
+    correctly rounded double.
+
+    >>> x = square_root(2)
+    >>> y = (x + 1) * (x - 1), x / 2, 1 / (x + square_root(3)), -x < 0 < abs(-x)
+    >>> y[0] == 1, hash(y[0]) == hash(1), y[1], y[2], y[3], float(x)
+    (True, True, <Real √2/2>, <Real 0.31783725…>, True, 1.4142135623730951)
+    >>> (x + square_root(3)).minimal_polynomial(), x.decimal(30)
+    ([1, 0, -10, 0, 1], '1.414213562373095048801688724210')
+
+    Whatever takes a polynomial (equality of numbers that digits do not separate, hash, `exact`, `minimal_polynomial`)
+    raises `ReachError` where it would have too high a degree; `OpenError` for one not known to be algebraic.
+    """
+
+    __slots__ = ()
+    #: What made it, of which numbers; a number without operands is a leaf of the tree.
+    _operation: Operation
+    _operands: tuple[Real, ...] = ()
+
+    def __new__(cls, *given: object, **named: object) -> Self:
+        """``Real(number)`` is one of the kind for rational numbers."""
+        return cast(Self, object.__new__(RationalNumber if cls is Real else cls))
+
+    def __init__(self, value: Number) -> None:
+        """A rational number."""
+
+    def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
+        """A number and two polynomials, of whose values there this number is the quotient; None and constants for a
+        rational one.
+        """
+        return self, fmpq_poly([0, 1]), fmpq_poly([1])
+
+    def _with(self, operation: Operation, other: object, *, swapped: bool = False) -> Real:
+        if not isinstance(other, (Real, *EXACT)):
+            return cast(Real, NotImplemented)
+        pair = self, real(int(other) if isinstance(other, bool) else cast("Number | Real", other))
+        return combined(operation, *(pair[::-1] if swapped else pair))
+
+    def __add__(self, other: object) -> Real:
+        return self._with(add, other)
+
+    def __sub__(self, other: object) -> Real:
+        return self._with(sub, other)
+
+    def __mul__(self, other: object) -> Real:
+        return self._with(mul, other)
+
+    def __truediv__(self, other: object) -> Real:
+        return self._with(truediv, other)
+
+    def __radd__(self, other: object) -> Real:
+        return self._with(add, other, swapped=True)
+
+    def __rsub__(self, other: object) -> Real:
+        return self._with(sub, other, swapped=True)
+
+    def __rmul__(self, other: object) -> Real:
+        return self._with(mul, other, swapped=True)
+
+    def __rtruediv__(self, other: object) -> Real:
+        return self._with(truediv, other, swapped=True)
+
+    def __pow__(self, exponent: int) -> Real:
+        """An integer power."""
+        if type(exponent) is not int:
+            return NotImplemented
+        found, base = Real(1), self if exponent >= 0 else 1 / self
+        for digit in bin(abs(exponent))[2:]:
+            found = found * found * base if digit == "1" else found * found
+        return found
+
+    def __neg__(self) -> Real:
+        return RationalNumber(0) - self
+
+    def __pos__(self) -> Real:
+        return self
+
+    def __abs__(self) -> Real:
+        return -self if self.sign < 0 else self
+
+
+class RationalNumber(Real):
+    """A rational number among the real ones."""
+
+    __slots__ = ("value",)
+    value: mpq
+
+    def __init__(self, value: Number) -> None:
+        found = rational(value)
+        fill(self, value=found, _exact=found, _isolating=None, _minimal=None)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return RationalNumber, (self.value,)
+
+    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+        return self.value, self.value
+
+    def _annihilator(self) -> fmpz_poly:
+        return linear(self.value)
+
+    def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
+        return None, fmpq_poly([to_fmpq(self.value)]), fmpq_poly([1])
+
+    def _against_number(self, t: mpq) -> int:
+        return int(self.value > t) - int(self.value < t)
+
+    def double(self, rounding: str = Rounding.NEAREST) -> float:
+        """The correctly rounded double."""
+        return double(self.value, rounding)
+
+
+class Quadratic(Real):
+    """An irrational number ``a + b√c``, with rational a and b ≠ 0 and an integer c > 1 that is not a square.
+
+    >>> x = square_root("1/8")
+    >>> x, 4 * x, x**2, float(x), (1 + square_root(5)) / 2, 1 / (1 + x)
+    (<Real √2/4>, <Real √2>, <Real 1/8>, 0.3535533905932738, <Real (1 + √5)/2>, <Real (8 - 2√2)/7>)
+    """
+
+    __slots__ = ("a", "b", "c")
+    a: mpq
+    b: mpq
+    c: int
+
+    def __init__(self, a: mpq, b: mpq, c: int) -> None:
+        fill(self, a=a, b=b, c=c, _exact=False, _isolating=None, _minimal=None)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Quadratic, (self.a, self.b, self.c)
+
+    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+        """Multiples of ``10^−digits`` around ``b√c``, moved by a."""
+        scale = mpz(10) ** digits
+        root = isqrt(mpz(self.b**2 * self.c * scale**2))
+        low, high = (root, root + 1) if self.b > 0 else (-root - 1, -root)
+        return self.a + mpq(low, scale), self.a + mpq(high, scale)
+
+    def _annihilator(self) -> fmpz_poly:
+        product = self.a**2 - self.b**2 * self.c
+        return fmpq_poly([to_fmpq(product), to_fmpq(-2 * self.a), fmpq(1)]).numer()
+
+    def _against_number(self, t: mpq) -> int:
+        rest, square = t - self.a, self.b**2 * self.c
+        if self.b > 0:
+            return 1 if rest <= 0 or square > rest**2 else -1
+        return -1 if rest >= 0 or square > rest**2 else 1
+
+    @property
+    def closed_form(self) -> str:
+        """``(a + b√c)/d`` in integers."""
+        a, b = self.a, self.b
+        d = int(lcm(a.denominator, b.denominator))
+        p, q = mpz(a * d), mpz(b * d)
+        times = "" if abs(q) == 1 else str(abs(q))
+        if p == 0:
+            return f"{'-' if q < 0 else ''}{times}√{mpz(self.c)}" + (f"/{d}" if d != 1 else "")
+        whole = f"{p} {'-' if q < 0 else '+'} {times}√{mpz(self.c)}"
+        return f"({whole})/{d}" if d != 1 else whole
+
+
+class Expression(Real):
+    """An operation on real numbers, of which one at least is not rational."""
+
+    __slots__ = ("_operands", "_operation", "_reached")
+    _operation: Operation
+    _operands: tuple[Real, ...]
+    #: The best interval reached, one tuple, so that threads see both ends of one interval.
+    _reached: tuple[mpq, mpq] | None
+    #: Digits cost less than the polynomial of a tree.
+    _suspicious = 320
+
+    def __init__(self, operation: Operation, *operands: Real) -> None:
+        fill(self, _operation=operation, _operands=operands, _reached=None, _exact=None, _isolating=None, _minimal=None)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Expression, (self._operation, *self._operands)
+
+    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+        """By FLINT's balls, with more and more bits."""
+        if isinstance(self._exact, type(mpq())):
+            return self._exact, self._exact
+        known = self._reached
+        bits = max(digits, 0) * 10 // 3 + GUARD
+        while known is None or (known[1] - known[0]) * mpz(10) ** max(digits, 0) > 1:
+            with ctx.workprec(bits + GUARD):
+                ball = _folded(self, _is_leaf, partial(_ball, bits * 3 // 10 + 1))
+            if ball.is_finite():
+                found = ball_ends(ball)
+                if known is None or found.width < known[1] - known[0]:
+                    known = found.low, found.high
+                    fill(self, _reached=known)
+            bits *= 2
+        return known
+
+    def _against_number(self, t: mpq) -> int:
+        """Where all operands but one are rational, by a comparison of that one."""
+        if self._operation is _root:
+            return 1 if t < 0 else self._operands[0]._against_number(t * t)
+        (x, y), operation = self._operands, self._operation
+        if isinstance(q := y._exact, type(mpq())):
+            sign = -1 if operation in (mul, truediv) and q < 0 else 1
+            return sign * x._against_number(_INVERSES[operation](t, q))
+        if isinstance(q := x._exact, type(mpq())) and operation is not truediv:
+            if operation is sub:
+                return -y._against_number(q - t)
+            return (-1 if operation is mul and q < 0 else 1) * y._against_number(_INVERSES[operation](t, q))
+        return super()._against_number(t)
+
+    def _annihilator(self) -> fmpz_poly:
+        if self._operation is _root:
+            return annihilating.square_root_of(self._operands[0]._irreducible())
+        places = _places(self)
+        if len(places) == 1:
+            (place,) = places
+            modulus = place._annihilator()
+            found = _folded(self, _is_place, partial(_quotient_modulo, modulus))
+            return annihilating.quotient_at(modulus, found.top, found.bottom)
+        for x in _in_order(self, _is_place)[:-1]:
+            x._irreducible()
+        p, q = (x._irreducible() for x in self._operands)
+        if self._operation in (add, sub):
+            return annihilating.sum_of(p, q if self._operation is add else annihilating.negated(q))
+        return annihilating.product_of(p, q if self._operation is mul else annihilating.inverted(q))
+
+
+#: ``x ∘ q`` compared with t is x compared with ``t ∘⁻¹ q``.
+_INVERSES: dict[Operation, Callable[..., mpq]] = {add: sub, sub: add, mul: truediv, truediv: mul}
+
+
+def _root(x: Any) -> Any:
+    """The square root of a ball."""
+    return x.sqrt()
+
+
+def _ball(digits: int, x: Real) -> arb:
+    return ball_around(*x._enclosed(digits))
+
+
+def _quotient_modulo(modulus: fmpz_poly, x: Real) -> QuotientModulo:
+    return QuotientModulo(modulus, *x._in_terms()[1:])
+
+
+def _is_leaf(x: Real) -> bool:
+    return not x._operands
+
+
+def _is_place(x: Real) -> bool:
+    """Whether a part of a tree is a number of which the whole is a rational function, or a rational one."""
+    return not x._operands or x._operation is _root
+
+
+def _in_order(number: Real, is_leaf: Callable[[Real], bool]) -> list[Real]:
+    """The parts of a tree, each once and after its operands; without recursion."""
+    found: dict[int, Real] = {}
+    todo = [number]
+    while todo:
+        x = todo[-1]
+        missing = [] if is_leaf(x) else [y for y in x._operands if id(y) not in found]
+        if missing:
+            todo += missing
+        else:
+            found.setdefault(id(x), todo.pop())
+    return list(found.values())
+
+
+def _folded(number: Real, is_leaf: Callable[[Real], bool], of_leaf: Callable[[Real], V]) -> V:
+    """The value of a tree: its operations on the values of its leaves."""
+    found: dict[int, V] = {}
+    for x in _in_order(number, is_leaf):
+        found[id(x)] = of_leaf(x) if is_leaf(x) else cast(V, x._operation(*(found[id(y)] for y in x._operands)))
+    return found[id(number)]
+
+
+def _places(number: Real) -> list[Real]:
+    """The irrational numbers of which a tree is a rational function."""
+    places = (x._in_terms()[0] for x in _in_order(number, _is_place) if _is_place(x))
+    return list({id(place): place for place in places if place is not None}.values())
+
+
+def combined(operation: Operation, x: Real, y: Real) -> Real:
+    """``x ∘ y``: rational or quadratic where that is known at once, otherwise a tree.
+
+    Raises `ZeroDivisionError` for a quotient by 0.
+    """
+    if operation is truediv and y.sign == 0:
+        raise ZeroDivisionError("a real number divided by 0")
+    parts = _known(x), _known(y)
+    if parts[0] is not None and parts[1] is not None:
+        found = _of_quadratics(operation, *parts[0], *parts[1])
+        if found is not None:
+            return found
+    zeros = [known is not None and not known[0] and not known[1] for known in parts]
+    if operation in (mul, truediv) and any(zeros):
+        return RationalNumber(0)
+    if zeros[1]:
+        return x
+    if zeros[0] and operation is add:
+        return y
+    return Expression(operation, x, y)
+
+
+def _known(x: Real) -> tuple[mpq, mpq, int] | None:
+    """a, b and c of ``a + b√c``; c is 1 for a rational number."""
+    if isinstance(x._exact, type(mpq())):
+        return x._exact, mpq(0), 1
+    return (x.a, x.b, x.c) if isinstance(x, Quadratic) else None
+
+
+def _of_quadratics(operation: Operation, a: mpq, b: mpq, c: int, e: mpq, f: mpq, g: int) -> Real | None:
+    """``(a + b√c) ∘ (e + f√g)`` where it is rational or quadratic."""
+    if b and f and c != g:
+        if not is_square(c * g):
+            if a == e == 0 and operation in (mul, truediv):
+                return square_root(c * g) * (b * f if operation is mul else b / (f * g))
+            return None
+        f = f * isqrt(mpz(c * g)) / c
+    radicand = c if b else g
+    if operation is add:
+        return quadratic(a + e, b + f, radicand)
+    if operation is sub:
+        return quadratic(a - e, b - f, radicand)
+    if operation is truediv:
+        norm = e * e - f * f * radicand
+        e, f = e / norm, -f / norm
+    return quadratic(a * e + b * f * radicand, a * f + b * e, radicand)
+
+
+def quadratic(a: mpq, b: mpq, c: int) -> Real:
+    """``a + b√c``, where c is 1 or not a square and without square factors of small primes.
+
+    >>> quadratic(mpq(1), mpq(0), 5), quadratic(mpq(1), mpq(1), 5)
+    (<Real 1>, <Real 1 + √5>)
+    """
+    return Quadratic(a, b, int(c)) if b and c != 1 else RationalNumber(a + b)
+
+
+def square_root(x: Number | Real) -> Real:
+    """The square root of a number that is not negative.
+
+    >>> square_root("9/4"), square_root(12), square_root(1 + square_root(2))
+    (<Real 3/2>, <Real 2√3>, <Real 1.553774…>)
+
+    Raises `NumberError` for a negative number.
+    """
+    value = real(x)
+    sign = value.sign
+    if sign < 0:
+        raise NumberError(f"the square root of {value}", remedy="give a number ≥ 0")
+    if sign == 0:
+        return RationalNumber(0)
+    q = value._exact
+    if not isinstance(q, type(mpq())):
+        return Expression(_root, value)
+    return quadratic(mpq(0), *square_root_parts(q))
+
+
+def real(value: Number | Real) -> Real:
+    """Any exact number as a real one.
+
+    Raises `NumberError` for anything that is not an exact number.
+    """
+    return value if isinstance(value, Real) else RationalNumber(value)
+
+
+def between(low: Number | Real, high: Number | Real) -> mpq:
+    """A rational number strictly between two numbers ``low < high``: a dyadic one of few digits.
+
+    >>> between(0, square_root("1/2"))
+    mpq(1,2)
+    """
+    digits, first, second = 1, real(low), real(high)
+    while True:
+        a, b = first._enclosed(digits)[1], second._enclosed(digits)[0]
+        if a < b:
+            break
+        digits *= 2
+    scale = 1
+    while (found := mpq(int(a * scale // 1) + 1, scale)) >= b:
+        scale *= 2
+    return found
+
+
+class Extreme(Real):
+    """The largest or the smallest of several numbers, without deciding which of them it is."""
+
+    __slots__ = ("among", "side")
+    among: tuple[Real, ...]
+    #: 1 for the largest, −1 for the smallest.
+    side: int
+
+    def __init__(self, side: int, among: Iterable[Real]) -> None:
+        fill(self, side=side, among=tuple(among), _exact=None, _isolating=None, _minimal=None)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Extreme, (self.side, self.among)
+
+    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+        choose = max if self.side > 0 else min
+        ends = [x._enclosed(digits) for x in self.among]
+        return choose(low for low, _ in ends), choose(high for _, high in ends)
+
+    def _against_number(self, t: mpq) -> int:
+        signs = [x._against_number(t) for x in self.among]
+        return max(signs) if self.side > 0 else min(signs)
+
+    def _annihilator(self) -> fmpz_poly:
+        found = max(self.among) if self.side > 0 else min(self.among)
+        return found._annihilator()

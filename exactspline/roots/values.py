@@ -1,0 +1,245 @@
+"""Values of splines, and of quotients of splines, at irrational numbers: as real numbers, and their signs, exactly.
+
+The interval of a root bounds the values there (`centred_form`), the narrower the nearer: the root is refined until the
+digits asked for are certain. A sign that the bounds leave open is decided by a common divisor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import overload
+
+from flint import fmpq_poly, fmpz_poly
+
+from exactspline.errors import DomainError
+from exactspline.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
+from exactspline.immutable import fill
+from exactspline.language.choices import Side
+from exactspline.reals import annihilating
+from exactspline.reals.bounds import Bounds, quotient, rounded_outwards
+from exactspline.reals.real import Real, square_root
+from exactspline.roots.centred_form import bounds_over
+from exactspline.splines.bernstein import substituted
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+
+
+class ValueAt(Real):
+    """``top/bottom`` at an irrational number at which the denominator is not zero.
+
+    >>> from exactspline import BSpline, zeros
+    >>> t = BSpline.identity(0, 2)
+    >>> value = ValueAt(t * t * t, t.constant(1), zeros(t * t - 2).roots[0])
+    >>> float(value), value.minimal_polynomial(), value == 2 * square_root(2)
+    (2.8284271247461903, [-8, 0, 1], True)
+    """
+
+    __slots__ = ("bottom", "place", "top")
+    top: BSpline
+    bottom: BSpline
+    place: Real
+
+    def __init__(self, top: BSpline, bottom: BSpline, place: Real) -> None:
+        fill(self, top=top, bottom=bottom, place=place, _exact=None, _isolating=None, _minimal=None)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return ValueAt, (self.top, self.bottom, self.place)
+
+    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+        def bounds(low: mpq, high: mpq) -> Bounds | None:
+            above, below = values_between(self.top, low, high), values_between(self.bottom, low, high)
+            return None if above is None or below is None or below.low <= 0 <= below.high else quotient(above, below)
+
+        return narrowed(bounds, self.place, digits)
+
+    def _against_number(self, t: mpq) -> int:
+        return sign_at(self.bottom, self.place) * sign_at(self.top - self.bottom.scaled(t), self.place)
+
+    def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
+        i = segment_of(self.top, self.place)
+        return self.place, in_powers(self.top, i), in_powers(self.bottom, segment_of(self.bottom, self.place))
+
+    def _annihilator(self) -> fmpz_poly:
+        return annihilating.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
+
+
+def value_at(top: BSpline, bottom: BSpline, place: mpq | Real, side: Side | str = Side.RIGHT) -> Real:
+    """``top/bottom`` at a parameter, with a denominator that is not zero there.
+
+    >>> from exactspline import BSpline, zeros
+    >>> t = BSpline.identity(0, 2)
+    >>> value_at(t * t - 2, t, zeros(t * t - 2).roots[0]), value_at(t, t + 1, mpq(1))
+    (<Real 0>, <Real 1/2>)
+    """
+    if not isinstance(place, Real):
+        return Real(top(place, side) / bottom(place, side))
+    return ValueAt(top, bottom, place) if sign_at(top, place) else Real(0)
+
+
+def signed_root(sign: int, square: Real) -> Real:
+    """``± √square`` with the given sign; 0 where that is 0.
+
+    >>> signed_root(-1, Real(2))
+    <Real -√2>
+    """
+    return square_root(square) * sign
+
+
+@overload
+def at(function: BSpline, t: Number | Real, *, side: Side | str = Side.RIGHT) -> mpq | Real: ...
+@overload
+def at(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT) -> tuple[mpq | Real, ...]: ...
+def at(
+    function: BSpline | Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT
+) -> mpq | Real | tuple[mpq | Real, ...]:
+    """The value of a spline, or the point of a curve, at a parameter: rational numbers at a rational one, real ones at
+    an irrational `Root`.
+
+    >>> from exactspline import BSpline, Nurbs, zeros
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+    >>> at(parabola, "1/2")
+    (mpq(1,2), mpq(1,4))
+    >>> x, y = at(parabola, zeros(parabola.p[1].scaled(2) - 1).roots[0])
+    >>> x, y == "1/2", y == mpq(1, 2), x.decimal(30)
+    (<Real 0.70710678…>, False, True, '0.707106781186547524400844362105')
+    >>> s = BSpline.identity(0, 2)
+    >>> at(s * s * s, zeros(s * s - 2).roots[0]), at(s, "1/3")
+    (<Real 2.8284271…>, mpq(1,3))
+
+    Raises `DomainError` outside the domain.
+    """
+    place = exact_place(t)
+    if not isinstance(place, Real):
+        return function(place, side)
+    within(function.domain, place)
+    if isinstance(function, BSpline):
+        return value_at(function, function.constant(1), place)
+    return tuple(value_at(x, function.w, place) for x in function.p)
+
+
+def within(domain: tuple[mpq, mpq], place: Real) -> None:
+    """Raise `DomainError` for an irrational number outside a domain."""
+    a, b = domain
+    if not a < place < b:
+        raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
+
+
+def exact_place(t: Number | Real) -> mpq | Real:
+    """A parameter as an exact number where it is one, otherwise the irrational number."""
+    if not isinstance(t, Real):
+        return rational(t)
+    return t if t.exact is None else t.exact
+
+
+def narrowed(bounds: Callable[[mpq, mpq], Bounds | None], place: Real, digits: int) -> Bounds:
+    """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None: not yet
+    known) are narrow enough.
+    """
+    precision, wanted = digits + 5, mpq(1, mpz(10) ** max(digits + 1, 0))
+    while True:
+        found = bounds(*place.enclosure(precision))
+        if found is not None and found.width <= 5 * wanted:
+            return rounded_outwards(found, max(digits + 1, 0))
+        precision *= 2
+
+
+def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
+    """Bounds of a spline on an interval inside one of its segments; None where a knot is inside.
+
+    >>> from exactspline import BSpline
+    >>> low, high = values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(5001, 10000))
+    >>> low <= mpq(1, 4), mpq(5001, 10000) ** 2 <= high, high - low < mpq(1, 5000)
+    (True, True, True)
+    """
+    i = _segment_between(f, low, high)
+    if i is None:
+        return None
+    if f.degree < 0:
+        return Bounds(mpq(0), mpq(0))
+    return Bounds(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
+
+
+def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
+    """The segment that holds an interval, None where there is none."""
+    breaks = f.mesh.breaks
+    if low < breaks[0] or high > breaks[-1]:
+        return None
+    i = f.mesh.locate(low)
+    return i if high <= breaks[i + 1] else None
+
+
+def segment_of(f: BSpline, place: Real) -> int:
+    """The segment with an irrational number of the domain inside."""
+    digits = 5
+    while (found := _segment_between(f, *place.enclosure(digits))) is None:
+        digits *= 2
+    return found
+
+
+def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
+    """The sign of a spline at a parameter, exactly.
+
+    >>> from exactspline import BSpline, zeros
+    >>> t = BSpline.identity(0, 2)
+    >>> root = zeros(t * t - 2).roots[0]
+    >>> sign_at(t * t * t - 2 * t, root), sign_at(t - 1, root), sign_at(2 * t - 3, root)
+    (0, 1, -1)
+    """
+    place = exact_place(t)
+    if not isinstance(place, Real):
+        value = f(place, side)
+        return int(value > 0) - int(value < 0)
+    digits, zero = 5, None
+    while True:
+        low, high = place.enclosure(digits)
+        found = values_between(f, low, high)
+        if found is not None:
+            if found.low > 0 or found.high < 0:
+                return 1 if found.low > 0 else -1
+            if zero is None:
+                zero = place.is_root_of(segment_polynomial(f, f.mesh.locate(low)))
+            if zero:
+                return 0
+        digits *= 2
+
+
+def in_powers(f: BSpline, i: int) -> fmpq_poly:
+    """The polynomial of a segment, in the parameter of the spline.
+
+    >>> from exactspline import BSpline
+    >>> in_powers(BSpline.bezier([0, 0, 1], 1, 3), 0)
+    1/4*x^2 + (-1/2)*x + 1/4
+    """
+    a, b = f.mesh.breaks[i : i + 2]
+    m, n = lcm(a.denominator, b.denominator), max(f.degree, 0)
+    u, v = fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)])
+    scale = to_fmpq(((b - a) * m) ** n) * f.denominators[i]
+    return fmpq_poly(substituted(f.polynomials[i], n, u, v)) / scale
+
+
+def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
+    """A constant times the polynomial of a segment, in the parameter of the spline, with integer coefficients.
+
+    >>> from exactspline import BSpline
+    >>> segment_polynomial(BSpline.bezier([0, 0, 1], 1, 3), 0)
+    x^2 + (-2)*x + 1
+    """
+    p = in_powers(f, i).numer()
+    return p // p.content() if p else p
+
+
+def unit(vector: Sequence[BSpline], place: mpq | Real, name: str = "T") -> list[Real]:
+    """The components of a vector divided by its length at a parameter.
+
+    >>> from exactspline import BSpline
+    >>> t = BSpline.identity(0, 2)
+    >>> unit([t, t * t], mpq(1))
+    [<Real √2/2>, <Real √2/2>]
+
+    Raises `DomainError` where the vector vanishes.
+    """
+    signs = [sign_at(x, place) for x in vector]
+    if not any(signs):
+        raise DomainError(f"{name} is not defined: the vector vanishes there", remedy="choose another parameter")
+    squared = sum((x * x for x in vector[1:]), start=vector[0] * vector[0])
+    return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]

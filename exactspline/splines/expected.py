@@ -1,0 +1,46 @@
+"""What a public function was handed, or the error that says what it takes instead."""
+
+from __future__ import annotations
+
+from exactspline.errors import ShapeError, a_kind
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+
+
+def curve_of(given: object) -> Nurbs:
+    """The curve itself; `ShapeError` for anything else, with the way from a quotient of splines to a curve.
+
+    >>> curve_of("circle")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: a str, where a curve is expected; give a Nurbs, such as exactspline.example("circle")
+    """
+    if isinstance(given, Nurbs):
+        return given
+    if isinstance(given, Rational | Vector) and given.is_vector:
+        raise ShapeError(
+            f"{a_kind(given)} of splines, where a curve is expected",
+            remedy="Nurbs.from_splines(numerator, denominator) makes the curve of a quotient",
+        )
+    raise _refused(given, "a curve", 'give a Nurbs, such as exactspline.example("circle")')
+
+
+def spline_of(given: object) -> BSpline:
+    """The spline itself; `ShapeError` for anything else."""
+    if isinstance(given, BSpline):
+        return given
+    raise _refused(given, "a spline", "give a BSpline, for a vector one component at a time")
+
+
+def surface_of(given: object) -> NurbsSurface:
+    """The surface itself; `ShapeError` for anything else."""
+    if isinstance(given, NurbsSurface):
+        return given
+    raise _refused(given, "a surface", 'give a NurbsSurface, such as exactspline.example_surface("torus")')
+
+
+def _refused(given: object, expected: str, remedy: str) -> ShapeError:
+    pieces = "; take the value of one of its pieces" if hasattr(given, "pieces") else ""
+    return ShapeError(f"{a_kind(given)}, where {expected} is expected", remedy=remedy + pieces)

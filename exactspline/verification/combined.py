@@ -1,0 +1,58 @@
+"""The one verdict on a claim: its proof, compared with the examples."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.symbolic.factorization import speaking_of
+from exactspline.verification.claim import Claim
+from exactspline.verification.verdict import CONTRADICTION, REFUTED, VERIFIED, Finding, compared, undecided
+
+V = TypeVar("V")
+
+
+def combined(claim: Claim) -> tuple[str, Finding]:
+    """The one verdict on a claim: the proof for all curves, compared with every example curve to which it applies; a
+    CONTRADICTION when it is proved and fails on one of them.
+    """
+    with speaking_of(claim.source_paper):
+        return _combined(claim)
+
+
+def fitting(claim: Claim, call: Callable[[], V]) -> V:
+    """The result of a call that decides a claim. Raises `ClaimError` where formulas of users do not fit the claim; an
+    exception from formulas of the library is a defect of the library.
+    """
+    try:
+        return call()
+    except ExactSplineError:
+        raise
+    except (
+        TypeError,
+        ValueError,
+        AttributeError,
+        LookupError,
+        ArithmeticError,
+        AssertionError,
+        RecursionError,
+    ) as error:
+        if claim.source_paper.package:
+            raise
+        raise ClaimError(
+            f"{type(error).__name__}: {' '.join(str(error).split())}",
+            where=f"{claim.paper}, {claim.key}",
+            remedy="the formulas do not fit what is claimed of them",
+        ) from None
+
+
+def _combined(claim: Claim) -> tuple[str, Finding]:
+    try:
+        reading, finding = fitting(claim, claim.prove)
+    except ExactSplineError as error:
+        return claim.reading, undecided(claim.claims, error)
+    if finding.verdict in (REFUTED, VERIFIED, CONTRADICTION):
+        return reading, finding
+    example_finding = fitting(claim, claim.refuted_on_examples)
+    return reading, compared(finding, example_finding) if example_finding.verdict == REFUTED else finding

@@ -1,0 +1,153 @@
+"""One segment of a curve as explicit polynomials in its parameter, beside indeterminates for everything that is free:
+the second curve of a pair, a point, constants, a change of parameter.
+
+What holds of these holds on all of the segment, whatever the free operands are: nothing is tried at single values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from math import comb
+from typing import Any, NamedTuple
+
+from exactspline.errors import VanishingDivisorError
+from exactspline.exact import mpq, text, to_fmpq
+from exactspline.language.argument import Evaluated
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, T
+from exactspline.language.kind import Kind, Rule, Symbol
+from exactspline.language.kinds import PairKind
+from exactspline.readings.jet import JetRing
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+
+#: The parameters, less those at which a segment begins: names that no operand has.
+OWN, BAR = "_s", "_s_bar"
+#: How many values are tried for a witness.
+TRIES = 40
+
+
+class _OnSegment(Kind):
+    """A kind some of whose functions are polynomials in their parameters: in place of them the parameters are operands,
+    with the derivative 1.
+    """
+
+    def __init__(self, kind: Kind, *, both: bool) -> None:
+        self.whole, self.name, self.dimensions = kind, f"{kind.name}, on a segment", kind.dimensions
+        self.both = both
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _on_segment, (self.whole, self.both)
+
+    def explicit(self, dimension: int) -> set[str]:
+        """The names of the operands that are polynomials."""
+        return {*COORDINATES[:dimension], "w"} | ({*BARRED[:dimension], "W"} if self.both else set())
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """The parameters, and the operands that are free."""
+        given = self.explicit(dimension)
+        parameters = [Symbol(OWN, "s", PARAMETERS[:1]), *([Symbol(BAR, "s̄", PARAMETERS[1:])] if self.both else [])]
+        rest = self.whole.symbols(dimension, polynomial=polynomial)
+        return (*parameters, *[symbol for symbol in rest if symbol.name not in given])
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """Those of the kind."""
+        return self.whole.names(dimension)
+
+    def rules(self, dimension: int) -> dict[str, Rule]:
+        """The derivative of a parameter by itself."""
+        return {name: lambda named: named[OWN].constant(1) for name in (OWN, *([BAR] if self.both else []))}
+
+    def argument(
+        self, dimension: int, operand: Callable[[Symbol], T], one: T, *, polynomial: bool = False
+    ) -> Evaluated:
+        """The argument of the kind."""
+        return self.whole.argument(dimension, operand, one, polynomial=polynomial)
+
+
+@cache
+def _on_segment(kind: Kind, both: bool) -> _OnSegment:
+    return _OnSegment(kind, both=both)
+
+
+class OnSegment(NamedTuple):
+    """An argument on the segment [low, high]."""
+
+    argument: Any
+    low: mpq
+    high: mpq
+
+    def __str__(self) -> str:
+        return f"on [{text(self.low)}, {text(self.high)}]"
+
+    def place(self, value: JetFraction) -> str:
+        """A parameter at which a value that is not zero does not vanish (for some values of what is free); where none
+        is found at once, the interval.
+        """
+        variables = value.ring.variables
+        for k in range(2, 2 + TRIES):
+            step = (self.high - self.low) / k
+            at = [
+                to_fmpq(step if name in (OWN, BAR) else mpq(3 * i + k, k + 1)) for i, (name, _) in enumerate(variables)
+            ]
+            if value.top(*at) and value.bottom(*at):
+                return f"at the parameter {text(self.low + step)}"
+        return str(self)
+
+
+def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> Iterator[OnSegment]:
+    """The argument of a kind on each segment of a curve: the curve (of a pair the first one, or with `same` both) by
+    explicit polynomials, everything else indeterminate with derivatives up to `order`.
+
+    >>> from exactspline.language.kinds import kind_of
+    >>> from exactspline.splines.examples import example
+    >>> [segment] = on_segments(kind_of("plane with delta"), example("parabola"), 2)
+    >>> str(segment), segment.argument.p[0].d(2) * segment.argument.delta
+    ('on [0, 1]', (0) / (1))
+    """
+    both = same and isinstance(kind, PairKind)
+    ring = JetRing(_on_segment(kind, both), curve.dimension, order, polynomial=curve.polynomial)
+    one = JetFraction(ring, ring.context.constant(1), ring.context.constant(1))
+    splines: dict[str, BSpline] = dict(curve.operands())
+    for i, (a, b) in enumerate(zip(curve.breakpoints, curve.breakpoints[1:], strict=False)):
+
+        def operand(symbol: Symbol, i: int = i, width: mpq = b - a) -> JetFraction:
+            if symbol.name not in ring.symbols:
+                own, parameter = splines[symbol.name.lower()], BAR if symbol.name.isupper() else OWN
+                return _polynomial(own.segments[i], ring, parameter, width)
+            return JetFraction(ring, ring[symbol.name].polynomial, ring.context.constant(1))
+
+        made = kind.argument(curve.dimension, operand, one, polynomial=curve.polynomial)
+        yield OnSegment(made.remembering(), a, b)
+
+
+def _polynomial(points: tuple[mpq, ...], ring: JetRing, parameter: str, width: mpq) -> JetFraction:
+    """A segment by its Bézier points, as a polynomial in the parameter less that at which it begins."""
+    n, t = len(points) - 1, ring[parameter].polynomial
+    found = ring.context.constant(0)
+    for k in range(n, -1, -1):
+        c = comb(n, k) * sum((-1) ** (k - j) * comb(k, j) * points[j] for j in range(k + 1)) / width**k
+        found = found * t + to_fmpq(mpq(c))
+    return JetFraction(ring, found, ring.context.constant(1))
+
+
+def at_equal_parameters(value: JetFraction) -> JetFraction:
+    """A value in both parameters of `on_segments(…, same=True)` where these are equal.
+
+    Raises `VanishingDivisorError` where its denominator vanishes there.
+    """
+    return equated(value, {BAR: OWN})
+
+
+def equated(value: JetFraction, images: Mapping[str, str]) -> JetFraction:
+    """A quotient with some of its operands replaced by others, and their derivatives by theirs.
+
+    Raises `VanishingDivisorError` where its denominator vanishes then.
+    """
+    ring = value.ring
+    places = [ring.gens[ring.index[images.get(name, name), order]] for name, order in ring.variables]
+    top, bottom = (p.compose(*places, ctx=ring.context) for p in (value.top, value.bottom))
+    if not bottom:
+        raise VanishingDivisorError("a denominator vanishes where the points meet", remedy="multiply the formula by it")
+    return JetFraction(ring, top, bottom)

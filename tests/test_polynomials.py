@@ -1,0 +1,126 @@
+"""Factorizations and eliminations: right for coefficients of any size, and refused beforehand where they would hang."""
+
+import time
+from math import prod
+from random import Random
+
+import pytest
+from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
+
+from exactspline.errors import ReachError
+from exactspline.polynomials import elimination, factors
+from exactspline.polynomials.cost import check_reach
+from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
+
+CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
+S, T = CONTEXT.gens()
+Z = fmpz_poly([0, 1])
+SIZES = {"small": 5, "32 bits": 1 << 32, "doubles": 1 << 110, "1e300": 10**300}
+over_sizes = pytest.mark.parametrize("size", SIZES.values(), ids=SIZES)
+
+
+def product_of(found, one):
+    return prod((base**e for base, e in found.powers), start=one) * found.constant
+
+
+@over_sizes
+def test_factors_in_two_variables_of_any_size(size):
+    """Before: `OverflowError` from FLINT's order of two factors whose coefficients are beyond 31 bits."""
+    random = Random(1)
+    for _ in range(40):
+        a, b, c, d = (random.randint(1, size) for _ in range(4))
+        p = (a * S - b * T + c) ** 2 * (a * S + d * T + 1) * (S * T * c - d) * -6
+        found = factorize(p)
+        assert product_of(found, S * 0 + 1) == p
+        assert len(found.bases) == 3
+        assert all(base.leading_coefficient() > 0 for base in found.bases)
+
+
+@over_sizes
+def test_factors_in_one_variable_of_any_size(size):
+    random = Random(2)
+    for _ in range(20):
+        a, b, c = (random.randint(1, size) for _ in range(3))
+        p = (a * Z - b) ** 2 * (c * Z * Z + b * Z + a) * -4
+        assert product_of(factorize(p), fmpz_poly([1])) == p
+        assert product_of(factorize_square_free(p), fmpz_poly([1])) == p
+
+
+def test_factors_over_the_rationals_and_modulo_a_prime():
+    s, t = fmpq_mpoly_ctx.get(["s", "t"], Ordering.lex).gens()
+    assert product_of(factorize((s - t) * (s + t) / 3), s * 0 + 1) == (s - t) * (s + t) / 3
+    assert [e for _, e in factorize(nmod_poly([1, 2, 1], 7)).powers] == [2]
+
+
+def test_a_factorization_that_is_wrong_is_not_believed():
+    with pytest.raises(ArithmeticError, match="do not multiply"):
+        factors._believed(Z * Z - 1, 1, [(Z - 1, 2)])
+
+
+@pytest.mark.parametrize("size", [100, 10**60, 10**300])
+def test_what_is_called_irreducible_modulo_primes_is(size):
+    """Products are never called irreducible, most others are."""
+    random = Random(3)
+
+    def some(*degrees):
+        terms = {(i, j): random.randint(-size, size) for i in range(degrees[0] + 1) for j in range(degrees[1] + 1)}
+        return CONTEXT.from_dict(terms)
+
+    called = 0
+    for _ in range(20):
+        called += factors._certainly_irreducible(some(4, 3))
+        assert not factors._certainly_irreducible(some(2, 1) * some(2, 2))
+        assert not factors._certainly_irreducible(some(3, 0) * some(2, 3))
+        assert not factors._certainly_irreducible(some(0, 2) * some(2, 3))
+        coefficients = [random.randint(1, size) for _ in range(4)]
+        assert not factors._certainly_irreducible(fmpz_poly(coefficients) * fmpz_poly(coefficients[:3]))
+    assert called > 10
+
+
+def test_divisors_are_those_of_flint(monkeypatch):
+    monkeypatch.setattr(factors, "WORTH_A_TRY", 0)
+    random = Random(4)
+    for k in range(60):
+        a, b, c = (
+            CONTEXT.from_dict({(i, j): random.randint(-3, 3) for i in range(3) for j in range(3)}) for _ in range(3)
+        )
+        p, q = (a * c, b * c) if k % 2 else (a * 6, b * 4)
+        assert greatest_common_divisor([p, q]) == p.gcd(q)
+
+
+def test_what_would_take_too_long_is_refused_at_once():
+    """Before: a call into FLINT that cannot be interrupted, for as long as it takes (here about a minute)."""
+    random = Random(5)
+
+    def some(degree, bits):
+        return CONTEXT.from_dict(
+            {(i, j): random.getrandbits(bits) for i in range(degree + 1) for j in range(degree + 1)}
+        )
+
+    common = some(10, 8000)
+    long, other = common * some(10, 8000), common * some(10, 8000)
+    rows = [fmpz_poly([random.getrandbits(900) for _ in range(30)]) for _ in range(30)]
+    start = time.process_time()
+    for refused in (
+        lambda: factorize(long),
+        lambda: factorize_square_free(long),
+        lambda: greatest_common_divisor([long, other]),
+        lambda: elimination.discriminant(rows),
+        lambda: elimination.resultant(rows, rows[::-1]),
+    ):
+        with pytest.raises(ReachError, match="out of reach"):
+            refused()
+    assert time.process_time() - start < 10
+
+
+def test_an_irreducible_polynomial_of_many_bits_needs_no_factorization():
+    random = Random(6)
+    p = CONTEXT.from_dict({(i, j): random.getrandbits(30000) for i in range(12) for j in range(12)})
+    assert len(factorize(p).bases) == 1
+
+
+def test_the_longest_estimate_is_not_refused():
+    check_reach(10, lambda: "", 10)
+    with pytest.raises(ReachError) as refused:
+        check_reach(11 * 10**9, lambda: "this", 10)
+    assert refused.value.data == {"seconds": 11}

@@ -1,0 +1,161 @@
+"""One registry: what can be asked of a curve is an entry, and every list of questions is made from the entries."""
+
+import doctest
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import exactspline as xs
+from exactspline.batch.inspections import asked_by_sweeps, checked_names, inspected
+from exactspline.batch.oracle import oracle
+from exactspline.batch.oracle_questions import QUESTIONS as ASKED
+from exactspline.cli import app
+from exactspline.cli.schema import answers, schema_of
+from exactspline.display.glossary import glossary
+from exactspline.errors import ShapeError
+from exactspline.geometry import analysis
+from exactspline.geometry.analysis import QUESTIONS, Analysis, analyse, questions_about
+from exactspline.questions.answers import Places
+from exactspline.questions.entry import CURVES, Answered, question, question_with, questions_of
+
+LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
+SPACE_LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 1, 1)])
+STILL = xs.Nurbs(1, [0, 0, 1, 1], [(1, 1), (1, 1)])
+
+
+def test_every_entry_says_what_is_asked():
+    for name, entry in QUESTIONS.items():
+        assert entry.name == name
+        assert entry.meaning.strip()
+        assert not entry.meaning.endswith(".")
+        assert entry.about.part_of in ("", *QUESTIONS)
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_the_example_of_an_entry_runs(name):
+    """pytest looks for examples in functions and classes alone."""
+    names = {"analyse": analyse, "mpq": xs.rational("1/2").__class__}
+    example = doctest.DocTestParser().get_doctest(QUESTIONS[name].__doc__, {**vars(analysis), **names}, name, name, 0)
+    assert doctest.DocTestRunner(verbose=False).run(example).failed == 0
+
+
+def test_every_list_of_questions_is_that_of_the_registry():
+    assert set(QUESTIONS) <= set(ASKED)
+    assert {name.replace("_", " ") for name in QUESTIONS} == set(glossary()["questions"])
+    assert set(answers()) <= set(schema_of("inspect")["properties"]["rows"]["items"]["properties"])
+    for name in ("circle", "twisted_cubic"):
+        row = json.loads(CliRunner().invoke(app, ["inspect", name, "--json"]).output)["rows"][0]
+        expected = {
+            n for n, q in questions_about(xs.example(name)).items() if not (q.about.part_of or q.about.argument)
+        }
+        assert expected <= set(row)
+    assert checked_names(["all"]) == tuple(asked_by_sweeps())
+
+
+def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
+    """An entry added to the class is in all lists at once."""
+
+    class Added(Analysis):
+        @question(*CURVES)
+        def left_half(self):
+            """The left half of the curve."""
+            a, b = self.curve.domain
+            return Places((), (xs_piece(a, (a + b) / 2),))
+
+        @question_with("1/2", *CURVES)
+        def beginning(self, part):
+            """The beginning of the curve, up to this part of it."""
+            a, b = self.curve.domain
+            return Places((), (xs_piece(a, a + xs.rational(part) * (b - a)),))
+
+    def xs_piece(a, b):
+        from exactspline.questions.answers import CurvePiece
+
+        return CurvePiece(((a, b),))
+
+    assert set(questions_of(Added)) - set(QUESTIONS) == {"left_half", "beginning"}
+    monkeypatch.setattr(analysis, "Analysis", Added)
+    for name, entry in questions_of(Added).items():
+        monkeypatch.setitem(QUESTIONS, name, entry)
+    curve = xs.Nurbs(1, [0, 0, 2, 2], [(0, 0), (1, 1)])
+    assert inspected(curve, checked_names(["left_half"]), 5)["left_half"][0].high == "1"
+    assert "left_half" in questions_about(curve)
+    assert answers()["left_half"]["description"] == "the left half of the curve"
+    assert str(analyse(curve).beginning("1/2")) == "everywhere on [0, 1]"
+
+
+@pytest.mark.parametrize(
+    ("curve", "asked", "where"),
+    [
+        (LINE, "inflections", "[0, 1]"),
+        (LINE, "critical_points", "[0, 1]"),
+        (SPACE_LINE, "inflections", "[0, 1]"),
+        (xs.example("circle"), "curvature_extrema", "[0, 4]"),
+        (xs.example("planar_in_space"), "torsion_zeros", None),
+        (STILL, "singular_points", "[0, 1]"),
+    ],
+)
+def test_none_and_all_are_two_answers(curve, asked, where):
+    """False before: a line has no inflections, a circle no extrema, a point that stands still no singular points."""
+    found = getattr(analyse(curve), asked)
+    assert found
+    assert where is None or [str(piece) for piece in found.everywhere] == [where]
+    told = [item.what for item in oracle(curve, asked).items]
+    assert "everywhere" in told
+    listed = [each.kind for each in inspected(curve, [asked], 5)[asked]]
+    assert "everywhere" in listed
+
+
+def test_none_is_none():
+    assert not analyse(xs.example("ellipse")).inflections
+    assert oracle(xs.example("ellipse"), "inflections").items == ()
+    assert inspected(xs.example("ellipse"), ["inflections"], 5) == {"inflections": ()}
+
+
+def test_a_question_about_another_kind_of_curve_is_refused():
+    with pytest.raises(ShapeError):
+        analyse(xs.example("circle")).torsion_zeros  # noqa: B018
+    with pytest.raises(xs.ExactSplineError, match="space curve"):
+        oracle(xs.example("circle"), "torsion_zeros")
+
+
+#: Where names of questions about points may stand beside their entries, with the reason.
+MAY_NAME = {
+    "geometry": "the entries and what they are computed from",
+    "display/plot": "colours and markers of pictures",
+    "display/figures": "the figures of the paper",
+    "batch/grade": "what libraries are asked, on purpose independent",
+    "batch/bench": "what is timed",
+    "papers": "formulas",
+    "classroom": "exercises",
+}
+
+
+def test_no_second_list_of_questions():
+    """A file outside these rooms that names three questions or more has a list of its own."""
+    names = [n for n, q in QUESTIONS.items() if q.about.answered in (Answered.PLACES, Answered.PIECES)]
+    root = Path(xs.__file__).parent
+    for path in root.rglob("*.py"):
+        where = path.relative_to(root).as_posix()
+        if any(where.startswith(room) for room in MAY_NAME):
+            continue
+        found = [n for n in names if f'"{n}"' in path.read_text(encoding="utf-8")]
+        assert len(found) < 3 or where in ("batch/inspections.py", "cli/inspect.py"), (where, found)
+
+
+def test_answers_say_of_which_curve_they_are(tmp_path):
+    """Before: curves of one name had one key, and no answer said from which file it came."""
+    curve = {"name": "icon", "degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]]}
+    files = []
+    for name in ("a.json", "b.json"):
+        other = curve | {"control_points": [[0, 0], [2 if name == "a.json" else 3, 1]]}
+        (tmp_path / name).write_text(json.dumps({"curves": [curve, other]}))
+        files.append(str(tmp_path / name))
+    for command in (["oracle", *files, "--ask", "bounding_box"], ["inspect", *files]):
+        rows = json.loads(CliRunner().invoke(app, [*command, "--json"]).stdout)["rows"]
+        assert len({row["key"] for row in rows}) == 4
+        assert [(row["source"], row["index"]) for row in rows] == [(file, i) for file in files for i in (0, 1)]
+        assert rows[0]["digest"] == rows[2]["digest"]
+        assert len({row["digest"] for row in rows}) == 3

@@ -1,0 +1,166 @@
+"""How patches meet, exactly: against surfaces whose joints are known by construction, however they are given.
+
+Before, "C⁻¹ knot" was said of every knot of full multiplicity and nothing of any other one.
+"""
+
+import json
+
+import pytest
+from gmpy2 import mpq
+from typer.testing import CliRunner
+
+from exactspline import NurbsSurface, example_surface, inspect_surface
+from exactspline.cli import app
+from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.geometry.surface.joints import SurfaceJointKind
+from exactspline.splines.surface import Along
+from exactspline.splines.surface_files import surface_data
+
+#: The dial: what coordinates are multiplied by and moved by.
+DIAL = {
+    "small integers": (mpq(1), mpq(0)),
+    "thirds": (mpq(7, 3), mpq(-5, 3)),
+    "ten decimals": (mpq(12345678901, 10**10), mpq(9876543211, 10**10)),
+    "doubles": (mpq(0.1234567890123456789), mpq(2.718281828459045)),
+    "huge": (mpq(1e300), mpq(0)),
+    "tiny": (mpq(1e-300), mpq(1)),
+}
+KNOTS = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2]
+
+
+def dialled(surface, setting):
+    factor, shift = DIAL[setting]
+    rows = [[factor * (i == k) for k in range(3)] + [shift] for i in range(3)]
+    return surface.transform(rows)
+
+
+def sheets(first, second):
+    """Two patches side by side, (u, v, z) for u from 0 to 2, by the cubic ordinates of z, plus v²; knots at 1."""
+    rows = [(mpq(i, 3), z) for i, z in enumerate(first)] + [(1 + mpq(i, 3), z) for i, z in enumerate(second)]
+    net = [[(x, y, mpq(z) + w) for y, w in ((0, 0), (mpq(1, 2), 0), (1, 1))] for x, z in rows]
+    return NurbsSurface((3, 2), KNOTS, [0, 0, 0, 1, 1, 1], net)
+
+
+#: z by u on both sides: (u − 1)² and so on.
+KNOWN = {
+    SurfaceJointKind.TORN: ([1, 1, 1, 0], [1, 0, 0, 0]),
+    SurfaceJointKind.CREASE: ([1, mpq(2, 3), mpq(1, 3), 0], [0, mpq(1, 3), mpq(2, 3), 1]),
+    SurfaceJointKind.CURVATURE_JUMP: ([1, mpq(1, 3), 0, 0], [0, 0, mpq(2, 3), 2]),
+    SurfaceJointKind.CONTINUOUS: ([1, mpq(1, 3), 0, 0], [0, 0, mpq(1, 3), 1]),
+}
+
+
+@pytest.mark.parametrize("setting", DIAL)
+@pytest.mark.parametrize("kind", KNOWN)
+def test_joints_that_are_known(kind, setting):
+    """Passed before: a crease is no crease, and what is smooth is a "C⁻¹ knot" if its multiplicity is full."""
+    surface = dialled(sheets(*KNOWN[kind]), setting)
+    for one, across in ((surface, Along.U), (surface.transposed(), Along.V)):
+        (joint,) = inspect_surface(one).joints
+        assert (joint.across, joint.value, joint.kind, joint.at_seam) == (across, 1, kind, False)
+
+
+def test_the_parametrization_does_not_matter():
+    """The right side three times as fast, and sheared along the knot line: G1 and G2 are of the surface.
+
+    Passed before: nothing was said of either.
+    """
+    # z = u² + v² over [-1, 0] and over [0, 3], one parameter for each; and (u, v + u) instead of (u, v) on the right
+    for stretch, shear, bend, kind in (
+        (3, 0, 1, SurfaceJointKind.CONTINUOUS),
+        (3, 2, 1, SurfaceJointKind.CONTINUOUS),
+        (1, 2, 1, SurfaceJointKind.CONTINUOUS),
+        (3, 2, 2, SurfaceJointKind.CURVATURE_JUMP),
+    ):
+        left = [[_bowl(i, j, 1, 0, 1) for j in range(3)] for i in range(3)]
+        right = [[_bowl(i, j, stretch, shear, bend, behind=True) for j in range(3)] for i in range(3)]
+        surface = NurbsSurface((2, 2), [0, 0, 0, 1, 1, 1, 2, 2, 2], [0, 0, 0, 1, 1, 1], left + right)
+        (joint,) = inspect_surface(surface).joints
+        assert joint.kind is kind
+
+
+def _bowl(i, j, stretch, shear, bend, *, behind=False):
+    """Bézier point i, j of (x, y, bend x² + y²): x is stretch u, before the knot u − 1, and y is v + shear u."""
+    us = [1] * i + [0] * (2 - i)
+    vs = [1] * j + [0] * (2 - j)
+    xs = [stretch * u for u in us] if behind else [u - 1 for u in us]
+    ys = [[v + (shear * u if behind else 0) for v in vs] for u in us]
+    square_y = mpq(ys[0][0] * ys[1][1] + ys[0][1] * ys[1][0], 2)
+    return mpq(sum(xs), 2), mpq(sum(ys[0]) + sum(ys[1]), 4), bend * mpq(xs[0] * xs[1]) + square_y
+
+
+def squares(second):
+    return NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], second])
+
+
+def test_two_squares_at_a_right_angle():
+    """Passed before: a folded sheet of paper is "planar, K = H = 0" and nothing else."""
+    bent = inspect_surface(squares([(1, 0, 1), (1, 1, 1)]))
+    (joint,) = bent.joints
+    assert (joint.kind, joint.order, joint.angle.cosine) == (SurfaceJointKind.CREASE, 0, 0)
+    assert bent.kinds == (PatchKind.PLANAR,)
+    (joint,) = inspect_surface(squares([(2, 0, 0), (2, 1, 0)])).joints
+    assert joint.order == 2
+    # the second square lies on the first one
+    (joint,) = inspect_surface(squares([(mpq(1, 2), 0, 0), (mpq(1, 2), 1, 0)])).joints
+    assert (joint.kind, joint.order) == (SurfaceJointKind.FOLD, 0)
+    # the second one is twisted: the angle is another one at each point
+    (joint,) = inspect_surface(squares([(2, 0, 0), (2, 1, 1)])).joints
+    assert (joint.kind, joint.angle) == (SurfaceJointKind.CREASE, None)
+    # a side without tangent planes
+    (joint,) = inspect_surface(squares([(1, 5, 0), (1, 6, 0)])).joints
+    assert (joint.kind, joint.order) == (SurfaceJointKind.SINGULAR, None)
+
+
+@pytest.mark.parametrize("name", ["sphere", "torus", "cylinder", "ellipsoid", "cyclide"])
+def test_closed_examples_are_smooth_at_knots_and_seams(name):
+    """Rational arcs with double knots are of continuous curvature; passed before: nothing was said."""
+    found = inspect_surface(example_surface(name))
+    assert found.joints
+    assert {joint.order for joint in found.joints} == {2}
+    assert {joint.across for joint in found.joints if joint.at_seam} == set(found.closed)
+    assert all(
+        joint.value == found.surface.domain[joint.across.direction][0] for joint in found.joints if joint.at_seam
+    )
+
+
+def test_a_seam_may_be_a_crease():
+    """A closed tube over a drop: one of its corners is at the seam; passed before: nothing was said of it."""
+    drop = [(0, 0), (2, 2), (2, -2), (0, 0)]
+    net = [[(x, y, z) for z in (0, 1)] for x, y in drop]
+    tube = NurbsSurface((2, 1), [0, 0, 0, 1, 2, 2, 2], [0, 0, 1, 1], net)
+    joints = inspect_surface(tube).joints
+    assert [(joint.at_seam, joint.value, joint.order) for joint in joints] == [(True, 0, 0), (False, 1, 2)]
+    assert joints[0].angle.cosine == 0
+
+
+def test_edges_of_different_kinds_are_reported_one_by_one():
+    """A knot line that is a crease on one patch only: its two intervals; passed before: nothing was said of it."""
+    flat, up = [(x, y, 0) for x in (0,) for y in range(3)], [(2, 0, 0), (2, 1, 0), (2, 2, 1)]
+    net = [[(0, y, 0) for y in range(3)], [(1, y, 0) for y in range(3)], up]
+    assert flat == net[0]
+    found = inspect_surface(NurbsSurface((1, 1), [0, 0, 1, 2, 2], [0, 0, 1, 2, 2], net))
+    told = [(one.across, one.interval, one.order) for one in found.joints if one.across is Along.U]
+    assert told == [(Along.U, (0, 1), 2), (Along.U, (1, 2), 0)]
+
+
+def test_the_command_reports_them(tmp_path):
+    """In the table and in JSON; passed before: "the sides fit together" of a right angle."""
+    path = tmp_path / "bent.json"
+    path.write_text(json.dumps(surface_data(squares([(1, 0, 1), (1, 1, 1)]))))
+    result = CliRunner().invoke(app, ["inspect", str(path)])
+    assert result.exit_code == 0
+    assert "crease" in result.stdout
+    assert "turns by 90°" in result.stdout
+    (row,) = json.loads(CliRunner().invoke(app, ["inspect", str(path), "--json"]).stdout)["rows"]
+    assert row["joints"] == [
+        {
+            "across": "u",
+            "value": "1",
+            "interval": ["0", "1"],
+            "at_seam": False,
+            "kind": "crease",
+            "geometric_continuity": 0,
+            "angle": {"cosine": "0", "sine": "1", "degrees": "90"},
+        }
+    ]
