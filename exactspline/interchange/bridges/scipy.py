@@ -96,14 +96,15 @@ def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
 
     Raises `ShapeError` for a rational curve, for which scipy has no class, and for anything but a curve or a spline.
     """
-    if not isinstance(curve, BSpline) and not curve_of(curve).polynomial:
+    coefficients: list[float] | list[list[float]]
+    if isinstance(curve, BSpline):
+        coefficients = doubles(curve.control_points)
+    elif curve_of(curve).polynomial:
+        coefficients = [doubles(point) for point in curve.control_points]
+    else:
         raise ShapeError("a rational curve", remedy="convert the components of its p and w separately")
 
     import numpy as np
     from scipy.interpolate import BSpline as SciPyBSpline
 
-    if isinstance(curve, BSpline):
-        coefficients = doubles(curve.control_points)
-    else:
-        coefficients = [doubles(point) for point in curve.control_points]
     return SciPyBSpline(np.array(doubles(curve.knots)), np.array(coefficients), curve.degree)
