@@ -37,6 +37,7 @@ from exactspline.verification.segments import on_segments
 from exactspline.verification.surface_check import too_long
 from exactspline.verification.verdict import (
     CONTRADICTION,
+    PROVED,
     REFUTED,
     UNDECIDED,
     VACUOUS,
@@ -380,8 +381,16 @@ class Claim(Immutable, Displayed):
         """Whether it is decided by zeros or signs of functions of one parameter."""
         return False
 
-    def check(self, curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Finding:
-        """The finding on one curve or surface (or on the `Evaluation` of one)."""
+    def check(
+        self,
+        curve: Nurbs | NurbsSurface | Operands | Evaluation,
+        proof: Callable[[], tuple[str, Finding]] | None = None,
+    ) -> Finding:
+        """The finding on one curve or surface (or on the `Evaluation` of one).
+
+        What held of the part that was tried holds on all of the curve where the claim is proved for all curves:
+        `proof` gives that proof where it is at hand, and is `prove` otherwise.
+        """
         own = evaluation(curve)
         if isinstance(own.curve, NurbsSurface) and self.asks_for_zeros:
             return left(self.claims, "zeros in two parameters are not compared on one surface")
@@ -394,11 +403,18 @@ class Claim(Immutable, Displayed):
             return inapplicable(finding.claimed, failing, finding.computed)
         part = "" if self.tries_all else own.part(self.curve)
         if part and finding.verdict == VERIFIED:
-            whole = self.has_residues and isinstance(own.curve, Nurbs)
-            return self._on_all(finding, own, part) if whole else sampled(finding, part)
+            if not (self.has_residues and isinstance(own.curve, Nurbs)):
+                return sampled(finding, part)
+            return finding if self._is_proved(proof or self.prove) else self._on_all(finding, own, part)
         if part and finding.verdict == REFUTED:
             return replace(finding, witness=f"{finding.witness}, {part}")
         return finding
+
+    def _is_proved(self, proof: Callable[[], tuple[str, Finding]]) -> bool:
+        try:
+            return proof()[1].verdict == PROVED
+        except ExactSplineError:  # reported where the proof is asked for
+            return False
 
     def _on_all(self, finding: Finding, own: Evaluation, part: str) -> Finding:
         """What held of one part, on all of the curve, with indeterminates for what is free; undecided if too long."""
