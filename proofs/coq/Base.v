@@ -1,1 +1,0 @@
-../../exactspline/verification/coq/theory/Base.v
