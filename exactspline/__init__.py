@@ -158,7 +158,7 @@ if TYPE_CHECKING:
     from exactspline.verification.verdict import REFUTED as REFUTED
     from exactspline.verification.verdict import VERIFIED as VERIFIED
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 #: The front door: name → ``module:attribute`` inside the package; what type checkers read stands above.
 _HOMES = {
