@@ -141,7 +141,10 @@ def checked(folder: Path, code: str) -> subprocess.CompletedProcess[str]:
     file = folder / "asks.py"
     file.write_text(f"import exactspline as xs\n{code}", encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--cache-dir", str(folder / "cache"), "--follow-imports=silent", str(file)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT.parent)
+    installed = ROOT.parent.name == "site-packages"  # a folder in which a checker takes every library for the user's
+    return subprocess.run(
+        command, capture_output=True, text=True, check=False, cwd=folder if installed else ROOT.parent
+    )
 
 
 # ---- functions, not methods of lower rooms
