@@ -70,7 +70,7 @@ class Checked:
     attributes: set[str] = field(default_factory=set)
     vectors: dict[str, int] = field(default_factory=dict)
     constants: set[str] = field(default_factory=set)
-    parameters: tuple[Parameter, ...] = ()
+    parameters: set[Parameter] = field(default_factory=set)
 
     def refuse(self, node: ast.AST, problem: str, remedy: str = TRUST) -> FormulaError:
         """The error for a construct that is not allowed, with file and line."""
@@ -176,7 +176,8 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
     if node.name in read.functions:
         raise read.refuse(node, f"the name {node.name!r} is taken", "choose another one")
     read.attributes, read.constants = _attributes(node, read)
-    read.vectors, read.parameters = _vectors(node, read), _parameters(node, read)
+    read.vectors = _vectors(node, read)
+    read.parameters = {p for kind in _kinds(node, read) for n in kind.dimensions for p in kind.parameters(n)}
     locals_ = {arg.arg for arg in a.args}
     if locals_ & set(read.functions):
         raise read.refuse(node, f"the name {sorted(locals_ & set(read.functions))[0]!r} is taken", "choose another one")
@@ -210,12 +211,6 @@ def _vectors(node: ast.FunctionDef, read: Checked) -> dict[str, int]:
             for n in each.dimensions:
                 found |= {name: max(n, found.get(name, 1)) for name, vector in each.names(n).items() if vector}
     return found
-
-
-def _parameters(node: ast.FunctionDef, read: Checked) -> tuple[Parameter, ...]:
-    """The parameters by which the operands of a function can be derived."""
-    kinds = _kinds(node, read)
-    return tuple(dict.fromkeys(p for kind in kinds for n in kind.dimensions for p in kind.parameters(n)))
 
 
 def _kinds(node: ast.FunctionDef, read: Checked) -> list[Kind]:
@@ -459,7 +454,7 @@ class _Body:
             raise self.read.refuse(node, "the order of a derivative", f"write .d(2), at most .d({ORDER})")
         for k in node.keywords:
             if k.arg != "by" or not (isinstance(k.value, ast.Constant) and k.value.value in self.read.parameters):
-                known = " or ".join(f'by="{each}"' for each in self.read.parameters)
+                known = " or ".join(f'by="{each}"' for each in sorted(self.read.parameters))
                 raise self.read.refuse(node, "the parameter of a derivative", f"write {known}")
         return size + 1, degree + 1
 

@@ -152,7 +152,7 @@ def claims_of(source: Paper | str) -> tuple[Claim, ...]:
     Raises `ClaimError` for an invalid entry, and for a key that occurs twice.
     """
     given = paper(source) if isinstance(source, str) else source
-    return _claims(as_instance(given, Paper, "a paper", 'give its name, or one such as exactspline.paper("lifted")'))
+    return _claims(as_instance(given, Paper, "a paper", "give its name, or what exactspline.paper returns"))
 
 
 @cache

@@ -72,7 +72,7 @@ def variants_table(source: Paper) -> list[VariantsRow]:
     >>> row.formula, row.defined, row.reduced, row.lifted, row.true
     ('line_coefficient_vv', '12d', '11d_u − 2, 11d_v − 4', '8d_u − 2, 8d_v − 4', '8d_u − 4, 8d_v − 8')
     """
-    source = as_instance(source, Paper, "a paper", 'give one such as exactspline.paper("surfaces")')
+    source = as_instance(source, Paper, "a paper", "give what exactspline.paper returns")
     rows, known = [], source.formulas
     for name, formula in known.items():
         lifted = known.get(f"{name}_projective") or known.get(f"{name}_lifted")
