@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterable
 from contextlib import suppress
 from difflib import SequenceMatcher
+from enum import StrEnum
 from functools import lru_cache
 from operator import index
 from os import PathLike
@@ -48,7 +49,7 @@ def shown(value: object, limit: int = 40) -> str:
     ("'one'", 'an int too long to print')
     """
     try:
-        text = repr(value).replace("\n", " ")
+        text = repr(str(value) if isinstance(value, StrEnum) else value).replace("\n", " ")
     except (ValueError, RecursionError):
         return f"{a_kind(value)} too long to print"
     return text if len(text) <= limit else f"{text[:limit]}…"

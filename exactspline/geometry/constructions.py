@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import cast
 
-from exactspline.errors import FormulaError, as_text, nearest
+from exactspline.errors import FormulaError, as_text, nearest, shown
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Word, choice
 from exactspline.language.formula import Formula
@@ -85,9 +85,9 @@ class Construction:
 
     def formula(self, variant: Variant | str) -> Formula:
         """The formula of a variant; the minimal one is made from the lifted one."""
-        if choice(Variant, variant, "variant") not in self.all_variants:
+        if not isinstance(variant, str) or variant not in self.all_variants:
             raise FormulaError(
-                f"{self.name} has no variant {str(variant)!r}", remedy=f"variants are {', '.join(self.all_variants)}"
+                f"{self.name} has no variant {shown(variant)}", remedy=f"variants are {', '.join(self.all_variants)}"
             )
         return find(self.variants.get(Variant(variant), self.lifted))
 

@@ -8,12 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
-from exactspline.language.choices import choice
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.parts import joined, numerator
@@ -106,16 +105,15 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     """
     curve = curve_of(curve)
     name = what if isinstance(what, str) else expect_formula(what).name
-    variant = choice(Variant, variant, "variant")
     if isinstance(what, str) and name in all_constructions():
         made = construction(name)
         needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
         formula = made.formula(variant)
     else:
         formula = formula_of(what)
-        if variant not in (Variant.MINIMAL, Variant.NAIVE):
+        if not isinstance(variant, str) or variant not in (Variant.MINIMAL, Variant.NAIVE):
             raise FormulaError(
-                f"{name} has no variant {str(variant)!r}",
+                f"{name} has no variant {shown(variant)}",
                 remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as it stands)",
             )
         needed = formula.kind
