@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from contextlib import suppress
 from difflib import SequenceMatcher
+from enum import StrEnum
 from functools import lru_cache
+from operator import index
 from os import PathLike
-from typing import TypeVar
+from typing import SupportsIndex, TypeVar
 
 T = TypeVar("T")
 
@@ -25,7 +28,8 @@ class ExactSplineError(ValueError):
 
     def __init__(self, problem: str, *, where: str = "", remedy: str = "", **data: object) -> None:
         self.problem, self.where, self.remedy, self.data = problem, where, remedy, data
-        super().__init__((f"{where}: " if where else "") + problem + (f"; {remedy}" if remedy else ""))
+        told = problem if isinstance(problem, str) else shown(problem)
+        super().__init__((f"{where}: " if where else "") + told + (f"; {remedy}" if remedy else ""))
 
     def at(self, place: str) -> ExactSplineError:
         """The same error with its place prefixed, by a caller that knows the file or the field.
@@ -45,14 +49,22 @@ def shown(value: object, limit: int = 40) -> str:
     ("'one'", 'an int too long to print')
     """
     try:
-        text = repr(value)
-    except ValueError:
-        return (
-            f"an {type(value).__name__} too long to print"
-            if type(value) is int
-            else f"a {type(value).__name__} too long to print"
-        )
+        text = repr(str(value) if isinstance(value, StrEnum) else value).replace("\n", " ")
+    except (ValueError, RecursionError):
+        return f"{a_kind(value)} too long to print"
     return text if len(text) <= limit else f"{text[:limit]}…"
+
+
+def written(value: object) -> str:
+    """A value as text, and where Python refuses to print it, what it is.
+
+    >>> written("one"), written(10**5000)
+    ('one', 'an int too long to print')
+    """
+    try:
+        return str(value)
+    except (ValueError, RecursionError):
+        return shown(value)
 
 
 def counted(n: int, what: str) -> str:
@@ -61,7 +73,7 @@ def counted(n: int, what: str) -> str:
     >>> counted(1, "error"), counted(2, "error"), counted(3, "stretch")
     ('1 error', '2 errors', '3 stretches')
     """
-    return f"{n} {what}" + ("" if n == 1 else "es" if what.endswith(("ch", "s", "x")) else "s")
+    return f"{written(n)} {what}" + ("" if n == 1 else "es" if what.endswith(("ch", "s", "x")) else "s")
 
 
 def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
@@ -185,9 +197,37 @@ def as_path(given: object) -> str:
 
 def as_items(given: Iterable[T], what: str) -> Iterable[T]:
     """The sequence itself; `ShapeError` for a text and for what is not a sequence."""
-    if isinstance(given, Iterable) and not isinstance(given, str | bytes):
-        return given
+    if not isinstance(given, str | bytes):
+        with suppress(TypeError):  # an array without dimensions only seems to be a sequence
+            iter(given)
+            return given
     raise ShapeError(f"{a_kind(given)}, where {what} are expected", remedy="give a list")
+
+
+def as_integer(given: SupportsIndex, what: str, least: int = 0, most: int = 10**6) -> int:
+    """The integer, of Python or of another library; `ShapeError` for anything else, and for one below the `least` or
+    above the `most`.
+
+    >>> as_integer(1.5, "a dimension", 1)
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: 1.5, where a dimension is expected; give an integer from 1 to 1000000
+    """
+    with suppress(TypeError):
+        if not isinstance(given, bool) and least <= index(given) <= most:
+            return index(given)
+    raise ShapeError(f"{shown(given)}, where {what} is expected", remedy=f"give an integer from {least} to {most}")
+
+
+def as_instance(given: object, kind: type[T], what: str, remedy: str) -> T:
+    """The object itself; `ShapeError` for one of another class.
+
+    >>> as_instance("f2", list, "a list of formulas", "write [f2]")
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: a str, where a list of formulas is expected; write [f2]
+    """
+    if isinstance(given, kind):
+        return given
+    raise ShapeError(f"{a_kind(given)}, where {what} is expected", remedy=remedy)
 
 
 def a_kind(given: object) -> str:

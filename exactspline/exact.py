@@ -23,6 +23,7 @@ from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 from exactspline.errors import NumberError, as_items, shown
 
 __all__ = [
+    "DEEPEST",
     "MAX_EXPONENT",
     "MAX_TEXT",
     "PRIME",
@@ -56,6 +57,9 @@ _TYPES = {type(mpq()), type(mpz()), int, Fraction}
 MAX_EXPONENT = 100_000
 #: Longest text read as one number.
 MAX_TEXT = 4_000_000
+
+#: How deep lists of numbers are nested: rows of points of a surface are three.
+DEEPEST = 8
 
 #: Modulo this prime polynomials are compared before they are compared over the integers; it fits an unsigned long of 32
 #: bits, which is what one has on some platforms (WebAssembly among them).
@@ -121,7 +125,7 @@ def from_float(value: float) -> mpq:
     Raises `NumberError` for NaN, infinities and anything that is not a float.
     """
     if not is_float(value):
-        raise NumberError(f"{value!r} is not a float", remedy="exact numbers go through rational()")
+        raise NumberError(f"{shown(value)} is not a float", remedy="exact numbers go through rational()")
     if not isfinite(value):
         raise NumberError(f"{float(value)} has no exact value", remedy="write a finite number")
     return mpq(*map(int, value.as_integer_ratio()))
@@ -148,12 +152,21 @@ def from_floats(values: Iterable[float] | Iterable[Iterable[float]]) -> list[mpq
 
     Raises `NumberError` with the place of what is not a float.
     """
+    return _from_floats(values, DEEPEST)
+
+
+def _from_floats(values: Iterable[Any], depth: int) -> list[Any]:
+    """The values of floats in sequences nested to some depth."""
+    if depth == 0:
+        raise NumberError(
+            f"lists in lists, more than {DEEPEST} deep", remedy="give a list of floats, or of rows of them"
+        )
     given: Iterable[float | Iterable[float]] = as_items(values, "floats")
     found: list[Any] = []
     for i, value in enumerate(given):
         try:
             if isinstance(value, Iterable) and not isinstance(value, str):
-                found.append(from_floats(value))
+                found.append(_from_floats(value, depth - 1))
             else:
                 found.append(from_float(value))
         except NumberError as error:
@@ -173,12 +186,9 @@ class Rounding(StrEnum):
 
 def checked_rounding(rounding: str) -> Rounding:
     """The rounding mode with this name. Raises `NumberError`, which lists the modes, for an unknown one."""
-    try:
+    if isinstance(rounding, str) and rounding in list(Rounding):
         return Rounding(rounding)
-    except ValueError:
-        raise NumberError(
-            f"there is no rounding mode called {shown(rounding)}", remedy=f"{', '.join(Rounding)}"
-        ) from None
+    raise NumberError(f"there is no rounding mode called {shown(rounding)}", remedy=f"{', '.join(Rounding)}")
 
 
 def double(value: mpq, rounding: str = Rounding.NEAREST) -> float:

@@ -139,3 +139,11 @@ def test_every_kind_occurs_and_no_field_is_idle():
         kind = KINDS[name]
         own = {f.name for f in fields(kind)} - {f.name for f in fields(KINDS["vanishing"])}
         assert all((name, field) in used for field in own), name
+
+
+def test_dollars_stand_in_quotations_alone():
+    """Before: LaTeX in a statement, such as a link, was typeset by notebooks, though symbols refuse it."""
+    source = paper("chen_riesenfeld_cohen_2007")
+    table = next(each for each in source.claim_tables() if each.entry.get("statement"))
+    with pytest.raises(ClaimError, match=r"statement: '\$' in a text; write formulas as text"):
+        claim_of(Table(table.place, table.entry | {"statement": r"$\href{https://example.org}{f}$"}), source)

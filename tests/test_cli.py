@@ -246,6 +246,19 @@ def test_reduce_on_a_function_of_a_stranger(tmp_path, monkeypatch):
     assert "4d − 4" in run("reduce", "checked.py:pedal").stdout
 
 
+def test_a_module_runs_with_trust_alone_and_it_is_said(tmp_path, monkeypatch):
+    """Before: any module was imported without --trust, and nothing said that it ran unchecked."""
+    (tmp_path / "mine.py").write_text("open('ran', 'w').close()\n\n\ndef speed(c):\n    return c.gamma.d(1)\n")
+    monkeypatch.chdir(tmp_path)
+    done = run("reduce", "mine:speed")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "--trust" in done.stderr
+    assert not (tmp_path / "ran").exists()
+    done = run("reduce", "mine:speed", "--trust")
+    assert done.returncode == 0
+    assert "formulas that ran unchecked (--trust): mine" in done.stdout
+
+
 @pytest.mark.parametrize(
     ("target", "message"),
     [

@@ -17,6 +17,18 @@ def formula(body, on="plane", before=""):
     return f"{LANGUAGE}{before}@formula('e', on={on!r})\ndef f(c):\n{lines}"
 
 
+@pytest.mark.parametrize(
+    ("kind", "by", "known"),
+    [("surface", "s", 'by="u" or by="v"'), ("plane", "u", 'by="s"'), ("plane", "s̄", 'by="s"'), ("pair", "v", "s̄")],
+)
+def test_a_parameter_that_the_kind_lacks_is_refused_at_load(kind, by, known):
+    """Before: any of the four letters passed, and the formula was refused when it was first evaluated."""
+    operand = {"surface": "c.S", "pair": "c.first.p"}.get(kind, "c.p")
+    with pytest.raises(FormulaError, match="the parameter of a derivative") as error:
+        formulas_of(formula(f"return {operand}.d(1, by={by!r})", kind), "f.py", {})
+    assert known in str(error.value)
+
+
 ESCAPES = [
     "import os",
     "from os import system",

@@ -202,7 +202,7 @@ IMPORT_BY_STRING = {
     "__init__.py",
     "batch/grade/adapters/__init__.py",
     "cli/__init__.py",
-    "cli/reduce.py",
+    "papers/loading.py",
     "display/__init__.py",
     "display/plot/canvas.py",
     "display/plot/html.py",

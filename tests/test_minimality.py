@@ -65,6 +65,14 @@ SPOILT = {
     "a factor in common with w": lambda s: s.update(forms=[s["weight"]], degree=len(s["weight"]) - 1),
     "a factor more": multiply,
     "not irreducible": lambda s: s.update({"irreducible modulo": 4}),
+    "an underscore": lambda s: s["forms"][0].__setitem__(0, "1_0"),
+    "a blank": lambda s: s["forms"][0].__setitem__(0, " " + s["forms"][0][0]),
+    "a plus": lambda s: s["forms"][0].__setitem__(0, "+1"),
+    "other digits": lambda s: s["forms"][0].__setitem__(0, "\u0663"),
+    "no text": lambda s: s.update(forms=[[int(x) for x in form] for form in s["forms"]]),
+    "a prime in floating point": lambda s: s.update(prime=float(s["prime"])),
+    "a degree that is true": lambda s: s.update(degree=True),
+    "no forms": lambda s: s.pop("forms"),
 }
 
 
@@ -72,6 +80,24 @@ SPOILT = {
 def test_a_wrong_certificate_is_caught(what):
     with pytest.raises(ValueError, match=r"\w"):
         check(spoilt(SPOILT[what]))
+
+
+def test_whitespace_and_underscores_do_not_change_a_number():
+    """Before: accepted, since ``int`` reads them; a field missing was a KeyError."""
+
+    def blank(segment):
+        segment["forms"] = [[f" {x}" for x in form] for form in segment["forms"]]
+
+    for change, flaw in ((blank, "not an integer"), (lambda s: s.pop("prime"), "not a certificate")):
+        with pytest.raises(ValueError, match=flaw):
+            check(spoilt(change))
+
+
+def test_integers_of_any_length_are_read():
+    """Before: "Exceeds the limit (4300 digits)", a refusal of our own certificates."""
+    from exactspline.verification.minimality.checker import _integer
+
+    assert _integer("-1" + "0" * 9000) == -(10**9000)
 
 
 def test_a_degree_too_high_is_caught():

@@ -77,3 +77,28 @@ def test_where_the_curvature_jumps_its_sign_counts(distance):
     d = xs.rational(distance)
     jumps = [f for f in analyse(curve).offset_cusps(d) if f.by_jump]
     assert bool(jumps) == ((1 - d * left).sign * (1 - d * right).sign < 0)
+
+
+@pytest.mark.parametrize(
+    ("bend", "kinds"),
+    [("1/2", [("stop", True)]), (2, [("cusp", True)]), (1, [("stop", False)]), (-1, [("stop", True)])],
+)
+@pytest.mark.parametrize("turned", [False, True])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_speed_that_vanishes_on_one_side_of_a_knot(bend, kinds, turned, sign):
+    """Before: nothing, where κ jumps and 1 − dκ = 0 on exactly one side. Left of 0 the curve is y = x²/2, with κ < 1
+    and κ = 1 at 0; behind it y = bend · x²/2.
+    """
+    k = xs.rational(bend) / 2
+    points = [(-1, "1/2"), ("-1/2", 0), (0, 0), ("1/2", 0), (1, k)]
+    curve = xs.Nurbs(2, [-1] * 3 + [0, 0] + [1] * 3, [(x, sign * xs.rational(y)) for x, y in points])
+    if turned:
+        sign, curve = -sign, xs.Nurbs(2, curve.knots, curve.control_points[::-1])
+    found = [f for f in analyse(curve).offset_cusps(sign) if f.root == 0]
+    assert [(f.kind.value, f.by_jump) for f in found] == kinds
+
+
+def test_an_arc_that_meets_another_at_a_knot_is_told_as_an_arc():
+    """1 − dκ = 0 on the whole segment: the interval says it, and no point beside it."""
+    arc = xs.example("circle")
+    assert not list(analyse(arc).offset_cusps(1))

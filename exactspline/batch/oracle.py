@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from exactspline.batch.oracle_answers import Answer, Question, QuestionError
 from exactspline.batch.oracle_questions import QUESTIONS
-from exactspline.errors import nearest
+from exactspline.errors import as_text, nearest
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -18,7 +19,7 @@ def question_of(asked: str) -> Question:
     >>> question_of("derivative:2@0,1/3")
     Question(text='derivative:2@0,1/3', name='derivative', argument='2', places=('0', '1/3'))
     """
-    head, at, tail = asked.strip().partition("@")
+    head, at, tail = as_text(asked, "a question").strip().partition("@")
     name, _, argument = head.partition(":")
     if name not in QUESTIONS:
         remedy = nearest(name, QUESTIONS, listed_by="exactspline oracle --list")
@@ -40,5 +41,5 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     the curve.
     """
     question = question_of(asked)
-    items, certificates = QUESTIONS[question.name].answer(curve, question)
+    items, certificates = QUESTIONS[question.name].answer(curve_of(curve), question)
     return Answer(question.text, tuple(items), tuple(certificates))

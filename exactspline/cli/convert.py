@@ -39,7 +39,9 @@ def convert(
         str, typer.Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")
     ] = "",
 ) -> None:
-    """Convert curves between formats without rounding; whatever is skipped is named on standard error."""
+    """Convert curves between formats without rounding; whatever is skipped is named on standard error, and
+    where a curve is among it, the exit status is 2.
+    """
     from exactspline.errors import CurveFileError, counted
     from exactspline.interchange.files import encoded, read, write
 
@@ -66,6 +68,8 @@ def convert(
         lambda: [_sheet(rows)],
         lambda: _told(out, [*notes], f"{counted(len(curves), 'curve')} from {reading.format} to {target}"),
     )
+    if not reading.complete:
+        raise typer.Exit(2)
 
 
 def _row(named: NamedCurve, read_as: str, target: str, notes: list[str]) -> dict[str, object]:

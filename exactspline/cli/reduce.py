@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
 from functools import partial
 from pathlib import Path
@@ -24,8 +23,8 @@ def reduce(
     name: Annotated[
         str,
         typer.Argument(
-            help="A formula of the library, or your own: FOLDER:NAME, file.py:function or module:function. Without "
-            "it: all."
+            help="A formula of the library, or your own: FOLDER:NAME, file.py:function or, with --trust, "
+            "module:function. Without it: all."
         ),
     ] = "",
     dimension: Annotated[
@@ -70,13 +69,20 @@ def reduce(
 def _formula(name: str, trust: bool) -> Any:
     """A formula of the library, of the folder of a paper, of a file, or a function of a module of the user."""
     from exactspline.papers import papers, resolve
+    from exactspline.papers.loading import run_module
 
     place, colon, function = name.rpartition(":")
     is_module = place.replace(".", "").isidentifier() and not place.endswith(".py") and not Path(place).exists()
     if not colon or not is_module or any(place == each.name for each in papers()):
         return resolve(name, trust=trust)
+    if not trust:
+        raise FormulaError(
+            "a module runs as it stands, any Python",
+            where=name,
+            remedy="add --trust for what you trust; file.py:function is checked before it runs",
+        )
     sys.path.insert(0, str(Path.cwd()))
-    if not callable(found := getattr(importlib.import_module(place), function, None)):
+    if not callable(found := getattr(run_module(place), function, None)):
         raise FormulaError(
             f"{place} has no function {function!r}", where=name, remedy="write module:function or file.py:function"
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
@@ -22,6 +22,7 @@ from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.values import SplineVector
 
@@ -122,6 +123,8 @@ def inspection_data(
     """The whole inspection as data, each answer under the name of its question (see `answer_data`); `tick` is called
     after every feature.
     """
+    curve, digits = curve_of(curve), as_integer(digits, "a number of digits", 1)
+    found = as_instance(found, Inspection, "an inspection", "give what exactspline.inspect_curve returns")
     data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
     return data | {name: answer_data(curve, answer, digits, tick) for name, answer in found.answers.items()}
 
@@ -171,6 +174,7 @@ def derived_data(derived: Derived, curve: str) -> dict[str, object]:
 
     A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``.
     """
+    derived = as_instance(derived, Derived, "a derived object", "give what exactspline.derive returns")
     return {
         "name": derived.name,
         "variant": derived.variant,

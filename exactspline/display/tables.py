@@ -7,10 +7,11 @@ from html import escape
 
 from exactspline.display import console
 from exactspline.display.sheet import Sheet
-from exactspline.errors import counted
+from exactspline.errors import as_items, counted, written
 from exactspline.geometry.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.papers import find
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim
@@ -46,7 +47,8 @@ class Grid(Displayed):
     """
 
     def __init__(self, columns: Sequence[str], rows: Iterable[Sequence[object]], title: str = "") -> None:
-        self.columns, self.rows, self.title = list(columns), [[str(cell) for cell in row] for row in rows], title
+        self.columns, self.title = list(as_items(columns, "columns")), title
+        self.rows = [[written(cell) for cell in as_items(row, "cells")] for row in as_items(rows, "rows")]
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -131,7 +133,7 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
 
     Raises `ClaimError` with the ids there are.
     """
-    curves = list(curves)
+    curves = list(as_items(curves, "curves"))
     claims = [claim for claim in select(ids) if claim.kind not in without]
     return Verdicts(audit(claims, curves) if curves else map(proved, claims))
 
@@ -143,7 +145,7 @@ def degree_table(curve: Nurbs) -> Grid:
     >>> degree_table(example("ellipse"))["control points"][:3]
     ['52', '16', '16']
     """
-    rows = [call() for call in construction_table(curve)]
+    rows = [call() for call in construction_table(curve_of(curve))]
     cells = [
         (
             r.formula,
@@ -175,11 +177,8 @@ def measured(curve: Nurbs, *names: str) -> Grid:
     >>> measured(example("ellipse"), "f2")["degree in d"]
     ['3d − 3']
     """
-    found = (
-        [measure(find(name), curve) for name in names]
-        if names
-        else [measure(f, curve) for f in measurable(curve.dimension)]
-    )
+    formulas = [find(name) for name in names] or measurable(curve_of(curve).dimension)
+    found = [measure(formula, curve) for formula in formulas]
     rows = [(m.formula, m.nominal, m.represented, "–" if m.true is None else m.true, m.control_points) for m in found]
     return Grid(["formula", "degree in d", "degree here", "true degree", "control points"], rows, curve.name)
 

@@ -8,14 +8,16 @@ from __future__ import annotations
 from threading import Lock
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, rational
+from exactspline.exact import Number, mpq, rational
 from exactspline.geometry import plane_features, space_features
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.extent import slope_zeros, turning_points
 from exactspline.geometry.facts import ZeroForm
+from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.planarity import Plane, planar_pieces, plane_of
 from exactspline.geometry.space_features import SpaceFacts
+from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.questions.answers import CurvePiece, Places
 from exactspline.questions.entry import CURVES, Answered, Entry, Of, question, question_with, questions_of
@@ -189,7 +191,8 @@ class Analysis(SpaceFacts):
     def offset_cusps(self, distance: Number) -> Places[Feature]:
         """The points where the curve at a signed distance d (positive to the left) has its cusps: κ = 1/d.
 
-        ``cusp``: 1 − dκ, the speed of that curve by the speed of this one, changes its sign; ``stop``: it does not.
+        ``cusp``: 1 − dκ, the speed of that curve by the speed of this one, changes its sign; ``stop``: it does not. At
+        a knot where κ jumps, 1 − dκ may vanish on one side alone, or change its sign without a zero (`by_jump`).
         Everywhere on arcs whose centre the other curve is.
 
         >>> from exactspline import example
@@ -212,12 +215,34 @@ class Analysis(SpaceFacts):
                 points.append(Feature(kind, root, "offset"))
         for joint in self.joints:
             if joint.curvatures is not None:
-                before, behind = (1 - d * curvature for curvature in joint.curvatures)
-                if before.sign * behind.sign < 0:
-                    points.append(Feature(FeatureKind.CUSP, knot_root(joint.parameter), "offset", by_jump=True))
+                at_knot = [(1 - d * curvature).sign for curvature in joint.curvatures]
+                before, behind = (
+                    sign or self._sign_beside(found, d, joint.parameter, side)
+                    for sign, side in zip(at_knot, Side, strict=True)
+                )
+                if before * behind < 0 or (before * behind and 0 in at_knot):
+                    kind = FeatureKind.CUSP if before != behind else FeatureKind.STOP
+                    points.append(Feature(kind, knot_root(joint.parameter), "offset", by_jump=True))
         points.sort(key=lambda feature: feature.root)
         pieces = [piece for piece in self.pieces_where_zero(found) if self._turns_to(side, piece)]
         return Places(tuple(points), tuple(pieces))
+
+    def _sign_beside(self, found: ZeroForm, d: mpq, t: mpq, side: Side) -> int:
+        """The sign of 1 − dκ just left or right of a breakpoint, 0 where it vanishes on the whole segment: it is that
+        at any place between the breakpoint and the nearest zero or singular point.
+        """
+        breaks = self.curve.breakpoints
+        i = (breaks.index(t) - (side is Side.LEFT)) % (len(breaks) - 1)
+        a, b = breaks[i], breaks[i + 1]
+        if found.zeros.isolations[i] is None:
+            return 0
+        near, far = (b, a) if side is Side.LEFT else (a, b)
+        place = (near + far) / 2
+        inner = [root for root in (*found.zeros, *self.speed.zeros) if root.segment == (a, b)]
+        while any((root <= place) != (side is Side.LEFT) or root == place for root in inner):
+            place = (near + place) / 2
+        point, velocity, second, third = (self.curve.derivative(k, place) for k in range(4))
+        return (1 - d * curvature_of((point, velocity, second, third))).sign
 
     def _turns_to(self, side: int, piece: CurvePiece) -> bool:
         """Whether the curvature has this sign on a piece of constant curvature."""

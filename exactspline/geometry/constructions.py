@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from functools import cache
 from typing import cast
 
-from exactspline.errors import FormulaError, as_text, nearest
+from exactspline.errors import FormulaError, as_text, nearest, shown
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import choice
+from exactspline.language.choices import Word, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
@@ -35,7 +34,7 @@ LOWEST = {
 }
 
 
-class Variant(StrEnum):
+class Variant(Word):
     """How a construction is computed."""
 
     #: As the algorithm computes it.
@@ -86,9 +85,9 @@ class Construction:
 
     def formula(self, variant: Variant | str) -> Formula:
         """The formula of a variant; the minimal one is made from the lifted one."""
-        if variant not in self.all_variants:
+        if not isinstance(variant, str) or variant not in self.all_variants:
             raise FormulaError(
-                f"{self.name} has no variant {str(variant)!r}", remedy=f"variants are {', '.join(self.all_variants)}"
+                f"{self.name} has no variant {shown(variant)}", remedy=f"variants are {', '.join(self.all_variants)}"
             )
         return find(self.variants.get(Variant(variant), self.lifted))
 

@@ -13,13 +13,13 @@ from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.constructions import Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.parts import joined, numerator
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.papers import find
+from exactspline.papers import formula_of
 from exactspline.questions.answers import Interval
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
@@ -104,18 +104,16 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     exists nowhere.
     """
     curve = curve_of(curve)
-    if not isinstance(what, str | Formula):
-        raise FormulaError(f"a construction called {shown(what)}", remedy="give its name, or a formula")
-    name = what if isinstance(what, str) else what.name
+    name = what if isinstance(what, str) else expect_formula(what).name
     if isinstance(what, str) and name in all_constructions():
         made = construction(name)
         needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
         formula = made.formula(variant)
     else:
-        formula = find(what) if isinstance(what, str) else what
-        if variant not in (Variant.MINIMAL, Variant.NAIVE):
+        formula = formula_of(what)
+        if not isinstance(variant, str) or variant not in (Variant.MINIMAL, Variant.NAIVE):
             raise FormulaError(
-                f"{name} has no variant {str(variant)!r}",
+                f"{name} has no variant {shown(variant)}",
                 remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as it stands)",
             )
         needed = formula.kind

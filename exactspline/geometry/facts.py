@@ -37,7 +37,7 @@ from exactspline.geometry.joints import (
 from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.pieces import pieces, runs
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
+from exactspline.language.choices import Side, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
@@ -153,7 +153,7 @@ class Facts:
         """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
         zeros; `ShapeError` for a curve of another dimension.
         """
-        made = construction(name)
+        made, variant = construction(name), choice(Variant, variant, "variant")
         {"plane": plane, "space": space}[made.curve](self.curve)
 
         def form() -> BSpline:

@@ -6,12 +6,14 @@ from collections.abc import Iterable
 from math import inf, isfinite
 from typing import TYPE_CHECKING, TypeAlias, cast, overload
 
-from exactspline.errors import FormulaError
-from exactspline.exact import Number, Rounding, from_float, is_float, mpq
+from exactspline.errors import NumberError, as_items
+from exactspline.exact import DEEPEST, Number, Rounding, from_float, is_float, mpq
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.values_along import point_at
+from exactspline.language.operand import checked_order
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import exact_place
+from exactspline.splines.expected import curve_of
 
 if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
@@ -40,11 +42,18 @@ def floats(
 
     Raises `NumberError` for anything that is not an exact number, `OverflowError` beyond the largest double.
     """
+    return cast("float | list[float] | list[list[float]]", _doubles(values, rounding, DEEPEST))
+
+
+def _doubles(values: object, rounding: str, depth: int) -> object:
+    """The doubles of numbers in sequences nested to some depth."""
     if isinstance(values, Feature):
         return values.root.double(rounding)
     if isinstance(values, Iterable) and not isinstance(values, str):
-        return [floats(value, rounding) for value in values]  # type: ignore[return-value]  # all numbers, or all rows
-    return real(values).double(rounding)
+        if depth == 0:
+            raise NumberError(f"lists in lists, more than {DEEPEST} deep", remedy="give a list of numbers, or of rows")
+        return [_doubles(value, rounding, depth - 1) for value in as_items(values, "numbers")]
+    return real(cast(Number, values)).double(rounding)
 
 
 def at_floats(
@@ -67,9 +76,11 @@ def at_floats(
 
     Raises `FormulaError` for a negative order, `DomainError` outside the domain.
     """
-    if type(order) is not int or order < 0:
-        raise FormulaError(f"a derivative of order {order!r}", remedy="orders are 0, 1, 2, …")
-    return [tuple(_rounded(x, rounding) for x in point_at(curve, place_of(t, curve), order, side)) for t in ts]
+    curve, order = curve_of(curve), checked_order(order)
+    return [
+        tuple(_rounded(x, rounding) for x in point_at(curve, place_of(t, curve), order, side))
+        for t in as_items(ts, "parameters")
+    ]
 
 
 def _rounded(x: Real, rounding: str) -> float:

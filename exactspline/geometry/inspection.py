@@ -5,13 +5,12 @@ curvature.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 from exactspline.geometry.analysis import Analysis, analyse, questions_about
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.facts import among, located
 from exactspline.geometry.kinds import Feature
-from exactspline.language.choices import choice
+from exactspline.language.choices import Word, choice
 from exactspline.questions.answers import Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
@@ -19,7 +18,7 @@ from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 
 
-class Approach(StrEnum):
+class Approach(Word):
     """The approaches to critical curvature, by the names of the paper and then by ours."""
 
     SQUARING = "squaring"

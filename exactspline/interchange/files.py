@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import CurveFileError, ExactSplineError, as_items, as_path
+from exactspline.errors import CurveFileError, ExactSplineError, as_items, as_path, as_text
 from exactspline.interchange.formats import FORMATS
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
@@ -87,7 +87,7 @@ def _located(
     if len(data) > limits.megabytes << 20:
         raise CurveFileError(f"{len(data)} bytes", where=name, remedy=f"at most {limits.megabytes} MB are read")
     try:
-        chosen = named_format(format) if format else _told(data, name)
+        chosen = _told(data, name) if format is None else named_format(format)
     except ExactSplineError as error:
         raise (error.at(name) if name else error) from None
     return chosen, Source(data, Path(name).name, part, degree, knots, limits), name
@@ -106,7 +106,8 @@ def write(
     unless `rounding` asks for the nearest doubles, and another `ExactSplineError` for anything else that it cannot
     hold.
     """
-    chosen = named_format(format) if format else _by_suffix(as_path(place))
+    place = as_path(place)
+    chosen = _by_suffix(place) if format is None else named_format(format)
     try:
         data, notes = encoded(curves, chosen.name, rounding=rounding)
     except ExactSplineError as error:
@@ -136,7 +137,7 @@ def encoded(
 def named_format(name: str) -> Format:
     """The format with a name; raises `CurveFileError` naming those that exist."""
     for known in FORMATS:
-        if known.name == name:
+        if known.name == as_text(name, "the name of a format"):
             return known
     names = ", ".join(sorted(known.name for known in FORMATS))
     raise CurveFileError(f"there is no format called {name!r}", remedy=f"there are {names}")

@@ -4,10 +4,10 @@ them.
 
 from __future__ import annotations
 
-from enum import StrEnum
-from typing import TypeVar
+from enum import EnumType, StrEnum
+from typing import TypeVar, cast
 
-from exactspline.errors import ExactSplineError, FormulaError, nearest
+from exactspline.errors import ExactSplineError, FormulaError, nearest, shown
 
 E = TypeVar("E", bound=StrEnum)
 
@@ -15,7 +15,19 @@ E = TypeVar("E", bound=StrEnum)
 FEW = 7
 
 
-class Side(StrEnum):
+class _Words(EnumType):
+    """The class of enumerations that refuse what is not one of their words by an error of ours."""
+
+    def __call__(cls: type[E], value: object) -> E:  # type: ignore[override, misc]  # it makes no new enumeration
+        """The member that the word names."""
+        return choice(cls, value, cls.__name__.lower())
+
+
+class Word(StrEnum, metaclass=_Words):
+    """The base of enumerations that a user names: ``Side("left")`` is a member, another value a `FormulaError`."""
+
+
+class Side(Word):
     """The side from which a limit is taken or a one-sided value is reached."""
 
     LEFT = "left"
@@ -54,11 +66,9 @@ def choice(
 
     Raises `raised`, which lists the words, or the nearest of many.
     """
-    if isinstance(value, str):
-        try:
-            return kind(value)
-        except ValueError:
-            pass
+    found = kind._value2member_map_.get(value) if isinstance(value, str) else None
+    if isinstance(found, kind):
+        return found
     words = [*kind, *also]
-    remedy = f"there are {', '.join(words)}" if len(words) <= FEW else nearest(str(value), words)
-    raise raised(f"the {what} {value!r} is unknown", where=where, remedy=remedy)
+    remedy = f"there are {', '.join(words)}" if len(words) <= FEW else nearest(cast(str, value), words)
+    raise raised(f"the {what} {shown(value)} is unknown", where=where, remedy=remedy)

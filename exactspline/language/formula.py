@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.errors import FormulaError, a_kind
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Argument
 from exactspline.language.kinds import CURVE, Kind, kind_of
@@ -61,6 +62,15 @@ class Formula(Displayed):
 
     def __repr__(self) -> str:
         return f"<formula {self.name}, {self.source}>"
+
+
+def expect_formula(given: object) -> Formula:
+    """The formula itself; `FormulaError` for anything else."""
+    if isinstance(given, Formula):
+        return given
+    raise FormulaError(
+        f"{a_kind(given)}, where a formula is expected", remedy='give one, such as exactspline.find("f2")'
+    )
 
 
 def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callable[[Callable[..., object]], Formula]:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, cast, overload
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, shown
 from exactspline.exact import mpq, mpz
 from exactspline.hooks import Displayed
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 #: The constants that may stand in a formula.
 Constant = int | mpz | mpq | Fraction
 CONSTANTS = (int, type(mpz()), type(mpq()), Fraction)
+#: The highest order of a derivative that is computed.
+MOST_DERIVATIVES = 1000
 
 
 D_co = TypeVar("D_co", covariant=True)
@@ -102,6 +104,13 @@ class HasDegree(Protocol[D_co]):
 R = TypeVar("R", bound=Ring)
 C = TypeVar("C", bound=Counted)
 D = TypeVar("D")
+
+
+def checked_order(order: object) -> int:
+    """The order of a derivative as given by a user; `FormulaError` unless it is an int from 0 to `MOST_DERIVATIVES`."""
+    if type(order) is not int or not 0 <= order <= MOST_DERIVATIVES:
+        raise FormulaError(f"a derivative of order {shown(order)}", remedy=f"orders are 0, 1, 2, …, {MOST_DERIVATIVES}")
+    return order
 
 
 class Operand(Displayed, ABC):

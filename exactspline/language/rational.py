@@ -24,6 +24,7 @@ from exactspline.language.operand import (
     Operand,
     OwnJoining,
     OwnProducts,
+    checked_order,
     larger,
 )
 from exactspline.language.provenance import same
@@ -109,9 +110,9 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     numerator: T | Vector[T]
     product: Product[T]
 
-    def __init__(self, numerator: T | Vector[T], *denominator: T | Product[T]) -> None:
-        first, given = denominator[0], cast(Any, denominator)
-        fill(self, numerator=numerator, product=first if isinstance(first, Product) else Product(*given))
+    def __init__(self, numerator: T | Vector[T], denominator: T | Product[T], *further: T) -> None:
+        product = denominator if isinstance(denominator, Product) else Product(denominator, *further)
+        fill(self, numerator=numerator, product=product)
 
     def __reduce__(self) -> tuple[object, ...]:
         return Rational, (self.numerator, self.product)
@@ -293,7 +294,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
         """The derivative by the quotient rule, row T17, `order` times: ``(p'w - p w') / (w w)``."""
         result = self
-        for _ in range(order):
+        for _ in range(checked_order(order)):
             p: Any = result.numerator
             w = result.denominator
             product = Product(w, w, factors=result.product.factors * 2)

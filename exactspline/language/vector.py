@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
-from exactspline.errors import FormulaError, ShapeError, a_kind
+from exactspline.errors import FormulaError, ShapeError, a_kind, as_integer
 from exactspline.exact import Number, mpq
 from exactspline.hooks import Displayed
 from exactspline.immutable import Immutable, fill
@@ -23,6 +23,7 @@ from exactspline.language.operand import (
     OwnProducts,
     R,
     Scalar,
+    checked_order,
     larger,
     no_truth_value,
 )
@@ -143,12 +144,12 @@ class Vector(Immutable, Displayed, Generic[T_co]):
 
         Raises `FormulaError` for a negative order.
         """
-        if order < 0:
-            raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
         result = self
-        for _ in range(order):
+        for _ in range(checked_order(order)):
             known = result._derivatives
             if by not in known:
+                if any(isinstance(a, CONSTANTS) for a in result.components):
+                    raise FormulaError("the derivative of a vector of numbers", remedy="give functions: splines, jets")
                 known[by] = Vector(*[a.d(1, by=by) for a in result.components])
             result = known[by]
         return result
@@ -325,6 +326,9 @@ def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
     >>> join(Vector(1, 2), 3)
     Vector(1, 2, 3)
     """
+    for part in parts:
+        if not isinstance(part, (Operand, Vector, OwnJoining, *CONSTANTS)):
+            raise FormulaError(f"{a_kind(part)} in a vector", remedy="join vectors, operands of formulas and numbers")
     own: object = next((part for part in parts if isinstance(part, OwnJoining)), None)
     if isinstance(own, OwnJoining):
         return cast("Vector[S]", own.joining(parts))
@@ -346,5 +350,5 @@ def wronskian(a: Vector[R], order: int | None = None) -> R:
     where `a` does not know it (a node of a tree).
     """
     expect_vector(a)
-    n = len(a) if order is None else order
+    n = len(a) if order is None else as_integer(order, "a number of components", 1)
     return det(a, *[a.d(k) for k in range(1, n)])

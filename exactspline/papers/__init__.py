@@ -14,8 +14,8 @@ from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from exactspline.errors import FormulaError, nearest
-from exactspline.language.formula import Formula
+from exactspline.errors import FormulaError, as_text, nearest
+from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE
 from exactspline.papers.folder import Paper, Table, folder_at, paper_in, told_of
 from exactspline.papers.loading import checked_formulas, guarded, run_file
@@ -26,6 +26,7 @@ __all__ = [
     "all_formulas",
     "default_papers",
     "find",
+    "formula_of",
     "formulas_by_module",
     "known_as",
     "load_paper",
@@ -74,7 +75,7 @@ def paper(name: str) -> Paper:
 
     Raises `FormulaError` with the nearest names.
     """
-    if name in _loaded:
+    if as_text(name, "the name of a paper") in _loaded:
         return _loaded[name]
     known = _by_name()
     if name not in known:
@@ -207,7 +208,7 @@ def find(name: str) -> Formula:
 
     Raises `FormulaError` with the nearest names, and for a name that several papers have.
     """
-    source, _, own = name.rpartition(":")
+    source, _, own = as_text(name, "the name of a formula").rpartition(":")
     if source:
         return paper(source).find(own)
     known = all_formulas()
@@ -218,6 +219,14 @@ def find(name: str) -> Formula:
         remedy = nearest(name, known, listed_by="exactspline derive")
         raise FormulaError(f"there is no formula called {name!r}", remedy=remedy)
     return known[name]
+
+
+def formula_of(given: Formula | str) -> Formula:
+    """The formula itself, or the one of the library with that name.
+
+    Raises `FormulaError` for anything else.
+    """
+    return find(given) if isinstance(given, str) else expect_formula(given)
 
 
 def resolve(name: str, *, trust: bool = False) -> Formula:

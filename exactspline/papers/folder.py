@@ -13,7 +13,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypedDict, cast
 
-from exactspline.errors import ClaimError, FormulaError, nearest
+from exactspline.errors import ClaimError, FormulaError, as_path, nearest
 from exactspline.language.formula import Formula
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
@@ -280,7 +280,7 @@ def folder_at(path: str | Path) -> Path:
 
     Raises `ClaimError` where there is none, or none of a paper.
     """
-    folder = Path(path)
+    folder = Path(as_path(path))
     if not folder.is_dir():
         raise ClaimError("there is no such folder", where=str(path), remedy="exactspline new-paper FOLDER writes one")
     if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):

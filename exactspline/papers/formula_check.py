@@ -70,6 +70,7 @@ class Checked:
     attributes: set[str] = field(default_factory=set)
     vectors: dict[str, int] = field(default_factory=dict)
     constants: set[str] = field(default_factory=set)
+    parameters: set[Parameter] = field(default_factory=set)
 
     def refuse(self, node: ast.AST, problem: str, remedy: str = TRUST) -> FormulaError:
         """The error for a construct that is not allowed, with file and line."""
@@ -176,6 +177,7 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
         raise read.refuse(node, f"the name {node.name!r} is taken", "choose another one")
     read.attributes, read.constants = _attributes(node, read)
     read.vectors = _vectors(node, read)
+    read.parameters = {p for kind in _kinds(node, read) for n in kind.dimensions for p in kind.parameters(n)}
     locals_ = {arg.arg for arg in a.args}
     if locals_ & set(read.functions):
         raise read.refuse(node, f"the name {sorted(locals_ & set(read.functions))[0]!r} is taken", "choose another one")
@@ -451,8 +453,9 @@ class _Body:
         if len(node.args) > 1 or not all(_is_small(arg) for arg in node.args):
             raise self.read.refuse(node, "the order of a derivative", f"write .d(2), at most .d({ORDER})")
         for k in node.keywords:
-            if k.arg != "by" or not (isinstance(k.value, ast.Constant) and k.value.value in list(Parameter)):
-                raise self.read.refuse(node, "the parameter of a derivative", 'write by="s" or by="s̄"')
+            if k.arg != "by" or not (isinstance(k.value, ast.Constant) and k.value.value in self.read.parameters):
+                known = " or ".join(f'by="{each}"' for each in sorted(self.read.parameters))
+                raise self.read.refuse(node, "the parameter of a derivative", f"write {known}")
         return size + 1, degree + 1
 
     def _component(self, node: ast.Subscript) -> tuple[int, int]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping
 from functools import wraps
+from importlib import import_module
 from importlib.resources.abc import Traversable
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -84,6 +85,12 @@ def run_file(file: Path) -> ModuleType:
     except (Exception, SystemExit) as error:
         raise told(error, str(file)) from None
     return module
+
+
+def run_module(name: str) -> ModuleType:
+    """A module of the user, imported, unchecked; `ran_unchecked` names it from then on."""
+    _ran_unchecked[name] = None
+    return import_module(name)
 
 
 def guarded(formula: Formula, file: str) -> Formula:

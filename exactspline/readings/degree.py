@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 
-from exactspline.errors import FormulaError, InapplicableError
+from exactspline.errors import FormulaError, InapplicableError, as_text
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
@@ -216,7 +216,6 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
     return True
 
 
-@cache
 def parse(text: str) -> Degree:
     """Read a degree as it is written: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
 
@@ -225,15 +224,20 @@ def parse(text: str) -> Degree:
 
     Raises `FormulaError` when it cannot be read.
     """
+    return _parsed(as_text(text, "a degree"))
+
+
+@cache
+def _parsed(text: str) -> Degree:
     source = text.replace("−", "-").replace(" ", "")
     if source.startswith("max(") and source.endswith(")"):
-        parts = [parse(part) for part in source[4:-1].split(",")]
+        parts = [_parsed(part) for part in source[4:-1].split(",")]
         result = parts[0]
         for part in parts[1:]:
             result = result.max(part)
         return result
     if match := re.fullmatch(r"(\d+)\((.+)\)", source):
-        inner = parse(match[2])
+        inner = _parsed(match[2])
         return Degree((tuple((n, k * int(match[1])) for n, k in c), m * int(match[1])) for c, m in inner.terms)
     term: Term = ((), 0)
     for sign, number, name in re.findall(r"([+-]?)(\d*)([a-zA-Z]\w*)?", source):

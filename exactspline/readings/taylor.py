@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from math import factorial
 from typing import Any, Protocol, Self, cast
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, as_instance, as_integer
 from exactspline.exact import Number, mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, T
@@ -157,5 +157,7 @@ class TaylorReading(Reading):
 
 def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:
     """The expansion of a concrete curve at a parameter."""
+    curve = as_instance(curve, Curve, "a curve", 'give one such as exactspline.example("cusp")')
+    terms = as_integer(terms, "a number of terms", 1)
     expanded: Curve[Series] = curve.mapped(lambda spline: taylor(cast(Function, spline), t, terms, side))
     return expanded

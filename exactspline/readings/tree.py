@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Sequence
 from operator import add, attrgetter, getitem, mul, neg, pow, sub, truediv
 from typing import NamedTuple, cast
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, as_integer
 from exactspline.language.argument import Argument, Callee
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import Kind
 from exactspline.language.linear_system import level
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
@@ -240,7 +240,10 @@ def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node
     >>> trace(find("D1"))
     p′ w − p w′
     """
-    node: Node = formula.function(TreeReading(expand=expand).argument(formula.kind, dimension))
+    formula = expect_formula(formula)
+    node: Node = formula.function(
+        TreeReading(expand=expand).argument(formula.kind, as_integer(dimension, "a dimension", 1))
+    )
     return node
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from flint import fmpz_poly
 
-from exactspline.errors import NumberError
-from exactspline.exact import lcm, mpq, mpz
+from exactspline.errors import NumberError, ShapeError, shown
+from exactspline.exact import lcm, mpq, mpz, rational
 from exactspline.hooks import Displayed
 from exactspline.immutable import fill
 from exactspline.reals.algebraic import Algebraic
@@ -74,6 +74,10 @@ class Root(Real, Displayed):
         zero: LocalZero | None = None,
         segment: Interval | None = None,
     ) -> None:
+        low, high = rational(low), rational(high)
+        for sides in (multiplicities, signs):
+            if not isinstance(sides, tuple) or len(sides) != 2:
+                raise ShapeError(f"{shown(sides)} on the two sides of a root", remedy="exactspline.zeros finds roots")
         fill(
             self,
             _reached=(low, high),

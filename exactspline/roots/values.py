@@ -11,7 +11,7 @@ from typing import overload
 
 from flint import fmpq_poly, fmpz_poly
 
-from exactspline.errors import DomainError
+from exactspline.errors import DomainError, ShapeError, a_kind
 from exactspline.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
 from exactspline.immutable import fill
 from exactspline.language.choices import Side
@@ -108,6 +108,10 @@ def at(
 
     Raises `DomainError` outside the domain.
     """
+    if not isinstance(function, BSpline | Nurbs):
+        raise ShapeError(
+            f"{a_kind(function)}, where a spline or a curve is expected", remedy="give a BSpline or a Nurbs"
+        )
     place = exact_place(t)
     if not isinstance(place, Real):
         return function(place, side)

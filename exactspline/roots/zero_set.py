@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, as_items
 from exactspline.exact import mpq, ratio, text
 from exactspline.hooks import Displayed
 from exactspline.immutable import Immutable, fill
@@ -14,6 +14,7 @@ from exactspline.roots.certificate import certificate
 from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import spline_of
 
 
 class Side(NamedTuple):
@@ -93,7 +94,7 @@ class ZeroSet(Immutable, Displayed):
     intervals: tuple[ZeroInterval, ...]
 
     def __init__(self, spline: BSpline, periodic: bool, isolations: Iterable[Isolation | None]) -> None:
-        found = _Found(spline, periodic, list(isolations))
+        found = _Found(spline_of(spline), periodic, list(as_items(isolations, "isolations")))
         fill(
             self,
             spline=spline,
@@ -170,6 +171,8 @@ class _Found:
     """The roots and jumps of a spline, collected from left to right."""
 
     def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
+        if len(isolations) != len(spline.polynomials) or not all(x is None or type(x) is Isolation for x in isolations):
+            raise ShapeError("isolations that are not those of the segments", remedy="exactspline.zeros finds them")
         self.spline, self.periodic, self.isolations = spline, periodic, isolations
         self.roots: list[Root] = []
         self.jumps: list[Jump] = []
@@ -232,10 +235,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
 
     Raises `ShapeError` for anything but a `BSpline`.
     """
-    if type(f) is not BSpline:
-        raise ShapeError(
-            f"zeros of a {type(f).__name__}", remedy="give a BSpline, for a vector one component at a time"
-        )
+    f = spline_of(f)
     return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.polynomials])
 
 

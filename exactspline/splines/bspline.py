@@ -15,19 +15,19 @@ from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import ShapeError, shown
 from exactspline.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.hooks import FunctionsOutside
 from exactspline.immutable import Immutable, fill
 from exactspline.language.choices import Side
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.splines import blossom, refinement
 from exactspline.splines.bernstein import ONE, Form, bezier, common_denominators, derivative, raiser, true_degree, value
 from exactspline.splines.composition import composed
 from exactspline.splines.forms import Forms, Polynomials
-from exactspline.splines.given import checked_degree, checked_side, exact_points
+from exactspline.splines.given import MAX_DEGREE, checked_degree, checked_side, exact_points
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 
 
@@ -290,8 +290,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         (mpq(2,1),)
         """
         self.only_parameter(by)
-        if order < 0:
-            raise FormulaError(f"a derivative of order {order}", remedy="orders are 0, 1, 2, …")
+        order = checked_order(order)
         result = self
         for _ in range(order):
             derivative = result._derivative
@@ -367,6 +366,9 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
 
     def elevate_degree(self, by: int = 1) -> BSpline:
         """The same function, its degree raised."""
+        if type(by) is not int or not 0 <= by <= MAX_DEGREE:
+            remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
+            raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
         return refinement.elevate(self, by)
 
     def reduce_degree(self, by: int = 1) -> BSpline:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from exactspline.errors import NumberError, ShapeError, a_kind, as_items, shown
+from exactspline.errors import NumberError, ShapeError, as_instance, as_items, shown
 from exactspline.exact import Number, mpq, rational, text
 from exactspline.splines.bspline import BSpline
 
@@ -137,8 +137,7 @@ def greville_abscissae(f: BSpline) -> list[mpq]:
     >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))
     [mpq(0,1), mpq(1,2), mpq(3,2), mpq(2,1)]
     """
-    if not hasattr(f, "control_points"):
-        raise ShapeError(f"{a_kind(f)}, where a spline is expected", remedy="give a BSpline")
+    f = as_instance(f, BSpline, "a spline", "give a BSpline")
     n, t = f.degree, f.knots.knots
     if n == 0:
         return [(a + b) / 2 for a, b in pairwise(t)]

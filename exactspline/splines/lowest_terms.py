@@ -20,6 +20,7 @@ from exactspline.polynomials.factors import certainly_coprime, greatest_common_d
 from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.expected import spline_of
 from exactspline.splines.values import SplineSurface, SplineValue, SplineVector
 
 
@@ -58,7 +59,7 @@ def control_point_count(value: SplineValue) -> int:
     """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity,
     over the knots of all.
     """
-    common = with_common_knots(_scalars(value))[0]
+    common = with_common_knots(spline_of(each) for each in _scalars(value))[0]
     inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)
     ends: int = max(common.degree + 1, 0)
     return ends + inner_points

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from math import comb
 
-from exactspline.errors import DomainError, FormulaError, ShapeError
+from exactspline.errors import DomainError, ShapeError
 from exactspline.exact import Number, mpq, rational, text
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.choices import Side
+from exactspline.language.operand import checked_order
 from exactspline.language.vector import Vector, dot
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
@@ -31,9 +32,7 @@ class ValuesAlong(FunctionsOutside):
 
         Raises `FormulaError` for a negative order, `DomainError` outside the domain.
         """
-        if type(order) is not int or order < 0:
-            raise FormulaError(f"a derivative of order {order!r}", remedy="orders are 0, 1, 2, …")
-        t = rational(t)
+        order, t = checked_order(order), rational(t)
         weights = [self.w.d(k)(t, side) for k in range(order + 1)]
         found: list[tuple[mpq, ...]] = []
         for k in range(order + 1):

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
+from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
 from exactspline.exact import mpq, short_text, text
 from exactspline.language.choices import Side
 from exactspline.splines import bernstein
@@ -37,8 +37,6 @@ def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
 
 def elevate(f: S, by: int) -> S:
     """Degree raised by multiplying every form with a power of u + v."""
-    if type(by) is not int or by < 0:
-        raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 0 (use reduce_degree to lower a degree)")
     lift = bernstein.raiser(by)
     return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.provenance)
 
@@ -46,7 +44,9 @@ def elevate(f: S, by: int) -> S:
 def reduce(f: S, by: int) -> S:
     """Degree lowered by dividing every form by a power of u + v, exactly or not at all."""
     if type(by) is not int or by < 0:
-        raise ShapeError(f"degree reduction by {by}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)")
+        raise ShapeError(
+            f"degree reduction by {shown(by)}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)"
+        )
     if by > f.degree:
         raise ReductionError(f"degree {f.degree} cannot be lowered by {by}", remedy=f"at most by {f.degree}")
     lower, divisor = [], bernstein.raiser(by)
@@ -99,7 +99,7 @@ def insert_knot(f: S, t: mpq, times: int) -> S:
     """One more knot (or several) at t; the function does not change."""
     _inner(f, t)
     if type(times) is not int or times < 1:
-        raise KnotError(f"{times} knots to insert", remedy="insert a whole number of them, at least one")
+        raise KnotError(f"{shown(times)} knots to insert", remedy="insert a whole number of them, at least one")
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
     position = g.mesh.breaks.index(t) - 1
     lowered = min(g.continuity[position], f.degree) - times
@@ -118,7 +118,7 @@ def remove_knot(f: S, t: mpq, times: int) -> S:
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
-            f"{times} of {multiplicity} knots at {text(t)} to remove",
+            f"{shown(times)} of {multiplicity} knots at {text(t)} to remove",
             remedy="remove at least one, and no more than there are",
             knot=t,
         )

@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
 from math import comb
 
-from exactspline.errors import ExactSplineError, FormulaError, ShapeError, shown
+from exactspline.errors import ExactSplineError, ShapeError, shown
 from exactspline.exact import Number, mpq, rational
 from exactspline.hooks import FunctionsOutside
 from exactspline.immutable import Immutable
 from exactspline.language.choices import choice
+from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
@@ -197,8 +198,7 @@ class NurbsSurface(Immutable, FunctionsOutside, Surface[TensorSpline]):
 
         Raises `FormulaError` for a negative order, `DomainError` outside the rectangle.
         """
-        if any(type(k) is not int or k < 0 for k in (i, j)):
-            raise FormulaError(f"a derivative of order {shown((i, j))}", remedy="orders are 0, 1, 2, …")
+        i, j = checked_order(i), checked_order(j)
         u, v = rational(u), rational(v)
         places = [(k, h) for k in range(i + 1) for h in range(j + 1)]
         weights = {(k, h): self.w.partial(k, h)(u, v) for k, h in places}

@@ -14,12 +14,12 @@ from typing import Any, ClassVar
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import FormulaError, ShapeError, shown
+from exactspline.errors import FormulaError, ShapeError, as_instance, shown
 from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
 from exactspline.immutable import Immutable, fill
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.splines import refinement, tensor_bernstein
@@ -229,8 +229,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
         (mpq(3,1), True)
         """
-        if min(i, j) < 0:
-            raise FormulaError(f"a derivative of order {min(i, j)}", remedy="orders are 0, 1, 2, …")
+        i, j = checked_order(i), checked_order(j)
         if any(0 <= degree < order for degree, order in zip(self.degree, (i, j), strict=True)):
             return self.constant(0)
         found = self
@@ -464,5 +463,7 @@ def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSp
     >>> (c.first.p[0] * c.second.w).degree
     Degrees(s=3, t=3)
     """
+    for each in (first, second):
+        as_instance(each, Curve, "a curve", 'give a Nurbs, such as exactspline.example("cusp")')
     meshes, room = (first.w.mesh, second.w.mesh), max(BISECTOR_ROOM * first.p.degree, 1)
     return Pair(first.mapped(lambda f: lifted(f, meshes, 0, room)), second.mapped(lambda f: lifted(f, meshes, 1, room)))

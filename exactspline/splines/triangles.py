@@ -14,11 +14,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import comb
 
-from exactspline.errors import DomainError, KnotError, ShapeError, counted
+from exactspline.errors import DomainError, KnotError, ShapeError, counted, shown
 from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, lifted, projected
 from exactspline.splines.expected import curve_of, spline_of
+from exactspline.splines.given import MAX_DEGREE
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
@@ -143,8 +144,9 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
         )
     present = knots.multiplicity(parameter)
     if type(times) is not int or times < 1 or present + times > degree:
+        told = counted(times, "time") if type(times) is int else shown(times)
         raise KnotError(
-            f"the knot {short_text(parameter)} of multiplicity {present} inserted {counted(times, 'time')}",
+            f"the knot {short_text(parameter)} of multiplicity {present} inserted {told}",
             remedy=f"insert it at least once; its multiplicity may reach the degree {degree}",
             knot=parameter,
         )
@@ -162,8 +164,9 @@ def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, 
 
     Raises `ShapeError` for a number of steps below 1.
     """
-    if type(by) is not int or by < 1:
-        raise ShapeError(f"degree elevation by {by}", remedy="an integer ≥ 1")
+    _expected(curve)
+    if type(by) is not int or not 1 <= by <= MAX_DEGREE:
+        raise ShapeError(f"degree elevation by {shown(by)}", remedy=f"an integer from 1 to {MAX_DEGREE}")
     splines, has_weight = _splines(curve)
     breaks = curve.breakpoints
     return tuple(

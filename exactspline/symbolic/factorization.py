@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import ClaimError, ExactSplineError, ReachError
+from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_integer, as_items
 from exactspline.exact import mpq
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
@@ -24,7 +24,7 @@ from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
-from exactspline.papers import Paper, default_papers, find
+from exactspline.papers import Paper, default_papers, formula_of
 from exactspline.polynomials.factorization import Factorization, multiplied, power_text
 from exactspline.polynomials.factors import factorize
 from exactspline.readings.degree import Degree, DegreeReading
@@ -103,7 +103,8 @@ def jets_for(formulas: Iterable[str | Formula], dimension: int, *, polynomial: b
     >>> jets_for(("f2",), 2, polynomial=True).w
     (1) / (1)
     """
-    chosen = [find(each) if isinstance(each, str) else each for each in formulas]
+    chosen = list(map(formula_of, as_items(formulas, "formulas")))
+    dimension = as_integer(dimension, "a dimension", 1)
     kind = common_kind(each.kind for each in chosen)
     order = max((order_of(each, dimension) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)

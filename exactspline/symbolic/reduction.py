@@ -17,9 +17,10 @@ from flint import fmpq, fmpq_mpoly
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.exact import mpq
+from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.choices import Parameter
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
 from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
@@ -325,6 +326,8 @@ def _dimensions(formula: Any) -> list[int]:
 
 def _kind(formula: Any) -> Kind:
     """The kind of argument of a formula; a curve for any other function."""
+    if isinstance(formula, Displayed | type) or not callable(formula):  # a curve can be called too
+        expect_formula(formula)
     return formula.kind if isinstance(formula, Formula) else CURVE
 
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from exactspline.errors import ClaimError, shown
+from exactspline.errors import ClaimError, as_text, shown
 from exactspline.exact import rational
 from exactspline.language.argument import Evaluated
 from exactspline.language.formula import Formula
@@ -28,7 +28,7 @@ def factor_parts(text: str) -> list[tuple[str, int]]:
     Raises `ClaimError` when it cannot be read, or is zero or divided by zero.
     """
     found, left = [], FACTORS
-    for part in text.split():
+    for part in as_text(text, "a factor").split():
         match = re.fullmatch(r"([A-Za-z]\w*|-?\d+(?:/\d+)?)(?:\^(-?\d+))?", part)
         if not match:
             raise ClaimError(

@@ -14,7 +14,17 @@ from enum import StrEnum
 from functools import cache
 from typing import Any
 
-from exactspline.errors import ClaimError, ExactSplineError, nearest, shown
+from exactspline.errors import (
+    ClaimError,
+    ExactSplineError,
+    ShapeError,
+    a_kind,
+    as_instance,
+    as_items,
+    as_text,
+    nearest,
+    shown,
+)
 from exactspline.papers import Paper, Table, default_papers, paper
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
@@ -71,6 +81,10 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     for field, value in told.items():
         if problem := _shape(str(known[field].type), value):
             raise ClaimError(f"{shown(value)} is {problem}", where=field, remedy="look at the table of kinds of claims")
+        if field != "words" and "$" in str(value):  # a quotation keeps the LaTeX of its source
+            raise ClaimError(
+                "'$' in a text", where=field, remedy="write formulas as text, like κ′ or γ; pages show them"
+            )
     for field in declared(kind).needed:
         if field not in told:
             raise ClaimError(f"the field {field!r} is missing", where=field, remedy="add it")
@@ -137,7 +151,8 @@ def claims_of(source: Paper | str) -> tuple[Claim, ...]:
 
     Raises `ClaimError` for an invalid entry, and for a key that occurs twice.
     """
-    return _claims(paper(source) if isinstance(source, str) else source)
+    given = paper(source) if isinstance(source, str) else source
+    return _claims(as_instance(given, Paper, "a paper", "give its name, or what exactspline.paper returns"))
 
 
 @cache
@@ -175,13 +190,24 @@ def select(ids: Iterable[str], claims: Iterable[Claim] | None = None) -> tuple[C
 
     Raises `ClaimError` with the nearest ids.
     """
-    ids, known = list(ids), all_claims() if claims is None else tuple(claims)
+    ids = [as_text(each, "the id of a claim") for each in as_items(ids, "ids of claims")]
+    known = all_claims() if claims is None else tuple(map(expect_claim, as_items(claims, "claims")))
     chosen = tuple(c for c in known if not ids or any(i == c.key or matches(c.id, i) for i in ids))
     for i in ids:
         if not any(i == claim.key or matches(claim.id, i) for claim in known):
             ids_there = dict.fromkeys(claim.id for claim in known)
             raise ClaimError(f"no claim has the id {i!r}", remedy=nearest(i, ids_there))
     return chosen
+
+
+def expect_claim(given: object) -> Claim:
+    """The claim itself; `ShapeError` for anything else."""
+    if isinstance(given, Claim):
+        return given
+    raise ShapeError(
+        f"{a_kind(given)}, where a claim is expected",
+        remedy='give one, such as exactspline.select_claims(["C4.1a"])[0]',
+    )
 
 
 def matches(claim_id: str, wanted: str) -> bool:

@@ -15,6 +15,7 @@ from exactspline.language.vector import Vector
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.given import checked_degree
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline
 from exactspline.verification.evaluation import between, segment
@@ -94,6 +95,7 @@ def spline_table(d1: int = 2, d2: int = 3) -> Operands:
     """Operands of Table 1 as splines of unequal degrees and knots: control points from a fixed recurrence, positive
     denominators.
     """
+    d1, d2 = checked_degree(d1), checked_degree(d2)
     state = 12345
 
     def number() -> int:

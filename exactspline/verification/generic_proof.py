@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, as_integer
 from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands, Pair
@@ -14,7 +14,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import SURFACE, TableKind
 from exactspline.language.parts import joined, split
 from exactspline.language.vector import Vector
-from exactspline.papers import Paper, find
+from exactspline.papers import Paper, formula_of
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import order_of
@@ -36,8 +36,7 @@ def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, poly
 
     Raises `ClaimError` when the right side vanishes identically.
     """
-    sides = [find(each) if isinstance(each, str) else each for each in (left, right)]
-    return _factor(*sides, dimension, polynomial, naming())
+    return _factor(formula_of(left), formula_of(right), as_integer(dimension, "a dimension", 1), polynomial, naming())
 
 
 @cache
@@ -50,7 +49,7 @@ def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polyn
     """The quotient of the numerators of two formulas, with nothing cancelled; None when they are not
     proportional.
 
-    >>> str(factor_of_numerators(find("f0"), find("f2"), 2))
+    >>> str(factor_of_numerators(formula_of("f0"), formula_of("f2"), 2))
     'w³'
     """
     factor = factor_of(left, right, dimension, polynomial=polynomial)
@@ -96,7 +95,7 @@ SHOWN_SURFACES = {False: "rational_biquadratic", True: "bicubic"}
 def vanishes(formula: Formula, dimension: int, polynomial: bool) -> bool:
     """Whether a formula is zero for all arguments of its kind: where it is not, mostly one of them shows it.
 
-    >>> vanishes(find("D1"), 2, True), vanishes(find("D21"), 2, True)
+    >>> vanishes(formula_of("D1"), 2, True), vanishes(formula_of("D21"), 2, True)
     (False, True)
     """
     shown = _shown(formula, dimension, polynomial)

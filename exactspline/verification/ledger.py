@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, as_instance
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper
 from exactspline.splines.examples import example, example_names
@@ -15,6 +15,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import SharedJets, sharing, speaking_of
 from exactspline.verification.claim import Claim
+from exactspline.verification.claims import expect_claim
 from exactspline.verification.combined import fitting
 from exactspline.verification.curve_check import spline_table
 from exactspline.verification.evaluation import Evaluation
@@ -125,7 +126,8 @@ def _proof(claim: Claim) -> tuple[str, Finding]:
 def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
     """A claim decided for all curves."""
     start = perf_counter()
-    reading, finding = (Proofs() if proofs is None else proofs)[claim]
+    made = as_instance(Proofs() if proofs is None else proofs, Proofs, "proofs", "leave them out")
+    reading, finding = made[expect_claim(claim)]
     return row(claim, reading, "", finding, perf_counter() - start)
 
 

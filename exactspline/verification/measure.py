@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from exactspline.language.formula import Formula
+from exactspline.errors import as_integer
+from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE
 from exactspline.language.parts import joined
 from exactspline.papers import all_formulas, known_as
 from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, true_degree_or_none
 from exactspline.splines.nurbs import Nurbs
 
@@ -36,6 +38,7 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     >>> measure(find("f2"), example("ellipse"))
     Measure(formula='f2', nominal=3d − 3, represented=3, true=0, control_points=16)
     """
+    formula, curve = expect_formula(formula), curve_of(curve)
     value = joined(formula(curve))
     nominal = formula(DegreeReading().argument(CURVE, curve.dimension, polynomial=curve.polynomial)).degree
     return Measure(known_as(formula), nominal, value.degree, true_degree_or_none(value), control_point_count(value))
@@ -48,4 +51,5 @@ def speaks_of(formula: Formula, dimension: int) -> bool:
 
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that apply to curves of this dimension."""
-    return [formula for formula in all_formulas().values() if speaks_of(formula, dimension)]
+    n = as_integer(dimension, "a dimension", 1)
+    return [formula for formula in all_formulas().values() if speaks_of(formula, n)]

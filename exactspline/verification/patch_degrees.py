@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import partial
 from random import Random
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, as_instance, as_items, shown
 from exactspline.language.choices import Parameter
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import PLANAR_MAP, SURFACE
 from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
@@ -72,6 +72,7 @@ def variants_table(source: Paper) -> list[VariantsRow]:
     >>> row.formula, row.defined, row.reduced, row.lifted, row.true
     ('line_coefficient_vv', '12d', '11d_u − 2, 11d_v − 4', '8d_u − 2, 8d_v − 4', '8d_u − 4, 8d_v − 8')
     """
+    source = as_instance(source, Paper, "a paper", "give what exactspline.paper returns")
     rows, known = [], source.formulas
     for name, formula in known.items():
         lifted = known.get(f"{name}_projective") or known.get(f"{name}_lifted")
@@ -121,9 +122,9 @@ def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[C
 
     Raises `FormulaError` for degrees below 1, and where none of the formulas is one of surfaces or planar maps.
     """
-    if min(degrees) < 1:
-        raise FormulaError(f"patches of the degrees {degrees}", remedy="at least 1 in each parameter")
-    given = list(formulas)
+    given = [expect_formula(f) for f in as_items(formulas, "formulas")]
+    if not isinstance(degrees, tuple) or len(degrees) != 2 or any(type(n) is not int or n < 1 for n in degrees):
+        raise FormulaError(f"patches of the degrees {shown(degrees)}", remedy="two integers, from 1 on, as in (2, 3)")
     known = [f for f in given if f.kind in (SURFACE, PLANAR_MAP)]
     if not known:
         told = ", ".join(f"{f.name} ({f.kind.name})" for f in given[:NAMED]) or "none"

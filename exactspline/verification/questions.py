@@ -7,16 +7,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, as_integer
 from exactspline.exact import mpq
 from exactspline.language.choices import Parameter, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
-from exactspline.papers import all_formulas, find, resolve
+from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import Factor, find_factor, jets_with_roots
 from exactspline.symbolic.reduction import Reduction, reduce
@@ -122,7 +123,7 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     Raises `FormulaError` for an unknown formula or two without a common dimension, `ClaimError` when the
     factor cannot be read.
     """
-    sides = _formulas(left, right)
+    sides, dimension = _formulas(left, right), _given_dimension(dimension)
     common = [n for n in (2, 3) if all(n in f.kind.dimensions for f in sides)]
     if not common or (dimension is not None and dimension not in common):
         raise FormulaError(
@@ -194,6 +195,7 @@ def degree(
     Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
     """
     (wanted,) = _formulas(formula)
+    dimension = _given_dimension(dimension)
     n = wanted.kind.dimensions[0] if dimension is None else dimension
     known = wanted.kind.parameters(n)
     counted = known[0] if parameter is None else choice(Parameter, parameter, "parameter")
@@ -220,7 +222,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, two with
     different numbers of components, and one that does not exist on all of the curve.
     """
-    sides = _formulas(left, right)
+    sides, curve = _formulas(left, right), curve_of(curve)
     for f in sides:
         if curve.dimension not in f.kind.dimensions or not CURVE.takes(f.kind, curve.dimension):
             raise FormulaError(
@@ -246,7 +248,7 @@ def reduction(
     *,
     dimension: int | None = None,
     polynomial: bool = False,
-    parameter: Parameter | None = None,
+    parameter: Parameter | str | None = None,
 ) -> Reduction:
     """What cancels in a formula, for all curves, and the lowest degree that is left (see
     `exactspline.symbolic.reduction`); where there are several parameters in the first one or in that which is named.
@@ -257,7 +259,12 @@ def reduction(
     Raises `FormulaError` for an unknown formula, `ShapeError` where it does not fit the dimension.
     """
     wanted = find(formula) if isinstance(formula, str) else formula
-    return reduce(wanted, dimension=dimension, polynomial=polynomial, parameter=parameter)
+    counted = None if parameter is None else choice(Parameter, parameter, "parameter")
+    return reduce(wanted, dimension=_given_dimension(dimension), polynomial=polynomial, parameter=counted)
+
+
+def _given_dimension(dimension: int | None) -> int | None:
+    return None if dimension is None else as_integer(dimension, "a dimension", 1)
 
 
 def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> None:
@@ -271,4 +278,4 @@ def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> Non
 
 
 def _formulas(*given: Named) -> tuple[Formula, ...]:
-    return tuple(find(f) if isinstance(f, str) else f for f in given)
+    return tuple(map(formula_of, given))

@@ -9,12 +9,13 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import import_module
 from itertools import groupby, pairwise
+from numbers import Real
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, a_kind, shown
 from exactspline.exact import Number, mpq, rational
 from exactspline.geometry.kinds import Feature
 from exactspline.roots.root import Root
@@ -40,6 +41,9 @@ Run = list[Point]
 
 V = TypeVar("V")
 
+#: The largest figure, in inches: what matplotlib writes to a bitmap.
+LARGEST_SIZE = 600
+
 
 class PlotError(ExactSplineError):
     """A picture that cannot be drawn or written.
@@ -53,7 +57,10 @@ def new_figure(width: float = 7, height: float = 5) -> Figure:
     """An empty ``matplotlib.figure.Figure`` of so many inches, without a window; `PlotError` without
     matplotlib.
     """
-    made: Figure = library("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
+    for inches in (width, height):
+        if not isinstance(inches, Real) or not 0 < inches <= LARGEST_SIZE:
+            raise PlotError(f"a figure of {shown(inches)} inches", remedy="give positive numbers")
+    made: Figure = library("matplotlib.figure").Figure(figsize=(float(width), float(height)), layout="constrained")
     return made
 
 
@@ -73,13 +80,18 @@ def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
         raise PlotError(f"a curve in R{dimension}", remedy="curves in the plane and in space can be drawn")
     if ax is None:
         return new_figure().add_subplot(projection="3d" if dimension == 3 else None)
+    if not isinstance(ax, library("matplotlib.axes").Axes):
+        raise PlotError(
+            f"{a_kind(ax)}, where axes of matplotlib are expected", remedy="leave them out for a new figure"
+        )
     if (ax.name == "3d") != (dimension == 3):
         raise PlotError(
             f"axes that do not fit R{dimension}",
             where="ax",
             remedy="projection='3d' is for curves in space, and only for them",
         )
-    return ax
+    found: Axes = ax
+    return found
 
 
 def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: object) -> None:

@@ -23,6 +23,7 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, marked, plot_function
+from exactspline.errors import as_items
 from exactspline.exact import iroot, mpq
 from exactspline.geometry.analysis import Analysis, analyse
 from exactspline.geometry.constructions import construction
@@ -144,7 +145,7 @@ def plot_approaches(
     made = construction(name)
     ax = axes_for(ax)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
-    for i, variant in enumerate(forms or made.all_variants):
+    for i, variant in enumerate(list(as_items(forms, "names of forms")) or made.all_variants):
         solved = analyse(curve).zero_form(name, variant)
         f = solved.form
         color, dashes = LINES[i % len(LINES)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from exactspline.display.plot.canvas import (
     BLACK,
@@ -25,12 +25,14 @@ from exactspline.display.plot.canvas import (
     shown_name,
 )
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
-from exactspline.errors import as_items
+from exactspline.errors import ShapeError, a_kind, as_items
 from exactspline.exact import Number, mpq
 from exactspline.geometry.derived import derive
 from exactspline.geometry.kinds import Feature
 from exactspline.language.choices import Side
+from exactspline.language.parts import split
 from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -170,6 +172,18 @@ def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
     return joined(point for part in parts for point in [*[p for _, p in part], None])
 
 
+def _quotient(value: object) -> Rational[BSpline]:
+    """A vector of splines as a quotient; `ShapeError` for what is neither."""
+    components, _ = split(cast(Any, value))
+    if not isinstance(value, Rational | Vector) or not all(isinstance(x, BSpline) for x in components):
+        raise ShapeError(
+            f"{a_kind(value)}, where a vector or a quotient of splines is expected",
+            remedy="evaluate a formula on a curve, or take curve.gamma",
+        )
+    found: Rational[BSpline] = value if isinstance(value, Rational) else value / components[0].constant(1)
+    return found
+
+
 def plot_quotient(
     value: Rational[BSpline],
     ax: Axes | None = None,
@@ -193,7 +207,7 @@ def plot_quotient(
 
     Raises as `plot_curve`.
     """
-    quotient = value if isinstance(value, Rational) else value / value[0].constant(1)
+    quotient = _quotient(value)
     ax = axes_for(ax, len(quotient))
     everywhere = (tuple([-LARGEST] * len(quotient)), tuple([LARGEST] * len(quotient)))
     if box is None:

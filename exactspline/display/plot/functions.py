@@ -25,7 +25,7 @@ from exactspline.display.plot.canvas import (
     polygons,
     sampled,
 )
-from exactspline.errors import ShapeError, shown
+from exactspline.errors import ShapeError, as_instance, as_items, shown
 from exactspline.exact import mpq
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
@@ -193,6 +193,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
     Raises `PlotError` without matplotlib.
     """
     ax = axes_for(ax)
+    roots = [as_instance(root, Root, "a root", "give exactspline.zeros(f)") for root in as_items(roots, "roots")]
     bars = [(root.low, root.high) for root in roots]
     at = [
         (low + high) / 2 if low == high else root.refine(20)[0] for root, (low, high) in zip(roots, bars, strict=True)

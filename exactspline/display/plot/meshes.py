@@ -9,7 +9,7 @@ from typing import Any
 
 from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
 from exactspline.display.plot.frames import Box, homogeneous, kept, usual_box
-from exactspline.errors import ShapeError
+from exactspline.errors import ShapeError, as_items
 from exactspline.exact import Number, mpq, rational
 from exactspline.language.choices import Side
 from exactspline.language.parts import split
@@ -93,6 +93,14 @@ def _spread(length: int, wanted: int) -> list[int]:
     return sorted({(length - 1) * k // steps for k in range(steps + 1)})
 
 
+def _two(given: Iterable[Number], what: str) -> tuple[mpq, mpq]:
+    """Both ends of an interval, exactly."""
+    found = tuple(map(rational, as_items(given, what)))
+    if len(found) != 2:
+        raise ShapeError(f"{len(found)} numbers for {what}", where=what, remedy="give two, (low, high)")
+    return found
+
+
 def ruled_mesh(
     surface: SplineSurface,
     rulings: tuple[Number, Number] = (-1, 1),
@@ -114,8 +122,8 @@ def ruled_mesh(
 
     Raises `ShapeError` for anything but a ruled surface of splines in space, and for an invalid interval of rulings.
     """
-    low, high = map(rational, rulings)
-    levels = None if heights is None else tuple(map(rational, heights))
+    low, high = _two(rulings, "rulings")
+    levels = None if heights is None else _two(heights, "heights")
     if low >= high:
         raise ShapeError(f"rulings from {low} to {high}", where="rulings", remedy="the first must be the smaller one")
     if not isinstance(surface, RuledSurface) or len(surface.directrix) != 3 or not _of_splines(surface.directrix):

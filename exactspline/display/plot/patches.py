@@ -14,6 +14,7 @@ from exactspline.display.plot.canvas import BLACK, GREEN, GREY, VERMILLION, draw
 from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
 from exactspline.display.plot.visibility import Visibility
+from exactspline.errors import as_instance
 from exactspline.exact import mpq
 from exactspline.geometry.surface.forms import in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
@@ -44,6 +45,8 @@ def surface_figure(found: SurfaceInspection) -> Figure:
 
     Raises `PlotError` without matplotlib.
     """
+    remedy = "give what exactspline.inspect_surface returns"
+    found = as_instance(found, SurfaceInspection, "an inspection of a surface", remedy)
     figure = new_figure(11, 5.2)
     grid = figure.add_gridspec(1, 2, width_ratios=(1.35, 1))
     space, plane = figure.add_subplot(grid[0], projection="3d"), figure.add_subplot(grid[1])

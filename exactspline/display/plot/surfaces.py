@@ -22,7 +22,7 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box, three_ticks
 from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import FormulaError, ShapeError, as_items
 from exactspline.exact import Number, rational
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
@@ -30,6 +30,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.splines.values import SplineSurface
@@ -179,11 +180,12 @@ def plot_surface(
     Raises `ShapeError` for anything but a vector of three `TensorSpline` or a quotient of such, otherwise as
     `plot_mesh`.
     """
-    return plot_mesh(tensor_mesh(surface, box), ax, label=label, control_net=control_net)
+    axes = axes_for(ax, 3)
+    return plot_mesh(tensor_mesh(surface, box), axes, label=label, control_net=control_net)
 
 
 def plot_bisector(
-    curve: Curve[BSpline],
+    curve: Nurbs,
     other: Nurbs | Iterable[Number],
     ax: Axes | None = None,
     *,
@@ -206,7 +208,8 @@ def plot_bisector(
     Raises `ShapeError` where dimensions do not fit, `FormulaError` for an unknown one, otherwise as `plot_mesh` and
     `plot_quotient`.
     """
-    kind, default, handed = _argument(curve, other)
+    kind, default, handed = _argument(curve_of(curve), other)
+    ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
     found = find(formula or default)
     if found.kind is not kind:
         raise FormulaError(
@@ -231,7 +234,7 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
         if curve.dimension != 3 or other.dimension != 3:
             raise ShapeError("a bisector of curves that are not in space", remedy="give two curves in space")
         return PAIR, "bisector_symmetric", surface_pair(curve, other)
-    point = tuple(map(rational, other))
+    point = tuple(map(rational, as_items(other, "the coordinates of a point")))
     if len(point) != curve.dimension or len(point) not in (2, 3):
         raise ShapeError(
             f"a point of {len(point)} coordinates beside a curve in R{curve.dimension}",

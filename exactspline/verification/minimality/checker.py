@@ -17,7 +17,13 @@ def check(certificate: dict[str, object]) -> int:
     coefficient of a form of full degree; but the cofactors combine the forms to 1. A common zero at the right end (u =
     0) would make all highest coefficients vanish.
     """
-    told: Any = certificate
+    try:
+        return _checked(certificate)
+    except (TypeError, AttributeError, LookupError) as error:  # data of another shape: a field missing, or no list
+        raise ValueError(f"not a certificate of minimality: {type(error).__name__}: {error}") from error
+
+
+def _checked(told: Any) -> int:
     _require(told["format"] == "exactspline minimality 1", "unknown format")
     _require(told["kind"] in ("zero set", "quotient") and bool(told["segments"]), "unknown kind, or nothing to check")
     return max(_segment(segment, told["kind"]) for segment in told["segments"])
@@ -25,13 +31,14 @@ def check(certificate: dict[str, object]) -> int:
 
 def _segment(segment: dict[str, Any], kind: str) -> int:
     n, p = segment["degree"], segment["prime"]
-    forms = [[int(x) for x in form] for form in segment["forms"]]
+    _require(type(n) is int and type(p) is int, "a degree or a prime that is not an integer")
+    forms = [_integers(form) for form in segment["forms"]]
     _require(all(len(form) == n + 1 for form in forms) and any(any(form) for form in forms), "a form of another degree")
     _require(_is_prime(p), "no prime")
-    others = [] if kind == "quotient" else [[int(x) for x in segment["weight"]]]
+    others = [] if kind == "quotient" else [_integers(segment["weight"])]
     _require(kind == "quotient" or len(forms) == 1, "a zero set has one form")
     _require(any(form[-1] % p for form in [*forms, *others]), "the prime divides every highest coefficient")
-    cofactors = [[int(x) for x in a] for a in segment["cofactors"]]
+    cofactors = [_integers(a) for a in segment["cofactors"]]
     _require(len(cofactors) == len(forms) + len(others), "cofactors are missing")
     total: Polynomial = []
     for a, form in zip(cofactors, [*forms, *others], strict=True):
@@ -43,7 +50,7 @@ def _segment(segment: dict[str, Any], kind: str) -> int:
         _require(sum(x * (-1) ** i for i, x in enumerate(forms[0])) != 0, "the degree in the parameter is lower")
         q = segment["irreducible modulo"]
         _require(
-            q is None or (_is_prime(q) and forms[0][-1] % q != 0 and _irreducible(forms[0], q)),
+            q is None or (type(q) is int and _is_prime(q) and forms[0][-1] % q != 0 and _irreducible(forms[0], q)),
             "not irreducible modulo the prime named",
         )
     return int(n)
@@ -52,6 +59,28 @@ def _segment(segment: dict[str, Any], kind: str) -> int:
 def _require(condition: bool, flaw: str) -> None:
     if not condition:
         raise ValueError(flaw)
+
+
+def _integers(told: Any) -> Polynomial:
+    """The integers of a list, each written in decimal digits."""
+    _require(type(told) is list, "coefficients that are not a list")
+    return [_integer(x) for x in told]
+
+
+def _integer(told: Any) -> int:
+    """An integer written in decimal digits."""
+    _require(type(told) is str, "a number that is not written as text")
+    digits = told.removeprefix("-")
+    _require(digits.isascii() and digits.isdigit(), "a text that is not an integer")
+    return -_digits(digits) if told != digits else _digits(digits)
+
+
+def _digits(told: str) -> int:
+    """Piece by piece: Python refuses to read thousands of digits at once."""
+    if len(told) <= 600:
+        return int(told)
+    half = len(told) // 2
+    return int(_digits(told[:-half]) * 10**half + _digits(told[-half:]))
 
 
 #: The first primes: with them as bases Miller and Rabin's test decides all n below 3·10²⁴.
