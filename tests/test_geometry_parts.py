@@ -34,17 +34,17 @@ from exactspline.geometry.surface import critical, singular
 from exactspline.geometry.surface.borders import is_inside, vanishes_at
 from exactspline.geometry.surface.forms import SurfaceForms, lowest
 from exactspline.geometry.surface.inspection import inspect_surface
-from exactspline.geometry.surface.isolation import isolate
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.planar_maps import _placed
 from exactspline.geometry.surface.singular import SingularPoints
+from exactspline.polynomials.common_zeros import isolate
 from exactspline.polynomials.elimination import discriminant
+from exactspline.polynomials.patch_forms import UNIT, PatchForm, clusters
 from exactspline.questions.answers import CurvePiece
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
 from exactspline.splines.examples import example
-from exactspline.splines.patch_forms import UNIT, PatchForm, clusters, together
 from exactspline.splines.tensor import TensorSpline
 from tests.bisector_oracle import FAMILIES
 
@@ -381,7 +381,7 @@ def test_whether_an_irrational_zero_is_inside_is_decided_by_the_roots_on_the_bor
     sides = (x * 4 - 1) * (x * 8 - 7)
     for near in (0, mpq(1, 2**20), mpq(-1, 2**20), *[mpq(1, 2**k) for k in (50, 100, 200, 300)]):
         line, other = y + sides * near, sides * (x * x * 2 - 1) + y * 0
-        found = isolate(*together([line.elevated_to(other), other.elevated_to(line)], 0, 0)).zeros
+        found = isolate(*(f.elevated_to(g).patch_form(0, 0) for f, g in ((line, other), (other, line)))).zeros
         told = {tuple(round(float(a), 3) for a, _ in zero.refine(60)): is_inside(zero, UNIT) for zero in found}
         assert told.pop((0.707, 0.0), False) is (near > 0)
         assert told == {(0.25, 0.0): False, (0.875, 0.0): False}

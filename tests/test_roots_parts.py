@@ -9,11 +9,12 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, zeros
 from exactspline.errors import DomainError
-from exactspline.reals.bounds import Bounds, rounded_outwards
+from exactspline.numbers.intervals import Bounds, rounded_outwards
+from exactspline.polynomials import cells
+from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.refinement import enclosures
 from exactspline.reals.real import Real, between
-from exactspline.roots import cells, checker
-from exactspline.roots.isolation import LocalPolynomial
-from exactspline.roots.refinement import enclosures
+from exactspline.roots import checker
 from exactspline.roots.root import knot_root
 from exactspline.roots.values import narrowed, sign_at, signed_root, value_at
 

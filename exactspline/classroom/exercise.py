@@ -9,7 +9,7 @@ from random import Random
 
 from exactspline.classroom.answers import Answer
 from exactspline.classroom.parts import Math, Part, Point
-from exactspline.exact import lcm, mpq
+from exactspline.numbers.exact import lcm, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

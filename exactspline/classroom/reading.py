@@ -9,7 +9,7 @@ from flint import fmpq, fmpq_poly
 
 from exactspline.classroom.parts import Point, Polynomial
 from exactspline.errors import ExactSplineError, shown
-from exactspline.exact import mpq, rational, to_fmpq
+from exactspline.numbers.exact import mpq, rational, to_fmpq
 
 #: Longest answer and highest degree that are read.
 MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60

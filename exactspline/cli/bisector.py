@@ -150,7 +150,7 @@ def _closing(found: CurveBisector) -> str:
 
 def _surface_row(patch: BisectorPatch) -> Row:
     from exactspline.display.bisector_data import counted, degree_of, sides_text
-    from exactspline.exact import short_text
+    from exactspline.numbers.exact import short_text
 
     remark = f"{counted(patch.value)} control points"
     if max(patch.value.degree) == 0:
@@ -216,8 +216,8 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
 def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
     from exactspline.display.bisector_data import shown, trimmed_data
     from exactspline.display.plot.bisectors import plot_trimmed_bisector
-    from exactspline.exact import short_text
     from exactspline.geometry.bisector.trimmed import trimmed_bisector
+    from exactspline.numbers.exact import short_text
 
     found = trimmed_bisector(c, point)
     data = {"name": "bisector", "curve": c.name, "point": point} | trimmed_data(found, digits)

@@ -9,7 +9,6 @@ from flint import arb
 
 from exactspline.display.serialize import decimal_of, piece_data
 from exactspline.errors import ReachError
-from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.bisector.components import (
     Branch,
     LineComponent,
@@ -29,6 +28,7 @@ from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline

@@ -7,7 +7,6 @@ from math import prod
 
 from exactspline.display.serialize import angle_data
 from exactspline.display.sheet import Sheet
-from exactspline.exact import mpq, text
 from exactspline.geometry.surface.chains import Piece
 from exactspline.geometry.surface.degenerate import Gap
 from exactspline.geometry.surface.forms import Patch, in_parameters
@@ -16,8 +15,9 @@ from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place, enclosing
 from exactspline.geometry.surface.planar_maps import MapInspection
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.patch_forms import Box, Interval, clusters
 from exactspline.roots.root import Root
-from exactspline.splines.patch_forms import Box, Interval, clusters
 from exactspline.splines.surface import Along, NurbsSurface
 
 #: What poles of one line have in common.

@@ -7,9 +7,9 @@ from itertools import pairwise
 from typing import TypeVar
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.questions.answers import Interval
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh

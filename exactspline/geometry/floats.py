@@ -7,9 +7,9 @@ from math import inf, isfinite
 from typing import TYPE_CHECKING, TypeAlias, cast, overload
 
 from exactspline.errors import FormulaError
-from exactspline.exact import Number, Rounding, from_float, is_float, mpq
 from exactspline.geometry.kinds import Feature
 from exactspline.geometry.values_along import point_at
+from exactspline.numbers.exact import Number, Rounding, from_float, is_float, mpq
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import exact_place
 

@@ -3,8 +3,8 @@ they are rational, and proved to be irrational elsewhere.
 
 The filter decides how many zeros there are, and on which segments. On these alone the forms are computed in integers,
 by the same programs, rounded once, and evaluated in doubles with proved bounds around every zero; a form without zeros
-modulo some small prime has no rational one (`exactspline.roots.modular`). Derivation: docs/certified-filter.md. This
-module loads numpy.
+modulo some small prime has no rational one (`exactspline.polynomials.modular`). Derivation: docs/certified-filter.md.
+This module loads numpy.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ from typing import NamedTuple
 import numpy as np
 from flint import fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.filtered import programs_at_true_degree
 from exactspline.geometry.many_curves import KINDS
 from exactspline.geometry.many_segments import Jumps, Segments, components, rounded, whole
 from exactspline.geometry.many_splines import of_few_segments
-from exactspline.immutable import fill
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.immutable import fill
+from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
+from exactspline.polynomials.modular import without_rational_zero
 from exactspline.programs.program import Program
 from exactspline.reals.real import Real
-from exactspline.roots.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
-from exactspline.roots.modular import without_rational_zero
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.questions.answers import CurvePiece
 
 

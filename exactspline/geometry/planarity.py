@@ -13,11 +13,11 @@ from math import gcd, lcm
 
 from flint import fmpz, fmpz_mat
 
-from exactspline.exact import mpq, ratio, text
 from exactspline.geometry.domain import space
 from exactspline.geometry.pieces import pieces
+from exactspline.numbers.exact import mpq, ratio, text
+from exactspline.polynomials.bernstein import Form
 from exactspline.questions.answers import CurvePiece
-from exactspline.splines.bernstein import Form
 from exactspline.splines.nurbs import Nurbs
 
 AXES = "xyz"

@@ -15,13 +15,6 @@ E = TypeVar("E", bound=StrEnum)
 FEW = 7
 
 
-class Side(StrEnum):
-    """The side from which a limit is taken or a one-sided value is reached."""
-
-    LEFT = "left"
-    RIGHT = "right"
-
-
 class Parameter(StrEnum):
     """A parameter: that of a curve, or of the first of two; that of the second one; the two of a surface."""
 

@@ -16,7 +16,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
-from exactspline.exact import PRIME
+from exactspline.numbers.exact import PRIME
 from exactspline.polynomials.cost import LONGEST, LONGEST_LOOP, affords, check_reach, height_bits
 from exactspline.polynomials.factorization import Factorization, multiplied
 

@@ -13,7 +13,6 @@ from collections import defaultdict
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq, rational, to_fmpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import CONSTANTS, Constant
@@ -21,6 +20,7 @@ from exactspline.language.parts import Value
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, rational, to_fmpq
 
 
 class Monomials(RingOperand):

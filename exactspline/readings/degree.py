@@ -11,7 +11,6 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 
 from exactspline.errors import FormulaError, InapplicableError
-from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Counting, Parameter, choice
@@ -20,6 +19,7 @@ from exactspline.language.operand import CONSTANTS, Constant, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational, RingOperand
 from exactspline.language.reading import Reading
+from exactspline.numbers.exact import mpq
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
 Term = tuple[tuple[tuple[str, int], ...], int]

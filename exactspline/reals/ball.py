@@ -7,10 +7,10 @@ from collections.abc import Callable
 from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import OpenError
-from exactspline.exact import mpq
-from exactspline.immutable import fill
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import ball_ends
 from exactspline.reals.algebraic import OPEN
-from exactspline.reals.bounds import ball_ends
 from exactspline.reals.real import Real
 
 

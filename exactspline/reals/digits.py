@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import NumberError
-from exactspline.exact import Rounding, double_between, mpq, mpz
-from exactspline.immutable import Immutable
-from exactspline.reals.bounds import Bounds, shifted
+from exactspline.numbers.exact import Rounding, double_between, mpq, mpz
+from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.intervals import Bounds, shifted
 
 if TYPE_CHECKING:
     import mpmath

@@ -2,7 +2,7 @@
 
 A number is the tree of the operations that made it, over rational numbers and roots; an interval around it shrinks when
 digits are needed. Only what digits cannot decide (equality, whether it is rational, a minimal polynomial) asks for a
-polynomial with this zero, whose cost is bounded beforehand (`exactspline.reals.annihilating`).
+polynomial with this zero, whose cost is bounded beforehand (`exactspline.polynomials.annihilating`).
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from typing import Any, Self, TypeAlias, TypeVar, cast
 from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from exactspline.errors import NumberError
-from exactspline.exact import Number, Rounding, double, is_square, isqrt, lcm, mpq, mpz, rational, to_fmpq
-from exactspline.immutable import fill
-from exactspline.reals import annihilating
+from exactspline.numbers.exact import Number, Rounding, double, is_square, isqrt, lcm, mpq, mpz, rational, to_fmpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import ball_around, ball_ends
+from exactspline.polynomials import annihilating
+from exactspline.polynomials.annihilating import QuotientModulo, linear
 from exactspline.reals.algebraic import EXACT, Algebraic
-from exactspline.reals.annihilating import QuotientModulo, linear
-from exactspline.reals.bounds import ball_around, ball_ends
 from exactspline.reals.radicals import square_root_parts
 
 V = TypeVar("V")

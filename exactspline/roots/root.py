@@ -8,15 +8,15 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import NumberError
-from exactspline.exact import lcm, mpq, mpz
 from exactspline.hooks import Displayed
-from exactspline.immutable import fill
+from exactspline.numbers.exact import lcm, mpq, mpz
+from exactspline.numbers.immutable import fill
+from exactspline.polynomials.annihilating import linear, primitive
+from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.isolation import LocalZero
+from exactspline.polynomials.refinement import Interval, enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
-from exactspline.reals.annihilating import linear, primitive
 from exactspline.reals.real import Real
-from exactspline.roots.isolation import LocalZero
-from exactspline.roots.refinement import Interval, enclosures, sign_at
-from exactspline.splines.bernstein import substituted
 
 #: How often two roots are compared with a number between them before digits are computed.
 BISECTIONS = 5

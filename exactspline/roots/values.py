@@ -12,14 +12,14 @@ from typing import overload
 from flint import fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
-from exactspline.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
-from exactspline.immutable import fill
-from exactspline.language.choices import Side
-from exactspline.reals import annihilating
-from exactspline.reals.bounds import Bounds, quotient, rounded_outwards
+from exactspline.numbers.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
+from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Bounds, quotient, rounded_outwards
+from exactspline.numbers.sides import Side
+from exactspline.polynomials import annihilating
+from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import Real, square_root
-from exactspline.roots.centred_form import bounds_over
-from exactspline.splines.bernstein import substituted
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq, ratio, text
 from exactspline.hooks import Displayed
-from exactspline.immutable import Immutable, fill
+from exactspline.numbers.exact import mpq, ratio, text
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.polynomials.isolation import Isolation, isolate
 from exactspline.roots.certificate import certificate
-from exactspline.roots.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 from exactspline.errors import DomainError, ReductionError
-from exactspline.exact import mpq, text, to_fmpz
-from exactspline.language.choices import Side
+from exactspline.numbers.exact import mpq, text, to_fmpz
+from exactspline.numbers.sides import Side
+from exactspline.polynomials import bernstein
 from exactspline.polynomials.factors import factorize
-from exactspline.splines import bernstein
 from exactspline.splines.knots import Mesh
 from exactspline.splines.piecewise import Piecewise, S
 

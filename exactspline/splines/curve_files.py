@@ -14,7 +14,7 @@ from typing import Any
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import CurveFileError, ExactSplineError, as_path
-from exactspline.exact import mpq, rational
+from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
 from exactspline.splines.expected import curve_of

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any, NoReturn, cast
 
 from exactspline.errors import CurveFileError, NumberError, as_text
-from exactspline.exact import Number, mpq, rational
-from exactspline.exact import text as text_of
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.exact import text as text_of
 from exactspline.splines.control_points import Direction
 
 #: Largest file read, in bytes: room for a hundred thousand control points.

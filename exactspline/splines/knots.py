@@ -14,8 +14,8 @@ from itertools import groupby, pairwise
 from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, NumberError, as_items
-from exactspline.exact import Number, mpq, rational, short_text, text, to_fmpz
-from exactspline.immutable import Immutable, fill
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
+from exactspline.numbers.immutable import Immutable, fill
 
 #: Continuity at a breakpoint where the function has no knot.
 SMOOTH = 1 << 60

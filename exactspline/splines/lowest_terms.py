@@ -10,14 +10,14 @@ from typing import overload
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import ReductionError
-from exactspline.exact import text
 from exactspline.language.parts import split
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import text
+from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
-from exactspline.splines.bernstein import ONE, divide_u_plus_v, raiser
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.values import SplineSurface, SplineValue, SplineVector

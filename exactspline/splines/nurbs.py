@@ -8,12 +8,12 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, cast
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.exact import Number, from_float, is_float, mpq, rational, text
-from exactspline.immutable import Immutable
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.vector import Vector
-from exactspline.splines.bernstein import zero_on_segment
+from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, text
+from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected

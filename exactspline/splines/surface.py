@@ -7,13 +7,13 @@ from enum import StrEnum
 from math import comb
 
 from exactspline.errors import ExactSplineError, FormulaError, ShapeError, shown
-from exactspline.exact import Number, mpq, rational
 from exactspline.hooks import FunctionsOutside
-from exactspline.immutable import Immutable
 from exactspline.language.choices import choice
 from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.immutable import Immutable
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import on_one_mesh, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected

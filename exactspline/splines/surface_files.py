@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.exact import Number
+from exactspline.numbers.exact import Number
 from exactspline.splines.curve_files import write_json
 from exactspline.splines.expected import surface_of
 from exactspline.splines.json_files import json_object, number_of, points_of, text_of_file, whole_degree, written_point

@@ -8,8 +8,8 @@ from collections import deque
 from itertools import product
 
 from exactspline.errors import WeightError
-from exactspline.exact import mpq
-from exactspline.splines.patch_forms import UNIT, Box, PatchForm, Sized, box_text, halved
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.patch_forms import UNIT, Box, PatchForm, Sized, box_text, halved
 from exactspline.splines.tensor import TensorSpline
 
 #: Boxes on one patch before the search stops.
@@ -27,7 +27,7 @@ def check_weight(w: TensorSpline) -> None:
     sign = 0
     for i, j in product(range(len(w.meshes[0])), range(len(w.meshes[1]))):
         patch = (w.meshes[0].breaks[i : i + 2], w.meshes[1].breaks[j : j + 2])
-        form = PatchForm.of(w, i, j)
+        form = w.patch_form(i, j)
         found = _sign_or_box(form)
         if not isinstance(found, int):
             box, certain = found

@@ -15,15 +15,17 @@ from typing import Any, ClassVar
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, shown
-from exactspline.exact import Number, lcm, mpq, rational, text, to_fmpz
-from exactspline.immutable import Immutable, fill
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.splines import refinement, tensor_bernstein
-from exactspline.splines.bernstein import common_denominators, primitive, raiser
+from exactspline.numbers.exact import Number, lcm, mpq, rational, text, to_fmpz
+from exactspline.numbers.immutable import Immutable, fill
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import common_denominators, primitive, raiser
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_direct import derived, lowered, true_degrees
@@ -120,6 +122,17 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
         return tensor_bernstein.bezier_net((self._own[at], self.denominators[at]), self.degree, self.stride)
+
+    def patch_form(self, i: int, j: int) -> PatchForm:
+        """The patch over segment i of s and segment j of t, up to a positive constant.
+
+        >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, "1/2"], [1, 2]])
+        >>> f.patch_form(0, 0).entries
+        [0, 1, 2, 4]
+        """
+        net = self.bezier_net(i, j) if min(self.degree) >= 0 else [[mpq(0)]]
+        common = lcm(*[x.denominator for row in net for x in row])
+        return PatchForm.of_net([[int(x * common) for x in row] for row in net])
 
     def __repr__(self) -> str:
         (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import ClaimError, ExactSplineError, ReachError
-from exactspline.exact import mpq
 from exactspline.hooks import Displayed
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Pair, T
@@ -24,6 +23,7 @@ from exactspline.language.kinds import Kind, common_kind
 from exactspline.language.parts import Value, split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, default_papers, find
 from exactspline.polynomials.factorization import Factorization, multiplied, power_text
 from exactspline.polynomials.factors import factorize

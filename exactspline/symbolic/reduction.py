@@ -16,7 +16,6 @@ from typing import Any
 from flint import fmpq, fmpq_mpoly
 
 from exactspline.errors import FormulaError, ReductionError, ShapeError
-from exactspline.exact import mpq
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
@@ -25,6 +24,7 @@ from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.papers import find, owner
 from exactspline.polynomials.factorization import Factorization
 from exactspline.readings.degree import Degree, DegreeReading

@@ -7,13 +7,13 @@ from typing import Any
 
 from flint import fmpz_poly
 
-from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.bernstein import zero_on_segment
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.splines.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline

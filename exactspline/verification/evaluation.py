@@ -7,14 +7,13 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from exactspline.exact import mpq, text
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.kinds import PairKind, kind_of
-from exactspline.splines.bernstein import zero_on_segment
+from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.patch_forms import PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
@@ -110,7 +109,7 @@ def _fails_on_surface(each: Assumption, handed: Evaluated) -> str:
 
     value = each.polynomial(handed)
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
-    for form, patch in ((PatchForm.of(value, *patch), patch) for patch in patches):
+    for form, patch in ((value.patch_form(*patch), patch) for patch in patches):
         sign = Sign.ZERO if form.is_zero or not each.everywhere else sign_on_patch(form).sign
         if form.is_zero or (each.everywhere and sign not in (Sign.POSITIVE, Sign.NEGATIVE)):
             perhaps = "perhaps " if sign is Sign.UNDECIDED else ""

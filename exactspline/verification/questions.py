@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
 from exactspline.language.choices import Parameter, choice
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
+from exactspline.numbers.exact import mpq
 from exactspline.papers import all_formulas, find, resolve
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of

@@ -14,11 +14,11 @@ from exactspline.display.plot.canvas import BLACK, GREEN, GREY, VERMILLION, draw
 from exactspline.display.plot.curvature_lines import Samples, lines_of_curvature
 from exactspline.display.plot.surfaces import shaded
 from exactspline.display.plot.visibility import Visibility
-from exactspline.exact import mpq
 from exactspline.geometry.surface.forms import in_parameters
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place, enclosing
 from exactspline.geometry.surface.signs import Point
+from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import Along
 
 if TYPE_CHECKING:

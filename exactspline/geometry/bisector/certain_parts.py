@@ -10,9 +10,9 @@ from collections.abc import Sequence
 
 from flint import fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import Rows, halved
-from exactspline.splines.bernstein import ONE, halves, restrict
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.bernstein import ONE, halves, restrict
 
 #: An interval of the local parameter.
 Part = tuple[mpq, mpq]

@@ -15,7 +15,6 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
-from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.polynomials import (
     Interval,
     Parameter,
@@ -30,6 +29,7 @@ from exactspline.geometry.bisector.polynomials import (
     rows_of,
     vanish_together,
 )
+from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.polynomials.cost import affords, check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize

@@ -8,12 +8,12 @@ from enum import StrEnum
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
 from exactspline.geometry.bisector.polynomials import CONTEXT, Interval, Parameter, S, Sides, T, at, exactly, roots_in
 from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import Number, mpq, rational, short_text
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

@@ -16,18 +16,18 @@ from typing import Any
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.bisector.certain_parts import Part, holds_certainly, keeps_sign, possible_parts
 from exactspline.geometry.bisector.polynomials import check_isolation
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, norm2
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials import tensor_bernstein
+from exactspline.polynomials.bernstein import ONE, is_nonnegative, value
 from exactspline.polynomials.elimination import discriminant, resultant
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.reals.real import between
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines import tensor_bernstein
-from exactspline.splines.bernstein import ONE, is_nonnegative, value
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed

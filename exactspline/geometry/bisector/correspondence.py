@@ -8,7 +8,6 @@ from itertools import pairwise
 
 from flint import ctx, fmpz_mpoly, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
 from exactspline.geometry.bisector.polynomials import (
@@ -23,10 +22,11 @@ from exactspline.geometry.bisector.polynomials import (
     rows_of,
     vanish_together,
 )
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.reals.real import between
-from exactspline.splines.bernstein import substituted
 
 
 def graph_intervals(

@@ -8,10 +8,10 @@ from typing import Any, Generic, TypeVar
 
 from flint import arb, ctx, fmpz_mpoly
 
-from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import Parameter, ball, enclosed, lifted
 from exactspline.geometry.bisector.system import System
 from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.numbers.exact import mpq
 
 Number = TypeVar("Number", mpq, arb)
 

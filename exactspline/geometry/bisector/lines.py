@@ -11,7 +11,6 @@ from typing import Generic, TypeVar
 
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
-from exactspline.exact import mpq, to_fmpz
 from exactspline.geometry.bisector.flats import ALL, Conditions
 from exactspline.geometry.bisector.over_root import OverRoot, by_powers
 from exactspline.geometry.bisector.polynomials import Euclidean, Interval, as_splines, common_divisor, lifted, rows_of
@@ -20,8 +19,9 @@ from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.numbers.exact import mpq, to_fmpz
+from exactspline.polynomials.bernstein import substituted
 from exactspline.roots.root import Root
-from exactspline.splines.bernstein import substituted
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.values import RationalSurface
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from exactspline.exact import mpq
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 
 Interval = tuple[mpq, mpq]

@@ -14,11 +14,11 @@ from itertools import pairwise
 from typing import Any
 
 from exactspline.errors import ShapeError, as_items
-from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.missing import STILL, THROUGH, Interval, is_zero_on
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import choice
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational, short_text
 from exactspline.papers import find
 from exactspline.reals.real import between
 from exactspline.roots.root import Root

@@ -12,13 +12,13 @@ from typing import Protocol, Self, TypeVar
 from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.errors import ReachError
-from exactspline.exact import mpq, rational, to_fmpq, to_fmpz
 from exactspline.language.operand import Scalar
+from exactspline.numbers.exact import mpq, rational, to_fmpq, to_fmpz
+from exactspline.polynomials.bernstein import ONE, halves, substituted
 from exactspline.polynomials.cost import QUESTION, affords, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE, halves, substituted
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 

@@ -8,7 +8,6 @@ from math import lcm
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ShapeError
-from exactspline.exact import Number, mpq, rational, short_text, to_fmpq
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.polynomials import (
     Interval,
@@ -23,6 +22,7 @@ from exactspline.geometry.bisector.polynomials import (
     rows_of,
     vanish_together,
 )
+from exactspline.numbers.exact import Number, mpq, rational, short_text, to_fmpq
 from exactspline.polynomials.elimination import resultant
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline

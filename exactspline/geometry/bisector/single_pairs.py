@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from flint import fmpz_mpoly
 
-from exactspline.exact import short_text
 from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros
 from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs, sides_text
 from exactspline.geometry.bisector.correspondence import same_place
 from exactspline.geometry.bisector.polynomials import Sides, possible_boxes, vanish_together
 from exactspline.geometry.bisector.system import System
+from exactspline.numbers.exact import short_text
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.roots.root import Root
 

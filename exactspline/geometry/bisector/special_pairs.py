@@ -15,7 +15,6 @@ from itertools import product
 from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError, counted
-from exactspline.exact import mpq, to_fmpq
 from exactspline.geometry.bisector.common_zeros import Place
 from exactspline.geometry.bisector.components import (
     Cause,
@@ -51,8 +50,9 @@ from exactspline.geometry.bisector.polynomials import (
 )
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
 from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.roots.root import Root

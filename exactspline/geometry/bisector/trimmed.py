@@ -19,21 +19,21 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.exact import Number, mpq, rational, short_text, text
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.conditions import Conditions, Parameter
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
 from exactspline.geometry.kinds import JointKind
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Side
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, perp
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text
+from exactspline.numbers.sides import Side
 from exactspline.papers import find
+from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.knots import Mesh

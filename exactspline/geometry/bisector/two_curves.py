@@ -13,7 +13,6 @@ from itertools import pairwise, product
 from typing import Any
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.exact import Number, mpq, rational, short_text
 from exactspline.geometry.bisector.components import (
     LineComponent,
     PlaneComponent,
@@ -28,6 +27,7 @@ from exactspline.geometry.domain import part
 from exactspline.language.choices import choice
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
+from exactspline.numbers.exact import Number, mpq, rational, short_text
 from exactspline.papers import find
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.splines.expected import curve_of

@@ -10,14 +10,14 @@ from typing import NamedTuple
 
 from flint import fmpz_poly
 
-from exactspline.exact import lcm, mpq
 from exactspline.geometry.bisector.polynomials import roots_in
 from exactspline.geometry.surface.forms import in_parameters
-from exactspline.geometry.surface.isolation import Zero
 from exactspline.geometry.surface.places import Parameter, enclosing
+from exactspline.numbers.exact import lcm, mpq
+from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.patch_forms import Box, PatchForm
 from exactspline.roots.root import Root
-from exactspline.splines.bernstein import substituted
-from exactspline.splines.patch_forms import Box, PatchForm
 
 #: Bits of a box before it is given up to tell whether a zero is inside a patch.
 BITS = 4096

@@ -11,13 +11,13 @@ from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.forms import Patch, in_parameters
 from exactspline.geometry.surface.merged import is_in
 from exactspline.geometry.surface.places import InnerZero, Parameter, Place
 from exactspline.geometry.surface.zero_curve import Part, Shape, Vertex, ZeroCurve
-from exactspline.splines.patch_forms import Box
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.patch_forms import Box
 from exactspline.splines.surface import Along
 
 #: A point of a border by its two parameters.

@@ -7,10 +7,10 @@ from functools import reduce
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.bisector.polynomials import CONTEXT
+from exactspline.numbers.exact import mpq
 from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
-from exactspline.splines.patch_forms import PatchForm, of_powers, powers_of
+from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
 
 
 def as_polynomial(form: PatchForm) -> fmpz_mpoly:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import count, islice, product
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, sides_of
-from exactspline.splines.patch_forms import PatchForm
+from exactspline.numbers.exact import mpq
 
 #: At how many points K is compared first, and the denominator of the first ones.
 POINTS, FIRST = 4, 7
@@ -37,12 +36,12 @@ def has_curvature(forms: SurfaceForms, patch: Patch, value: mpq) -> bool:
     False
     """
     numerator, denominator = forms.curvature
-    return bool(PatchForm.of(numerator - denominator.scaled(value), *patch).is_zero)
+    return bool((numerator - denominator.scaled(value)).patch_form(*patch).is_zero)
 
 
 def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
     """K at some points inside a patch that have a tangent plane; at none only where no point has one."""
-    if PatchForm.of(forms.area, *patch).is_zero:
+    if forms.area.patch_form(*patch).is_zero:
         return
     sides = sides_of(forms.surface, patch)
     for x, y in _places():

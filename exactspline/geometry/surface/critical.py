@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
-from exactspline.exact import mpq
-from exactspline.geometry.surface.isolation import Zero, isolate, same
-from exactspline.splines.patch_forms import Box, Interval, PatchForm
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.common_zeros import Zero, isolate, same
+from exactspline.polynomials.patch_forms import Box, Interval, PatchForm
 
 #: Bits to which a critical point is refined before it is given up to tell whether the form vanishes there.
 BITS = 256

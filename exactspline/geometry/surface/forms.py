@@ -11,12 +11,12 @@ from itertools import product
 from typing import NamedTuple
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.language.formula import Formula
 from exactspline.language.parts import numerator
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.papers import find
-from exactspline.splines.patch_forms import Borders, Box, PatchForm
+from exactspline.polynomials.patch_forms import Borders, Box, PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, aligned
 
@@ -143,7 +143,7 @@ def lowest(f: TensorSpline) -> TensorSpline:
 
 def on_patch(f: TensorSpline, patch: Patch) -> Reduced | None:
     """A form on a patch; None where it vanishes all over it."""
-    whole = PatchForm.of(f, *patch)
+    whole = f.patch_form(*patch)
     if whole.is_zero:
         return None
     form, borders = whole.without_border()

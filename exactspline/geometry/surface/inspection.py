@@ -7,14 +7,12 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.errors import ReachError
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained, place_of
 from exactspline.geometry.surface.common_factor import as_polynomial, odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import contains
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import are_one, is_in, merged_places, merged_umbilics
 from exactspline.geometry.surface.parabolic_lines import LinesOfPatch, ParabolicLine, parabolic_lines, without_lines
@@ -23,8 +21,10 @@ from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
 from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.common_zeros import contains
+from exactspline.polynomials.patch_forms import UNIT, Box, PatchForm
 from exactspline.splines.expected import surface_of
-from exactspline.splines.patch_forms import UNIT, Box, PatchForm
 from exactspline.splines.surface import Along, NurbsSurface
 
 

@@ -18,14 +18,14 @@ from functools import reduce
 from itertools import count, pairwise
 from operator import add
 
-from exactspline.exact import mpq
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.degenerate import edge_points
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.patch_forms import Interval
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.patch_forms import Interval
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 

@@ -12,7 +12,7 @@ from exactspline.geometry.surface.common_factor import divided, line_factor
 from exactspline.geometry.surface.degenerate import line_of
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.places import Parameter
-from exactspline.splines.patch_forms import Box, Interval, PatchForm, of_powers
+from exactspline.polynomials.patch_forms import Box, Interval, PatchForm, of_powers
 from exactspline.splines.surface import Along, NurbsSurface
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.forms import Patch, in_parameters
-from exactspline.geometry.surface.isolation import Zero
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.patch_forms import Box, Interval
 from exactspline.roots.root import Root
-from exactspline.splines.patch_forms import Box, Interval
 
 #: A parameter: a rational number or a certified root.
 Parameter = mpq | Root

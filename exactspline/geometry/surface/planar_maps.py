@@ -9,15 +9,15 @@ from enum import StrEnum
 from itertools import product
 
 from exactspline.errors import ShapeError
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.forms import Patch, formula, in_parameters, lowest, on_patch, sides_of
 from exactspline.geometry.surface.merged import merged_places
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point, sign_on_patch
 from exactspline.language.rational import Rational
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.patch_forms import Box, PatchForm
 from exactspline.splines.expected import surface_of
-from exactspline.splines.patch_forms import Box, PatchForm
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise, product
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import Edge, along, roots_along
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 40

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from exactspline.geometry.surface.borders import EDGES, Edge, along, is_inside, roots_along, vanishes_at
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, are_one, is_known, isolate, same
 from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
+from exactspline.polynomials.common_zeros import Zero, are_one, is_known, isolate, same
+from exactspline.polynomials.patch_forms import Box, PatchForm
 from exactspline.roots.root import Root
-from exactspline.splines.patch_forms import Box, PatchForm
 
 #: Bits to which a zero is refined before it is given up to tell what it is.
 BITS = 400
@@ -100,7 +100,7 @@ def _inner(
     """
     if any(f is not None and f.sign in (1, -1) for f in normal):
         return [], []
-    tangents = [[PatchForm.of(f, *patch) for f in side] for side in forms.tangents]
+    tangents = [[f.patch_form(*patch) for f in side] for side in forms.tangents]
     certain: list[Zero] = []
     rest: list[list[Box]] = []
     for k in range(3):

@@ -10,17 +10,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, is_inside, roots_along
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, in_parameters, on_patch, sides_of
-from exactspline.geometry.surface.isolation import Zero, are_one, isolate, same
 from exactspline.geometry.surface.multiple import Multiple, multiple_zero
 from exactspline.geometry.surface.places import InnerZero, Place
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.zero_curve import ZeroCurve
-from exactspline.splines.patch_forms import Box, PatchForm
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.common_zeros import Zero, are_one, isolate, same
+from exactspline.polynomials.patch_forms import Box, PatchForm
 
 #: Bits to which a zero is refined before it is given up to tell whether it is an umbilic.
 BITS = 400
@@ -236,7 +236,7 @@ class _Search:
         local = _in_patch(box, self.sides)
         for first, second, k in ((0, 1, 0), (1, 2, 1)):
             f, g = self.own[first], self.own[second]
-            if f is None or g is None or PatchForm.of(self.forms.lengths[k], *self.patch).part(local).sign != 1:
+            if f is None or g is None or self.forms.lengths[k].patch_form(*self.patch).part(local).sign != 1:
                 continue
             sign = jacobian_sign(f.whole, g.whole, local)
             if sign:

@@ -18,18 +18,18 @@ from math import comb
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpq
 from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.critical import Cell, Crossing, singular_cells
-from exactspline.geometry.surface.isolation import Zero
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.common_zeros import Zero
+from exactspline.polynomials.patch_forms import UNIT, Box, Interval, PatchForm, Sized, clusters, halved
 from exactspline.reals.real import between
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
-from exactspline.splines.bernstein import ONE
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, clusters, halved
 
 #: Halvings of a box, and boxes, before the remaining boxes are reported as undecided.
 DEPTH, BOXES = 30, 4000

@@ -13,11 +13,11 @@ from importlib import resources
 from typing import Any
 
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError
-from exactspline.exact import mpq, rational
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.json_text import parsed
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Format, NamedCurve, Reading, Source
+from exactspline.numbers.exact import mpq, rational
 from exactspline.splines.control_points import Direction
 from exactspline.splines.curve_files import OPTIONAL, REQUIRED, curve_data, curve_from_text
 

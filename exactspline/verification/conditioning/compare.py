@@ -8,11 +8,11 @@ from itertools import groupby
 from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError, counted
-from exactspline.exact import mpq, text
 from exactspline.geometry.constructions import Variant, construction
+from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.bernstein import Form, value
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, zeros
-from exactspline.splines.bernstein import Form, value
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.conditioning.condition_number import DIGITS, Interval, condition_number, local, quotient

@@ -6,9 +6,9 @@ from math import factorial
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import iroot, mpq, mpz
+from exactspline.numbers.exact import iroot, mpq, mpz
+from exactspline.polynomials.bernstein import ONE, Form, derivative, value
 from exactspline.roots.root import Root
-from exactspline.splines.bernstein import ONE, Form, derivative, value
 
 Interval = tuple[mpq, mpq]
 

@@ -9,9 +9,9 @@ from typing import Any, cast
 
 from flint import fmpq_mpoly
 
-from exactspline.exact import mpq, to_fmpq
 from exactspline.language.operand import CONSTANTS
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.polynomials.factors import factorize
 from exactspline.readings.expression import Operation
 from exactspline.readings.rational_jet import JetFraction

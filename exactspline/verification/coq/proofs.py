@@ -9,7 +9,7 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
+from exactspline.numbers.exact import mpq
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node

@@ -9,12 +9,12 @@ from functools import singledispatch
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError
-from exactspline.exact import mpq
 from exactspline.language.arguments import embedded
 from exactspline.language.formula import Formula
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import POINT_IN_SPACE, FramedKind, Kind, kind_of
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.polynomials.factors import factorize
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node

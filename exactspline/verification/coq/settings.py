@@ -11,10 +11,10 @@ from functools import cached_property
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
-from exactspline.exact import mpq
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT
 from exactspline.language.kinds import CurveKind, Kind, PairKind, Symbol, TableKind
+from exactspline.numbers.exact import mpq
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.verification.coq.terms import integer

@@ -6,8 +6,8 @@ from dataclasses import field
 from typing import TYPE_CHECKING, ClassVar
 
 from exactspline.errors import ClaimError
-from exactspline.exact import mpq, text
 from exactspline.language.parts import split
+from exactspline.numbers.exact import mpq, text
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

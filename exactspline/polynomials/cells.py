@@ -14,7 +14,7 @@ from math import comb
 from flint import fmpq, fmpq_poly
 
 from exactspline.errors import DomainError
-from exactspline.exact import mpq, text, to_fmpq
+from exactspline.numbers.exact import mpq, text, to_fmpq
 
 FORMAT = "exactspline cells 1"
 #: How often an interval is halved before the search stops.

@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from flint import fmpq_poly, fmpz, fmpz_poly, nmod_poly
 
-from exactspline.exact import PRIME, mpq, to_fmpq
+from exactspline.numbers.exact import PRIME, mpq, to_fmpq
 from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize

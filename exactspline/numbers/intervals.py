@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from exactspline.exact import isqrt, mpq, mpz, rational, to_fmpq
+from exactspline.numbers.exact import isqrt, mpq, mpz, rational, to_fmpq
 
 
 class Bounds(NamedTuple):

@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 from flint import fmpz
 
-from exactspline.exact import mpq
-from exactspline.splines.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
 
 #: By how much of its width a box grows on each side before it is certified.
 MARGIN = mpq(1, 4)

@@ -16,11 +16,20 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import mpq, ratio
+from exactspline.numbers.exact import mpq, ratio
+from exactspline.polynomials.annihilating import without_rational_zero
+from exactspline.polynomials.bernstein import (
+    NOTHING,
+    ONE,
+    backwards,
+    divide_u_plus_v,
+    halves,
+    restrict,
+    value,
+    variations,
+)
 from exactspline.polynomials.factorization import Factorization, multiplied
 from exactspline.polynomials.factors import certainly_square_free, factorize_square_free
-from exactspline.reals.annihilating import without_rational_zero
-from exactspline.splines.bernstein import NOTHING, ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10

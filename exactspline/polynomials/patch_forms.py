@@ -14,8 +14,7 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat
 
-from exactspline.exact import lcm, mpq, text, to_fmpz
-from exactspline.splines.tensor import TensorSpline
+from exactspline.numbers.exact import lcm, mpq, text
 
 #: An interval with rational ends, and a box.
 Interval = tuple[mpq, mpq]
@@ -43,11 +42,6 @@ class PatchForm:
     def of_net(cls, net: Sequence[Sequence[int]]) -> PatchForm:
         """The form with these coefficients."""
         return cls(fmpz_mat([list(row) for row in net]))
-
-    @classmethod
-    def of(cls, spline: TensorSpline, i: int, j: int) -> PatchForm:
-        """The form of a spline over segment i of its first parameter and segment j of its second one."""
-        return together([spline], i, j)[0]
 
     @property
     def degree(self) -> tuple[int, int]:
@@ -157,21 +151,6 @@ class PatchForm:
     def _shape(self) -> tuple[int, int]:
         m, n = self.degree
         return m + 1, n + 1
-
-
-def together(splines: Sequence[TensorSpline], i: int, j: int) -> list[PatchForm]:
-    """The forms of splines over segment i of the first and j of the second parameter, over one constant.
-
-    >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, "1/2"], [1, 2]])
-    >>> [int(x) for x in together([f, f.scaled(3)], 0, 0)[1].entries]
-    [0, 3, 6, 12]
-    """
-    nets = [f.bezier_net(i, j) if min(f.degree) >= 0 else [[mpq(0)]] for f in splines]
-    common = lcm(*[x.denominator for net in nets for row in net for x in row])
-    return [
-        PatchForm(fmpz_mat([[to_fmpz(x.numerator * (common // x.denominator)) for x in row] for row in net]))
-        for net in nets
-    ]
 
 
 class Borders(NamedTuple):

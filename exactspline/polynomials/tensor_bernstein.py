@@ -12,8 +12,8 @@ from math import comb
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.exact import lcm, mpq, ratio, to_fmpz
-from exactspline.splines.bernstein import Form, primitive, raiser, value
+from exactspline.numbers.exact import lcm, mpq, ratio, to_fmpz
+from exactspline.polynomials.bernstein import Form, primitive, raiser, value
 
 
 def stride_for(degree: int) -> int:

@@ -21,8 +21,8 @@ from typing import Any
 
 from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
-from exactspline.exact import mpq, mpz, to_fmpq
-from exactspline.roots.isolation import LocalPolynomial
+from exactspline.numbers.exact import mpq, mpz, to_fmpq
+from exactspline.polynomials.isolation import LocalPolynomial
 
 #: Working precision to begin with, and guard bits of every later step.
 START, GUARD = 64, 12

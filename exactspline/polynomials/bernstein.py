@@ -17,7 +17,7 @@ from math import comb
 from flint import fmpq, fmpz, fmpz_poly
 
 from exactspline.errors import ReachError
-from exactspline.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
+from exactspline.numbers.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 
 Form = tuple[fmpz_poly, fmpz]
