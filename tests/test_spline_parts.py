@@ -9,8 +9,9 @@ from exactspline.errors import KnotError, ReductionError
 from exactspline.language.kinds import TABLE
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.bernstein import LONG, value
-from exactspline.polynomials.patch_forms import UNIT, PatchForm, Sized
+from exactspline.polynomials.patch_forms import PatchForm, Sized
 from exactspline.polynomials.tensor_bernstein import evaluated
 from exactspline.programs.compiled import needed
 from exactspline.programs.instructions import Instruction

@@ -16,8 +16,9 @@ from exactspline.geometry.kinds import Feature
 from exactspline.geometry.planarity import Plane
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.questions.answers import CurvePiece, Interval, Places
+from exactspline.questions.answers import CurvePiece, Places
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline

@@ -19,8 +19,8 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
-from exactspline.questions.answers import Interval
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs

@@ -23,6 +23,7 @@ from exactspline.geometry.many_segments import Jumps, Segments, components, roun
 from exactspline.geometry.many_splines import of_few_segments
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW, Flags, Isolated, Rows, narrowed, ordinates
 from exactspline.polynomials.modular import without_rational_zero
@@ -41,7 +42,7 @@ class OnSegment:
 
     degree: int
     polynomial: fmpz_poly
-    ends: tuple[mpq, mpq]
+    ends: Interval
 
     @cached_property
     def roots(self) -> tuple[Root, ...]:
@@ -50,8 +51,7 @@ class OnSegment:
 
     def irrational(self, number: int, low: float, high: float) -> LateRoot:
         """The zero with this number, irrational, between two places on the segment, from 0 to 1."""
-        a, b = self.ends
-        return LateRoot(a + (b - a) * mpq(low), a + (b - a) * mpq(high), self, number)
+        return LateRoot(self.ends.at(mpq(low)), self.ends.at(mpq(high)), self, number)
 
 
 class LateRoot(Real):
@@ -76,7 +76,7 @@ class LateRoot(Real):
         """The zero in exact arithmetic."""
         return self.on.roots[self.number]
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
+    def _enclosed(self, digits: int) -> Interval:
         return self.root.refine(digits)
 
     def _against_number(self, t: mpq) -> int:
@@ -154,7 +154,10 @@ def _inside(
     owner = segments.owner[rows].tolist()
     where = [(segments.curves[i], r - segments.first[i]) for r, i in zip(rows.tolist(), owner, strict=True)]
     degree, forms = program.terms[0].degree, _exactly(program, where)
-    on = [OnSegment(degree, c, curve.breakpoints[k : k + 2]) for c, (curve, k) in zip(forms, where, strict=True)]
+    on = [
+        OnSegment(degree, c, Interval(*curve.breakpoints[k : k + 2]))
+        for c, (curve, k) in zip(forms, where, strict=True)
+    ]
     numbers = [whole(c, degree) for c in forms]
     irrational = without_rational_zero(numbers)
     near = narrowed(_in_doubles(numbers), found._replace(row=place))

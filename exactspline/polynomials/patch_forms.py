@@ -14,21 +14,16 @@ from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat
 
-from exactspline.numbers.exact import lcm, mpq, text
-
-#: An interval with rational ends, and a box.
-Interval = tuple[mpq, mpq]
-Box = tuple[Interval, Interval]
-
-#: The unit square.
-UNIT: Box = ((mpq(0), mpq(1)), (mpq(0), mpq(1)))
+from exactspline.numbers.exact import lcm, mpq
+from exactspline.numbers.intervals import Box, hull
 
 
 class PatchForm:
     """One polynomial on one patch by its Bernstein coefficients, up to a positive constant.
 
     >>> f = PatchForm.of_net([[-1, 0], [0, 1]])  # x + y − 1
-    >>> f.sign, f.part(((mpq(1, 2), mpq(1)), (mpq(3, 4), mpq(1)))).sign
+    >>> high, higher = UNIT.halves(0)[1].first, Interval(mpq(3, 4), mpq(1))
+    >>> f.sign, f.part(Box(high, higher)).sign
     (None, 1)
     """
 
@@ -172,18 +167,11 @@ class Sized(NamedTuple):
 
 def halved(part: Sized) -> tuple[Sized, Sized]:
     """The part cut in two across its longer side (of the unit square)."""
-    (a, b), (c, d) = part.box
-    direction = 0 if b - a >= d - c else 1
-    middle = mpq((a + b) / 2) if direction == 0 else mpq((c + d) / 2)
+    direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
-    boxes: tuple[Box, Box] = (
-        (((a, middle), (c, d)), ((middle, b), (c, d)))
-        if direction == 0
-        else (((a, b), (c, middle)), ((a, b), (middle, d)))
-    )
     first, second = (
         Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs], part.depth + 1)
-        for k, box in enumerate(boxes)
+        for k, box in enumerate(part.box.halves(direction))
     )
     return first, second
 
@@ -191,8 +179,8 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
 def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     """Boxes in groups, each with the box around it: no line across the square keeps apart what is in one group.
 
-    >>> near, far = (mpq(0), mpq(1, 4)), (mpq(1, 2), mpq(3, 4))
-    >>> [len(own) for _, own in clusters([(near, near), (near, far), (near, (mpq(1, 4), mpq(1, 3)))])]
+    >>> near, next_to_it, far = (Interval(mpq(k, 12), mpq(k + 3, 12)) for k in (0, 3, 8))
+    >>> [len(own) for _, own in clusters([Box(near, near), Box(near, far), Box(near, next_to_it)])]
     [2, 1]
     """
     done: list[tuple[Box, list[Box]]] = []
@@ -211,26 +199,10 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
                 reached = high
         kept = kept + 1 if len(groups) == 1 else 1
         if kept > 1:
-            first, second = (
-                (min(side[0] for side in sides), max(side[1] for side in sides)) for sides in zip(*own, strict=True)
-            )
-            done.append(((first, second), own))
+            done.append((hull(own), own))
         else:
             todo += [(group, 1 - direction, kept) for group in reversed(groups)]
     return done
-
-
-def box_text(box: Box) -> str:
-    """A box, or a point, as text.
-
-    >>> box_text(((mpq(0), mpq(1)), (mpq(1, 2), mpq(1, 2))))
-    'u in [0, 1], v = 1/2'
-    """
-    parts = [
-        f"{name} = {text(a)}" if a == b else f"{name} in [{text(a)}, {text(b)}]"
-        for name, (a, b) in zip("uv", box, strict=True)
-    ]
-    return ", ".join(parts)
 
 
 # ---- the matrices of all this

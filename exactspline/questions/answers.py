@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar, overload
 
 from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Interval
 
 T_co = TypeVar("T_co", covariant=True)
-Interval = tuple[mpq, mpq]
 
 
 @dataclass(frozen=True)

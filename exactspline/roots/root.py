@@ -11,10 +11,11 @@ from exactspline.errors import NumberError
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import lcm, mpq, mpz
 from exactspline.numbers.immutable import fill
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.annihilating import linear, primitive
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.isolation import LocalZero
-from exactspline.polynomials.refinement import Interval, enclosures, sign_at
+from exactspline.polynomials.refinement import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
 from exactspline.reals.real import Real
 
@@ -76,8 +77,8 @@ class Root(Real, Displayed):
     ) -> None:
         fill(
             self,
-            _reached=(low, high),
-            _first=(low, high),
+            _reached=(first := Interval(low, high)),
+            _first=first,
             _zero=zero,
             _polynomial=None,
             _minimal=None,
@@ -178,7 +179,7 @@ class Root(Real, Displayed):
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
         low, high = self._reached
         if self._zero is None or self.segment is None:
-            return low, high
+            return self._reached
         scale = mpz(10) ** max(digits, 0)
         a, b = self.segment
         width = b - a
@@ -190,17 +191,17 @@ class Root(Real, Displayed):
                 if progress is not None:
                     progress(_digits(high - low, digits))
             bits = 2 * bits + 64
-        return low, high
+        return Interval(low, high)
 
     def _keep(self, low: mpq, high: mpq) -> None:
         """Keep an interval, unless another thread was faster with a narrower one."""
         if low == high:
             self._found(low)
         elif high - low < self.high - self.low:
-            fill(self, _reached=(low, high))
+            fill(self, _reached=Interval(low, high))
 
     def _found(self, value: mpq) -> None:
-        fill(self, _exact=value, _reached=(value, value))
+        fill(self, _exact=value, _reached=Interval.point(value))
 
     def _enclosed(self, digits: int) -> Interval:
         return self.refine(digits)

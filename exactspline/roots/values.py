@@ -14,7 +14,7 @@ from flint import fmpq_poly, fmpz_poly
 from exactspline.errors import DomainError
 from exactspline.numbers.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
 from exactspline.numbers.immutable import fill
-from exactspline.numbers.intervals import Bounds, quotient, rounded_outwards
+from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
 from exactspline.polynomials.bernstein import substituted
@@ -45,8 +45,8 @@ class ValueAt(Real):
     def __reduce__(self) -> tuple[object, ...]:
         return ValueAt, (self.top, self.bottom, self.place)
 
-    def _enclosed(self, digits: int) -> tuple[mpq, mpq]:
-        def bounds(low: mpq, high: mpq) -> Bounds | None:
+    def _enclosed(self, digits: int) -> Interval:
+        def bounds(low: mpq, high: mpq) -> Interval | None:
             above, below = values_between(self.top, low, high), values_between(self.bottom, low, high)
             return None if above is None or below is None or below.low <= 0 <= below.high else quotient(above, below)
 
@@ -117,7 +117,7 @@ def at(
     return tuple(value_at(x, function.w, place) for x in function.p)
 
 
-def within(domain: tuple[mpq, mpq], place: Real) -> None:
+def within(domain: Interval, place: Real) -> None:
     """Raise `DomainError` for an irrational number outside a domain."""
     a, b = domain
     if not a < place < b:
@@ -131,7 +131,7 @@ def exact_place(t: Number | Real) -> mpq | Real:
     return t if t.exact is None else t.exact
 
 
-def narrowed(bounds: Callable[[mpq, mpq], Bounds | None], place: Real, digits: int) -> Bounds:
+def narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits: int) -> Interval:
     """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None: not yet
     known) are narrow enough.
     """
@@ -143,7 +143,7 @@ def narrowed(bounds: Callable[[mpq, mpq], Bounds | None], place: Real, digits: i
         precision *= 2
 
 
-def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
+def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
     """Bounds of a spline on an interval inside one of its segments; None where a knot is inside.
 
     >>> from exactspline import BSpline
@@ -155,8 +155,8 @@ def values_between(f: BSpline, low: mpq, high: mpq) -> Bounds | None:
     if i is None:
         return None
     if f.degree < 0:
-        return Bounds(mpq(0), mpq(0))
-    return Bounds(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
+        return Interval(mpq(0), mpq(0))
+    return Interval(*bounds_over(f.forms[i], f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
 
 
 def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:

@@ -22,6 +22,7 @@ from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PR
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import (
     ONE,
@@ -204,7 +205,7 @@ class BSpline(Immutable, FunctionsOutside, _Parts, RingOperand):
         )
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """The interval of definition."""
         return self.mesh.domain
 

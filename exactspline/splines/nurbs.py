@@ -12,6 +12,7 @@ from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, text
 from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import zero_on_segment
 from exactspline.splines.bspline import BSpline
@@ -173,7 +174,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         return tuple(x(t, side) / w for x in self.p)
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """The parameter interval."""
         return self.w.domain
 
@@ -236,8 +237,8 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline]):
         """The parts before and after an inner parameter.
 
         >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
-        >>> first.control_points[1] == second.control_points[0], second.domain
-        (True, (mpq(1,2), mpq(1,1)))
+        >>> first.control_points[1] == second.control_points[0], str(second.domain)
+        (True, '[1/2, 1]')
 
         Raises `DomainError` for a parameter that is not inside the domain.
         """

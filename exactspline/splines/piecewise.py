@@ -7,6 +7,7 @@ from typing import Protocol, Self, TypeVar
 
 from exactspline.language.provenance import Provenance
 from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import Form
 from exactspline.splines.forms import Forms
@@ -37,7 +38,7 @@ class Piecewise(Protocol):
         """The form of every segment."""
 
     @property
-    def domain(self) -> tuple[mpq, mpq]:
+    def domain(self) -> Interval:
         """The interval of definition."""
 
     @property

@@ -22,6 +22,7 @@ from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, 
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, lcm, mpq, rational, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials import tensor_bernstein
 from exactspline.polynomials.bernstein import common_denominators, primitive, raiser
 from exactspline.polynomials.patch_forms import PatchForm
@@ -91,9 +92,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     # ---- representation
 
     @property
-    def domain(self) -> tuple[tuple[mpq, mpq], tuple[mpq, mpq]]:
+    def domain(self) -> Box:
         """The rectangle, as its two sides."""
-        return self.meshes[0].domain, self.meshes[1].domain
+        return Box(self.meshes[0].domain, self.meshes[1].domain)
 
     @property
     def knots(self) -> tuple[KnotVector, KnotVector]:
@@ -122,6 +123,11 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
         return tensor_bernstein.bezier_net((self._own[at], self.denominators[at]), self.degree, self.stride)
+
+    def patch(self, i: int, j: int) -> Box:
+        """The rectangle of the patch over segment i of s and segment j of t."""
+        first, second = (Interval(*mesh.breaks[k : k + 2]) for mesh, k in zip(self.meshes, (i, j), strict=True))
+        return Box(first, second)
 
     def patch_form(self, i: int, j: int) -> PatchForm:
         """The patch over segment i of s and segment j of t, up to a positive constant.

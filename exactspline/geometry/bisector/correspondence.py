@@ -11,9 +11,7 @@ from flint import ctx, fmpz_mpoly, fmpz_poly
 from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
 from exactspline.geometry.bisector.polynomials import (
-    Interval,
     Parameter,
-    Sides,
     at,
     ball,
     enclosed,
@@ -23,6 +21,7 @@ from exactspline.geometry.bisector.polynomials import (
     vanish_together,
 )
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -82,7 +81,7 @@ def _value(p: fmpz_poly, x: mpq) -> mpq:
     return mpq(int(found), m**n)
 
 
-def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
+def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     """The real branches of an equation of degree 2 at least in both parameters, strictly inside the rectangle.
 
     Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
@@ -104,7 +103,7 @@ def branches(g: fmpz_mpoly, sides: Sides) -> list[Branch]:
     return found
 
 
-def border_pairs(g: fmpz_mpoly, sides: Sides) -> list[Place]:
+def border_pairs(g: fmpz_mpoly, sides: Box) -> list[Place]:
     """The pairs of an equation on the border of a rectangle, each once."""
     found: list[Place] = []
     for variable in (0, 1):
@@ -121,15 +120,15 @@ def same_place(one: Place, other: Place) -> bool:
     return bool(one[0] == other[0] and one[1] == other[1])
 
 
-def nodes(g: fmpz_mpoly, sides: Sides) -> tuple[list[Place], bool]:
+def nodes(g: fmpz_mpoly, sides: Box) -> tuple[list[Place], bool]:
     """The singular pairs of an irreducible equation that need not be limits of branches, and whether these are all.
 
     Where the Hessian is negative two branches cross. A common factor of both derivatives has no zero in common with the
     equation, which is constant along it.
 
     >>> from exactspline.geometry.bisector.polynomials import S, T
-    >>> square = (mpq(-1, 2), mpq(1, 2))
-    >>> nodes(S**3 - S * S - T * T, (square, square))
+    >>> side = Interval(mpq(-1, 2), mpq(1, 2))
+    >>> nodes(S**3 - S * S - T * T, Box(side, side))
     ([(mpq(0,1), mpq(0,1))], True)
     """
     first, second = g.derivative(0), g.derivative(1)

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
-
-Interval = tuple[mpq, mpq]
 
 STILL = "the curve stands still here, and has no normals"
 PARALLEL = "the tangents are parallel everywhere, so are the normal planes"

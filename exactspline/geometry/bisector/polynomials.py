@@ -14,6 +14,7 @@ from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 from exactspline.errors import ReachError
 from exactspline.language.operand import Scalar
 from exactspline.numbers.exact import mpq, rational, to_fmpq, to_fmpz
+from exactspline.numbers.intervals import Box
 from exactspline.polynomials.bernstein import ONE, halves, substituted
 from exactspline.polynomials.cost import QUESTION, affords, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
@@ -25,8 +26,6 @@ from exactspline.splines.knots import Mesh
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()
 
-Interval = tuple[mpq, mpq]
-Sides = tuple[Interval, Interval]
 #: An exact parameter: rational, or a certified root.
 Parameter = mpq | Root
 #: Three polynomials: a vector along a curve, or over a patch.
@@ -277,40 +276,34 @@ def _primitive(p: fmpz_poly) -> fmpz_poly:
 # ---- boxes
 
 
-def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Sides) -> list[Sides]:
+def possible_boxes(polynomials: Sequence[fmpz_mpoly], sides: Box) -> list[Box]:
     """Boxes that hold all common zeros on a closed rectangle; none is a proof that there are none.
 
     A box is left out where all Bernstein coefficients of one of the polynomials are of one strict sign.
 
-    >>> unit = (mpq(0), mpq(1))
-    >>> possible_boxes([S - T, S + T - 3], (unit, unit))
+    >>> from exactspline.numbers.intervals import UNIT
+    >>> possible_boxes([S - T, S + T - 3], UNIT)
     []
     """
     patches = [_patch(p, sides) for p in polynomials if p]
     cost = sum(_halving(*patch) for patch in patches)
     todo = [(0, sides, patches)]
-    found: list[Sides] = []
+    found: list[Box] = []
     steps = 0
     while todo:
-        depth, (first, second), forms = todo.pop()
+        depth, box, forms = todo.pop()
         if any(_keeps_sign(rows, m) for rows, m in forms):
             continue
         steps += 1
         if depth == DEPTH or steps > BOXES or not affords(cost):
-            found.append((first, second))
+            found.append(box)
             continue
-        direction = depth % 2
-        side = (first, second)[direction]
-        middle = mpq((side[0] + side[1]) / 2)
-        parts = [halved(rows, m, direction) for rows, m in forms]
-        parted: tuple[Interval, Interval] = (side[0], middle), (middle, side[1])
-        for k, half in enumerate(parted):
-            box: Sides = (half, second) if direction == 0 else (first, half)
-            todo.append((depth + 1, box, [pair[k] for pair in parts]))
+        parts = [halved(rows, m, depth % 2) for rows, m in forms]
+        todo += [(depth + 1, half, [pair[k] for pair in parts]) for k, half in enumerate(box.halves(depth % 2))]
     return found
 
 
-def _patch(p: fmpz_mpoly, sides: Sides) -> tuple[Rows, int]:
+def _patch(p: fmpz_mpoly, sides: Box) -> tuple[Rows, int]:
     """A polynomial as rows over a rectangle, and its degree in s."""
     (a, b), (c, d) = sides
     rows = rows_of(p)

@@ -10,7 +10,6 @@ from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.polynomials import (
-    Interval,
     Parameter,
     S,
     T,
@@ -23,6 +22,7 @@ from exactspline.geometry.bisector.polynomials import (
     vanish_together,
 )
 from exactspline.numbers.exact import Number, mpq, rational, short_text, to_fmpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.elimination import resultant
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline

@@ -12,17 +12,9 @@ from math import lcm
 
 from flint import fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisector.polynomials import (
-    Interval,
-    Sides,
-    Three,
-    ThreeOfTwo,
-    common_divisor,
-    lifted,
-    of_segment,
-    roots_in,
-)
+from exactspline.geometry.bisector.polynomials import Three, ThreeOfTwo, common_divisor, lifted, of_segment, roots_in
 from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.splines.nurbs import Nurbs
 
@@ -64,7 +56,7 @@ def piece(curve: Nurbs, i: int) -> Piece:
     >>> piece(example("twisted_cubic"), 0).tangent
     [1, 2*x, 3*x^2]
     """
-    interval = curve.breakpoints[i], curve.breakpoints[i + 1]
+    interval = Interval(*curve.breakpoints[i : i + 2])
     parts = [of_segment(f, i) for f in (*curve.p, curve.w)]
     common = lcm(*[m for _, m in parts])
     *p, w = [f * (common // m) for f, m in parts]
@@ -90,9 +82,9 @@ class System:
         return System, (self.first, self.second)
 
     @property
-    def sides(self) -> Sides:
+    def sides(self) -> Box:
         """The closed rectangle of the patch."""
-        return self.first.interval, self.second.interval
+        return Box(self.first.interval, self.second.interval)
 
     @cached_property
     def a(self) -> Vector[fmpz_mpoly]:

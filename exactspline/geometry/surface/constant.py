@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import count, islice, product
 
-from exactspline.geometry.surface.forms import Patch, SurfaceForms, in_parameters, sides_of
+from exactspline.geometry.surface.forms import Patch, SurfaceForms, sides_of
 from exactspline.numbers.exact import mpq
 
 #: At how many points K is compared first, and the denominator of the first ones.
@@ -45,7 +45,7 @@ def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
         return
     sides = sides_of(forms.surface, patch)
     for x, y in _places():
-        (u, _), (v, _) = in_parameters(((x, x), (y, y)), sides)
+        u, v = sides.at(x, y)
         if area := forms.area(u, v):
             yield mpq(forms.parabolic(u, v) * forms.surface.w(u, v) ** 4 / area**2)
 

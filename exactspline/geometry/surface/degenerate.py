@@ -8,7 +8,7 @@ from enum import StrEnum
 from exactspline.geometry.surface.borders import EDGES, Edge
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.patch_forms import Interval
+from exactspline.numbers.intervals import Interval
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 

@@ -6,11 +6,12 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise, product
+from itertools import pairwise, product, starmap
 
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.patch_forms import UNIT, Box, Interval, PatchForm, Sized, halved
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 40
@@ -75,8 +76,8 @@ def _cut(form: PatchForm) -> list[Box]:
         for edge in (Edge(1 - direction, end) for end in (0, 1)):
             if own := along(form, edge, UNIT):
                 cuts.update(root.exact for root in roots_along(own, edge, UNIT) if root.exact is not None)
-        sides.append(list(pairwise(sorted(cuts))))
-    return [(first, second) for first in sides[0] for second in sides[1]]
+        sides.append(list(starmap(Interval, pairwise(sorted(cuts)))))
+    return [Box(first, second) for first in sides[0] for second in sides[1]]
 
 
 def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
@@ -98,7 +99,7 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
         sign = own.sign or _sign_but_for_corners(own)
         if sign:
             # where all corners are zeros the inside alone has it
-            found.setdefault(sign, _middle(part.box))
+            found.setdefault(sign, part.box.middle)
         if len(found) > 1:
             return Signs(Sign.BOTH, found[1], found[-1])
         if sign:
@@ -126,11 +127,6 @@ def _witness(form: PatchForm) -> tuple[int, Point]:
         if value := form.value(*place):
             return (1 if value > 0 else -1), place
     raise AssertionError("the zero form")
-
-
-def _middle(box: Box) -> Point:
-    (a, b), (c, d) = box
-    return mpq((a + b) / 2), mpq((c + d) / 2)
 
 
 def _sign_but_for_corners(form: PatchForm) -> int | None:

@@ -11,8 +11,8 @@ from itertools import pairwise
 from sys import float_info
 
 from exactspline.numbers.exact import from_float, mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import Form, bezier
-from exactspline.verification.conditioning.condition_number import Interval
 
 #: The rounding unit of double precision.
 UNIT = mpq(1, 2**53)
