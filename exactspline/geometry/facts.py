@@ -39,7 +39,7 @@ from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE
 from exactspline.language.vector import Vector, cross
-from exactspline.numbers.exact import mpq, ratio
+from exactspline.numbers.exact import mpq, ratio, sign
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
@@ -72,7 +72,7 @@ class ZeroForm:
         breaks = self.form.mesh.breaks
         if root.low == root.high:
             value = self.form(root.low, side)
-            return int(value > 0) - int(value < 0)
+            return sign(value)
         segment = bisect_right(breaks, root.low) - 1
         if root.segment != breaks[segment : segment + 2]:
             while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:

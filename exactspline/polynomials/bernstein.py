@@ -14,10 +14,10 @@ from functools import cache
 from itertools import pairwise
 from math import comb
 
-from flint import fmpq, fmpz, fmpz_poly
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import ReachError
-from exactspline.numbers.exact import lcm, mpq, ratio, to_fmpq, to_fmpz
+from exactspline.numbers.exact import from_flint, lcm, mpq, over_one_denominator, ratio, to_fmpq, to_fmpz
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 
 Form = tuple[fmpz_poly, fmpz]
@@ -44,8 +44,8 @@ def from_bezier(points: Sequence[mpq]) -> Form:
     """
     n = len(points) - 1
     scaled = [comb(n, i) * b for i, b in enumerate(points)]
-    m = lcm(*[c.denominator for c in scaled]) if scaled else 1
-    return fmpz_poly([int(c.numerator * (m // c.denominator)) for c in scaled]), to_fmpz(m)
+    integers, m = over_one_denominator(scaled)
+    return fmpz_poly(integers), fmpz(m)
 
 
 def bezier(form: Form, n: int) -> list[mpq]:
@@ -101,8 +101,7 @@ def value(form: Form, n: int, t: mpq) -> mpq:
     if n > LONG:
         return _long_value(form, n, t)
     u = 1 - t
-    at = c(to_fmpq(t / u))
-    return mpq(int(at.p), int(at.q)) * u**n / int(m) if isinstance(at, fmpq) else mpq(int(at)) * u**n / int(m)
+    return from_flint(c(to_fmpq(t / u))) * u**n / int(m)
 
 
 #: From this degree on, whole numbers are cheaper than fractions in lowest terms on the way.

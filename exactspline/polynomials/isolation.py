@@ -14,20 +14,12 @@ from __future__ import annotations
 from functools import cached_property
 from typing import NamedTuple
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz_poly
 
 from exactspline.numbers.exact import mpq, ratio
+from exactspline.numbers.exact import sign as sign_of
 from exactspline.polynomials.annihilating import without_rational_zero
-from exactspline.polynomials.bernstein import (
-    NOTHING,
-    ONE,
-    backwards,
-    divide_u_plus_v,
-    halves,
-    restrict,
-    value,
-    variations,
-)
+from exactspline.polynomials.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 from exactspline.polynomials.factorization import Factorization, multiplied
 from exactspline.polynomials.factors import certainly_square_free, factorize_square_free
 
@@ -131,7 +123,7 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
     [('0', '1/2'), ('1/2', '1')]
     """
-    signs_of_all = [(1 if x > NOTHING else -1) if x else 0 for x in c.coeffs()]
+    signs_of_all = [sign_of(x) for x in c.coeffs()]
     at_left = 0 if signs_of_all[0] else next(i for i, x in enumerate(signs_of_all) if x)
     at_right = n + 1 - len(signs_of_all)
     signs = signs_of_all[at_left], signs_of_all[-1]
@@ -170,7 +162,7 @@ class _Search:
             if changes <= 1:
                 self.leaves.append(Leaf(level, k, changes))
                 if changes:
-                    sign = _sign(part[0])
+                    sign = sign_of(part[0])
                     self._found.append((level, k, 0, (sign, -sign)))
                 continue
             if level == self.cap:
@@ -183,7 +175,7 @@ class _Search:
             if right[0] == 0:
                 times = n - left.degree()
                 right = right.right_shift(times)
-                self._found.append((level, k + 1, times, (_sign(left[n - times]), _sign(right[0]))))
+                self._found.append((level, k + 1, times, (sign_of(left[n - times]), sign_of(right[0]))))
             todo += [(level, k + 1, right), (level, k, left)]
         return True
 
@@ -240,9 +232,5 @@ def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
     (-1, -1)
     """
     part, _ = restrict((c, ONE), c.degree(), low, high)
-    signs = [_sign(x) for x in part.coeffs() if x != 0]
+    signs = [sign_of(x) for x in part.coeffs() if x != 0]
     return signs[0], signs[-1]
-
-
-def _sign(x: fmpz) -> int:
-    return (1 if x > NOTHING else -1) if x else 0

@@ -21,6 +21,7 @@ from exactspline.numbers.intervals import Box, hull
 class PatchForm:
     """One polynomial on one patch by its Bernstein coefficients, up to a positive constant.
 
+    >>> from exactspline.numbers.intervals import UNIT, Interval
     >>> f = PatchForm.of_net([[-1, 0], [0, 1]])  # x + y − 1
     >>> high, higher = UNIT.halves(0)[1].first, Interval(mpq(3, 4), mpq(1))
     >>> f.sign, f.part(Box(high, higher)).sign
@@ -179,6 +180,7 @@ def halved(part: Sized) -> tuple[Sized, Sized]:
 def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     """Boxes in groups, each with the box around it: no line across the square keeps apart what is in one group.
 
+    >>> from exactspline.numbers.intervals import Interval
     >>> near, next_to_it, far = (Interval(mpq(k, 12), mpq(k + 3, 12)) for k in (0, 3, 8))
     >>> [len(own) for _, own in clusters([Box(near, near), Box(near, far), Box(near, next_to_it)])]
     [2, 1]

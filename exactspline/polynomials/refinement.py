@@ -21,7 +21,7 @@ from typing import Any
 
 from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
-from exactspline.numbers.exact import mpq, mpz, to_fmpq
+from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial
 
@@ -46,7 +46,7 @@ def sign_at(c: fmpz_poly, t: mpq) -> int:
             if near > 0 or near < 0:
                 return 1 if near > 0 else -1
     at = c(fmpq(int(t.numerator), int(t.denominator - t.numerator))) if t != 1 else c[c.degree()]
-    return int(at > 0) - int(at < 0)
+    return sign(at)
 
 
 def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: int) -> Iterator[Interval]:

@@ -12,7 +12,7 @@ from typing import overload
 from flint import fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
-from exactspline.numbers.exact import Number, lcm, mpq, mpz, rational, text, to_fmpq
+from exactspline.numbers.exact import Number, lcm, mpq, mpz, rational, sign, text, to_fmpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
@@ -188,7 +188,7 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     place = exact_place(t)
     if not isinstance(place, Real):
         value = f(place, side)
-        return int(value > 0) - int(value < 0)
+        return sign(value)
     digits, zero = 5, None
     while True:
         low, high = place.enclosure(digits)

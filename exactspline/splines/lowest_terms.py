@@ -130,13 +130,8 @@ def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tup
     left = n - common.degree() - (n - max(c.degree() for c in forms))
     forms = [c // common for c in forms]
     judge, most = (forms[-1], left) if sign_of_last else (common, n)
-    sign = next(sign for j in range(1, most + 3) if (sign := _sign_at(judge, j)))
-    return ([-c for c in forms] if sign < 0 else forms), left
-
-
-def _sign_at(c: fmpz_poly, z: int) -> int:
-    value = c(z)
-    return int(value > 0) - int(value < 0)
+    positive = next(value > 0 for j in range(1, most + 3) if (value := judge(j)))
+    return (forms if positive else [-c for c in forms]), left
 
 
 def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:

@@ -12,7 +12,7 @@ from operator import mul as times
 from operator import sub as minus
 from typing import Any, ClassVar
 
-from flint import fmpz, fmpz_poly
+from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, shown
 from exactspline.language.arguments import Curve, Pair
@@ -20,7 +20,7 @@ from exactspline.language.choices import Parameter
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.numbers.exact import Number, lcm, mpq, rational, text, to_fmpz
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials import tensor_bernstein
@@ -137,8 +137,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         [0, 1, 2, 4]
         """
         net = self.bezier_net(i, j) if min(self.degree) >= 0 else [[mpq(0)]]
-        common = lcm(*[x.denominator for row in net for x in row])
-        return PatchForm.of_net([[int(x * common) for x in row] for row in net])
+        integers, _ = over_one_denominator([x for row in net for x in row])
+        return PatchForm(fmpz_mat(len(net), len(net[0]), integers))
 
     def __repr__(self) -> str:
         (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
@@ -280,11 +280,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         """The iso-curve of constant t, a spline in s."""
         t, forms = rational(t), []
         for own in lines(self):
-            values = [line(t) for line in own]
-            common = lcm(*[x.denominator for x in values])
-            forms.append(
-                primitive((fmpz_poly([int(x.numerator * (common // x.denominator)) for x in values]), to_fmpz(common)))
-            )
+            integers, common = over_one_denominator([line(t) for line in own])
+            forms.append(primitive((fmpz_poly(integers), fmpz(common))))
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
 
     def at_s(self, s: Number) -> BSpline:

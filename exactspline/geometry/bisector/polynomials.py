@@ -9,11 +9,11 @@ from functools import reduce
 from math import lcm
 from typing import Protocol, Self, TypeVar
 
-from flint import Ordering, arb, arb_poly, ctx, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, arb, arb_poly, ctx, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.language.operand import Scalar
-from exactspline.numbers.exact import mpq, rational, to_fmpq, to_fmpz
+from exactspline.numbers.exact import from_flint, mpq, rational, to_fmpq, to_fmpz
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.bernstein import ONE, halves, substituted
 from exactspline.polynomials.cost import QUESTION, affords, check_reach, height_bits
@@ -174,8 +174,7 @@ def at(p: fmpz_mpoly, variable: int, value: mpq) -> fmpz_poly:
 
 def value_at(p: fmpz_mpoly, s: mpq, t: mpq) -> mpq:
     """The exact value at rational parameters, up to a positive constant that depends on s and the degree alone."""
-    found = at(p, 0, s)(to_fmpq(t))
-    return mpq(int(found.p), int(found.q)) if isinstance(found, fmpq) else mpq(int(found))
+    return from_flint(at(p, 0, s)(to_fmpq(t)))
 
 
 def ball(t: Parameter, digits: int) -> arb:

@@ -48,7 +48,7 @@ from exactspline.geometry.bisector.polynomials import (
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
 from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
 from exactspline.language.rational import Rational
-from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
@@ -271,7 +271,7 @@ def _changes_sign(g: fmpz_mpoly, boxes: list[Box]) -> bool:
     for box in boxes:
         for s, t in product(*box):
             value = value_at(g, s, t)
-            signs.add((value > 0) - (value < 0))
+            signs.add(sign(value))
             if 0 in signs or len(signs) == 2:
                 return True
     return False
@@ -343,5 +343,4 @@ def _runs_on(curve: Nurbs, t: mpq) -> bool:
 
 
 def _at(p: fmpz_poly, t: mpq) -> mpq:
-    value = p(to_fmpq(t))
-    return mpq(int(value.p), int(value.q))
+    return from_flint(p(to_fmpq(t)))

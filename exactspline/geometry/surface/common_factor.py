@@ -8,7 +8,7 @@ from functools import reduce
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.polynomials import CONTEXT
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import mpq, sign
 from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
 
@@ -99,5 +99,5 @@ def odd_part(form: PatchForm) -> PatchForm:
     (0, 0)
     """
     constant, factors = factorize_square_free(as_polynomial(form))
-    own = CONTEXT.from_dict({(0, 0): 1 if constant > 0 else -1})
+    own = CONTEXT.from_dict({(0, 0): sign(constant)})
     return as_form(reduce(lambda p, q: p * q, [p for p, times in factors if times % 2], own))

@@ -10,6 +10,7 @@ from itertools import pairwise, product, starmap
 
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
@@ -95,7 +96,7 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
             if value == 0:
                 zeros[place] = None
             else:
-                found.setdefault(1 if value > 0 else -1, place)
+                found.setdefault(sign_of(value), place)
         sign = own.sign or _sign_but_for_corners(own)
         if sign:
             # where all corners are zeros the inside alone has it
@@ -125,7 +126,7 @@ def _witness(form: PatchForm) -> tuple[int, Point]:
     for i, j in product(range(1, m + 2), range(1, n + 2)):
         place = mpq(i, m + 2), mpq(j, n + 2)
         if value := form.value(*place):
-            return (1 if value > 0 else -1), place
+            return sign_of(value), place
     raise AssertionError("the zero form")
 
 
@@ -140,4 +141,4 @@ def _sign_but_for_corners(form: PatchForm) -> int | None:
         return None
     if not all(any(form.edge(direction, end)) for direction in (0, 1) for end in (0, 1)):
         return None
-    return 1 if high > 0 else -1
+    return sign_of(high)
