@@ -19,7 +19,7 @@ from exactspline.geometry.bisector.components import Cause, PairEquation, PlaneC
 from exactspline.geometry.bisector.conditions import _cells as cells_between
 from exactspline.geometry.bisector.correspondence import _value, graph_intervals
 from exactspline.geometry.bisector.lines import Path, along
-from exactspline.geometry.bisector.polynomials import S, T, _keeps_sign, vanish_together
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import zeros_of_vector
 from exactspline.geometry.bisector.special_pairs import _runs_on
 from exactspline.geometry.bisector.system import System, piece
@@ -41,6 +41,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.common_zeros import isolate
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.patch_forms import PatchForm, clusters
+from exactspline.polynomials.two_parameters import S, T
 from exactspline.questions.answers import CurvePiece
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
@@ -295,10 +296,11 @@ def test_polynomials_along_a_path_are_their_values_times_one_power():
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_coefficients_of_one_sign_show_the_sign(sign):
-    assert _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign, sign])], 1)
-    assert not _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign])], 1)
-    assert not _keeps_sign([fmpz_poly([sign, 2 * sign]), fmpz_poly([3 * sign, -sign])], 1)
-    assert not _keeps_sign([fmpz_poly([0, 2 * sign])], 1)
+    def shown(*rows):
+        return PatchForm.of_rows([fmpz_poly([sign * x for x in row]) for row in rows], 1).sign
+
+    assert shown([1, 2], [3, 1]) == sign
+    assert shown([1, 2], [3]) is shown([1, 2], [3, -1]) is shown([0, 2]) is None
 
 
 def test_the_line_of_a_corner_runs_from_its_middle_to_both_sides_alike():

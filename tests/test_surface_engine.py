@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
 from exactspline.geometry.surface.borders import is_inside
-from exactspline.geometry.surface.common_factor import as_form, common_factor, odd_part
+from exactspline.geometry.surface.common_factor import common_factor, odd_part
 from exactspline.geometry.surface.multiple import multiple_zero
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
@@ -17,6 +16,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.common_zeros import isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, of_powers, powers_of
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
 
 ONE = CONTEXT.from_dict({(0, 0): 1})
 

@@ -21,7 +21,6 @@ from exactspline.geometry.bisector.components import (
 )
 from exactspline.geometry.bisector.flats import Flat
 from exactspline.geometry.bisector.point_and_curve import PointBisector
-from exactspline.geometry.bisector.polynomials import Parameter
 from exactspline.geometry.bisector.root_lines import Coordinate, RootLines
 from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
@@ -29,6 +28,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.tensor import TensorSpline

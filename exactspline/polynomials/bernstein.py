@@ -162,6 +162,24 @@ def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
     return primitive((c, form[1] * fmpz(m) ** n))
 
 
+def in_parameter(c: fmpz_poly, n: int, side: Sequence[mpq]) -> tuple[fmpz_poly, fmpz]:
+    """A form of degree n over an interval as a polynomial in the parameter, over a positive integer.
+
+    >>> in_parameter(fmpz_poly([0, 0, 1]), 2, (mpq(0), mpq(1, 2)))
+    (4*x^2, 1)
+    """
+    a, b = side
+    m = int(lcm(a.denominator, b.denominator))
+    low, high = int(a * m), int(b * m)
+    return substituted(c, n, fmpz_poly([high, -m]), fmpz_poly([-low, m])), fmpz(high - low) ** n
+
+
+def of_parameter(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
+    """The form of degree n over [a, b] of a polynomial, up to a positive constant that depends on n alone."""
+    m = int(lcm(a.denominator, b.denominator))
+    return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(a * m), int(b * m)]))
+
+
 def primitive(form: Form) -> Form:
     """The same form, without its common integer factor with the denominator."""
     c, m = form

@@ -12,7 +12,7 @@ from functools import lru_cache
 from math import comb
 from typing import NamedTuple
 
-from flint import fmpz, fmpz_mat
+from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.numbers.exact import lcm, mpq
 from exactspline.numbers.intervals import Box, hull
@@ -38,6 +38,18 @@ class PatchForm:
     def of_net(cls, net: Sequence[Sequence[int]]) -> PatchForm:
         """The form with these coefficients."""
         return cls(fmpz_mat([list(row) for row in net]))
+
+    @classmethod
+    def of_rows(cls, rows: Sequence[fmpz_poly], m: int) -> PatchForm:
+        """The form with these rows in the scaled Bernstein basis, forms of degree m in x, one for each power of y.
+
+        >>> PatchForm.of_rows([fmpz_poly([1, 4, 1]), fmpz_poly([0, 2])], 2).entries  # C(2, i) b_i
+        [1, 0, 2, 1, 1, 0]
+        """
+        n = len(rows) - 1
+        common = lcm(*[comb(m, i) * comb(n, j) for i in range(m + 1) for j in range(n + 1)])
+        weights = [[int(common // (comb(m, i) * comb(n, j))) for j in range(n + 1)] for i in range(m + 1)]
+        return cls(fmpz_mat([[row[i] * weights[i][j] for j, row in enumerate(rows)] for i in range(m + 1)])).primitive()
 
     @property
     def degree(self) -> tuple[int, int]:

@@ -9,11 +9,11 @@ from flint import fmpz_poly
 
 from exactspline.errors import NumberError
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import lcm, mpq, mpz
+from exactspline.numbers.exact import mpq, mpz
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.annihilating import linear, primitive
-from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.isolation import LocalZero
 from exactspline.polynomials.refinement import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
@@ -140,11 +140,8 @@ class Root(Real, Displayed):
         zero = self._zero
         if zero is None or self.segment is None or zero.low == zero.high:
             return linear(self._first[0])
-        a, b = self.segment
-        m = lcm(a.denominator, b.denominator)
         c = zero.factor.polynomial
-        u, v = fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)])
-        return primitive(substituted(c, c.degree(), u, v))
+        return primitive(in_parameter(c, c.degree(), self.segment)[0])
 
     @property
     def polynomial(self) -> list[int]:

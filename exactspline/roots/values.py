@@ -7,17 +7,18 @@ digits asked for are certain. A sign that the bounds leave open is decided by a 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import reduce
 from typing import overload
 
-from flint import fmpq_poly, fmpz_poly
+from flint import fmpq_poly, fmpz, fmpz_poly
 
 from exactspline.errors import DomainError
-from exactspline.numbers.exact import Number, lcm, mpq, mpz, rational, sign, text, to_fmpq
+from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
-from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
@@ -210,11 +211,20 @@ def in_powers(f: BSpline, i: int) -> fmpq_poly:
     >>> in_powers(BSpline.bezier([0, 0, 1], 1, 3), 0)
     1/4*x^2 + (-1/2)*x + 1/4
     """
-    a, b = f.mesh.breaks[i : i + 2]
-    m, n = lcm(a.denominator, b.denominator), max(f.degree, 0)
-    u, v = fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)])
-    scale = to_fmpq(((b - a) * m) ** n) * f.denominators[i]
-    return fmpq_poly(substituted(f.polynomials[i], n, u, v)) / scale
+    top, factor = in_parameter(f.polynomials[i], max(f.degree, 0), f.mesh.breaks[i : i + 2])
+    return fmpq_poly(top) / (factor * f.denominators[i])
+
+
+def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
+    """The polynomials of a segment, in the parameter of the splines, times one positive integer.
+
+    >>> from exactspline import BSpline
+    >>> segment_polynomials([BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 1])], 0)
+    [x, 2]
+    """
+    parts = [in_powers(f, i) for f in splines]
+    common = reduce(fmpz.lcm, [f.denom() for f in parts])
+    return [f.numer() * (common // f.denom()) for f in parts]
 
 
 def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:

@@ -10,17 +10,17 @@ from collections.abc import Sequence
 
 from flint import fmpz_poly
 
-from exactspline.geometry.bisector.polynomials import Rows, halved
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Interval, joined
+from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.polynomials.bernstein import ONE, halves, restrict
+from exactspline.polynomials.patch_forms import PatchForm
 
 #: An interval of the local parameter.
 #: Halvings of the parameter, and of both.
 DEPTH, DEPTH_OF_BOTH = 10, 10
 
 
-def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Interval]:
+def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int) -> list[Interval]:
     """The parts of [0, 1] on which no family is certainly of the other sign than e at the beginning or in the middle
     of its range, neighbours joined; parts with a zero of e only where all families could have one sign.
 
@@ -48,7 +48,7 @@ def possible_parts(families: Sequence[Rows], e: fmpz_poly, n: int) -> list[Inter
     return joined(found)
 
 
-def _total(rows: Rows) -> fmpz_poly:
+def _total(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """The family in the middle of its range, up to a positive constant."""
     total = fmpz_poly([])
     for row in rows:
@@ -69,7 +69,9 @@ def _has_sign(form: fmpz_poly, sign: int) -> bool:
     return any(x * sign > 0 for x in form.coeffs())
 
 
-def holds_certainly(rows: Rows, e: fmpz_poly, n: int, interval: Interval, degree: int | None = None) -> bool:
+def holds_certainly(
+    rows: Sequence[fmpz_poly], e: fmpz_poly, n: int, interval: Interval, degree: int | None = None
+) -> bool:
     """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes.
 
     Its rows have the degree n of e, or one of their own.
@@ -78,24 +80,19 @@ def holds_certainly(rows: Rows, e: fmpz_poly, n: int, interval: Interval, degree
     return bool(sign) and keeps_sign(rows, n if degree is None else degree, interval, sign)
 
 
-def keeps_sign(rows: Rows, m: int, interval: Interval, sign: int) -> bool:
+def keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int) -> bool:
     """Whether a family of degree m in z has a sign, or is zero, all over a part; certainly, as above.
 
     >>> keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, Interval(mpq(0), mpq(1, 4)), 1)
     True
     """
-    own = [restrict((row, ONE), m, *interval) for row in rows]
-    common = ONE
-    for _, below in own:
-        common = common.lcm(below)
-    todo = [(0, [form * (common // k) for form, k in own])]
+    todo = [(0, PatchForm.of_rows(rows, m).part(Box(interval, UNIT.second)))]
     while todo:
-        depth, boxes = todo.pop()
-        if not any(_has_sign(row, -sign) for row in boxes):
+        depth, form = todo.pop()
+        low, high = form.range
+        if (low if sign > 0 else -high) >= 0:
             continue
-        corners = (row[k] for row in (boxes[0], boxes[-1]) for k in (0, m))
-        if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in corners):
+        if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in form.corners):
             return False
-        (left, _), (right, _) = halved(boxes, m, 1 - depth % 2)
-        todo += [(depth + 1, left), (depth + 1, right)]
+        todo += [(depth + 1, half) for half in form.halves(1 - depth % 2)]
     return True

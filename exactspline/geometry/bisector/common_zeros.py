@@ -15,23 +15,14 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
-from exactspline.geometry.bisector.polynomials import (
-    Parameter,
-    S,
-    T,
-    certainly_not_zero,
-    enclosed,
-    exactly,
-    possible_boxes,
-    roots_in,
-    rows_of,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import certainly_not_zero, vanish_together
 from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import Box, Interval, hull
 from exactspline.polynomials.cost import affords, check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.two_parameters import S, T, enclosed, possible_boxes, rows_of
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
 
 #: A pair of parameters.
@@ -66,7 +57,7 @@ def common_zeros(
 
     `known` are zeros that are proved already.
 
-    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> from exactspline.polynomials.two_parameters import S, T
     >>> from exactspline.numbers.intervals import UNIT
     >>> common_zeros(S * S + T * T - 1, S - T, UNIT).places[0][0].minimal_polynomial()
     [-1, 0, 2]

@@ -9,12 +9,13 @@ from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
-from exactspline.geometry.bisector.polynomials import CONTEXT, Parameter, S, T, at, exactly, roots_in
 from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational, short_text
 from exactspline.numbers.intervals import Box
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, at
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

@@ -17,7 +17,6 @@ from typing import Any
 from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.certain_parts import holds_certainly, keeps_sign, possible_parts
-from exactspline.geometry.bisector.polynomials import check_isolation
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import mpq
@@ -27,6 +26,7 @@ from exactspline.polynomials.bernstein import ONE, is_nonnegative, value
 from exactspline.polynomials.elimination import discriminant, resultant
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.reals.real import between
+from exactspline.roots.of_polynomials import check_isolation
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

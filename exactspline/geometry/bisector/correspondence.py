@@ -10,22 +10,15 @@ from flint import ctx, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.common_zeros import Place, common_zeros
 from exactspline.geometry.bisector.components import Branch
-from exactspline.geometry.bisector.polynomials import (
-    Parameter,
-    at,
-    ball,
-    enclosed,
-    exactly,
-    roots_in,
-    rows_of,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import ball, vanish_together
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import at, enclosed, rows_of
 from exactspline.reals.real import between
+from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 
 
 def graph_intervals(
@@ -87,7 +80,7 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
     vanishes, the number of roots inside does not change. `ReachError` where the discriminant would take too long.
 
-    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> from exactspline.polynomials.two_parameters import S, T
     >>> square = (mpq(-2), mpq(2))
     >>> [(b.index, b.sample[0]) for b in branches(S * S + T * T - 1, (square, square))]
     [(0, mpq(0,1)), (1, mpq(0,1))]
@@ -126,7 +119,7 @@ def nodes(g: fmpz_mpoly, sides: Box) -> tuple[list[Place], bool]:
     Where the Hessian is negative two branches cross. A common factor of both derivatives has no zero in common with the
     equation, which is constant along it.
 
-    >>> from exactspline.geometry.bisector.polynomials import S, T
+    >>> from exactspline.polynomials.two_parameters import S, T
     >>> side = Interval(mpq(-1, 2), mpq(1, 2))
     >>> nodes(S**3 - S * S - T * T, Box(side, side))
     ([(mpq(0,1), mpq(0,1))], True)

@@ -13,7 +13,7 @@ from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.flats import ALL, Conditions
 from exactspline.geometry.bisector.over_root import OverRoot, by_powers
-from exactspline.geometry.bisector.polynomials import Euclidean, as_splines, common_divisor, lifted, rows_of
+from exactspline.geometry.bisector.polynomials import Euclidean, common_divisor
 from exactspline.geometry.bisector.root_lines import RootLines
 from exactspline.geometry.bisector.system import System
 from exactspline.language.rational import Rational
@@ -22,6 +22,8 @@ from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.numbers.exact import mpq, to_fmpz
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.two_parameters import lifted, rows_of
+from exactspline.roots.of_polynomials import as_splines
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.values import RationalSurface

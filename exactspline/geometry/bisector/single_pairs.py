@@ -9,11 +9,12 @@ from flint import fmpz_mpoly
 from exactspline.geometry.bisector.common_zeros import CommonZeros, Place, common_zeros
 from exactspline.geometry.bisector.components import Cause, SinglePair, Solutions, SpecialPairs
 from exactspline.geometry.bisector.correspondence import same_place
-from exactspline.geometry.bisector.polynomials import possible_boxes, vanish_together
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.system import System
 from exactspline.numbers.exact import short_text
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import possible_boxes
 from exactspline.roots.root import Root
 
 #: Combinations of the components of a vector, tried one after the other.

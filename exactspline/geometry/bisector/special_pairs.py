@@ -33,18 +33,7 @@ from exactspline.geometry.bisector.correspondence import border_pairs, branches,
 from exactspline.geometry.bisector.cusps import cusps_of, lines_at, over_both_cusps, over_cusps, standing
 from exactspline.geometry.bisector.flats import ALL
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
-from exactspline.geometry.bisector.polynomials import (
-    Parameter,
-    as_splines,
-    exactly,
-    in_one,
-    lifted,
-    possible_boxes,
-    roots_in,
-    rows_of,
-    value_at,
-    vanish_together,
-)
+from exactspline.geometry.bisector.polynomials import vanish_together
 from exactspline.geometry.bisector.single_pairs import at_cusp, crossings, singles, touching
 from exactspline.geometry.bisector.system import Piece, System, divides, irreducible_factors, piece
 from exactspline.language.rational import Rational
@@ -53,6 +42,8 @@ from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import in_one, lifted, possible_boxes, rows_of, value_at
+from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 

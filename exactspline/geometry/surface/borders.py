@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 from flint import fmpz_poly
 
-from exactspline.geometry.bisector.polynomials import roots_in
 from exactspline.geometry.surface.places import Parameter, enclosing
-from exactspline.numbers.exact import lcm, mpq
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
-from exactspline.polynomials.bernstein import substituted
+from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.common_zeros import Zero
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.roots.of_polynomials import roots_in
 from exactspline.roots.root import Root
 
 #: Bits of a box before it is given up to tell whether a zero is inside a patch.
@@ -43,11 +43,9 @@ EDGES = tuple(Edge(direction, end) for direction, end in product((0, 1), (0, 1))
 
 def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
     """A form along an edge as a polynomial in the other parameter of the surface, up to a positive constant."""
-    a, b = sides[1 - edge.direction]
-    m = lcm(a.denominator, b.denominator)
     n = form.degree[1 - edge.direction]
     c = fmpz_poly([comb(n, i) * x for i, x in enumerate(form.edge(*edge))])
-    return substituted(c, n, fmpz_poly([int(b * m), int(-m)]), fmpz_poly([int(-a * m), int(m)]))
+    return in_parameter(c, n, sides[1 - edge.direction])[0]
 
 
 def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:

@@ -9,7 +9,7 @@ from enum import StrEnum
 from exactspline.errors import ReachError
 from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
 from exactspline.geometry.surface.chains import ParabolicCurve, Piece, chained, place_of
-from exactspline.geometry.surface.common_factor import as_polynomial, odd_part, square_free, without_powers
+from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
@@ -24,6 +24,7 @@ from exactspline.geometry.surface.zero_curve import Part, Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import Along, NurbsSurface
 

@@ -12,12 +12,11 @@ from typing import NamedTuple
 
 from flint import fmpz_mpoly
 
-from exactspline.geometry.bisector.polynomials import CONTEXT, S, T
-from exactspline.geometry.surface.common_factor import as_form, as_polynomial
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.common_zeros import SIMPLE, simplest
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
 
 #: Boxes before the search for a common zero stops, and how often the square around the point is halved.
 BOXES, TRIES = 2000, 4

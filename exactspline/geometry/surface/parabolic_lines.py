@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from exactspline.geometry.bisector.polynomials import exactly
 from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.common_factor import divided, line_factor
 from exactspline.geometry.surface.degenerate import line_of
@@ -14,6 +13,7 @@ from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.places import Parameter
 from exactspline.numbers.intervals import Box, Interval, joined
 from exactspline.polynomials.patch_forms import PatchForm, of_powers
+from exactspline.roots.of_polynomials import exactly
 from exactspline.splines.surface import Along, NurbsSurface
 
 

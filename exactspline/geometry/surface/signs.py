@@ -141,4 +141,4 @@ def _sign_but_for_corners(form: PatchForm) -> int | None:
         return None
     if not all(any(form.edge(direction, end)) for direction in (0, 1) for end in (0, 1)):
         return None
-    return sign_of(high)
+    return 1 if high > 0 else -1
