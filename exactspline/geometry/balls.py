@@ -15,7 +15,7 @@ from exactspline.geometry.angles import Angle
 from exactspline.geometry.curvature import polynomial_root
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import ball_around
-from exactspline.polynomials.bernstein import zero_on_segment
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline

@@ -11,17 +11,20 @@ Riesenfeld, Bounds on a polynomial, BIT 1981.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import cached_property
 from typing import NamedTuple
 
 from flint import fmpz_poly
 
+from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.annihilating import without_rational_zero
 from exactspline.polynomials.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
 from exactspline.polynomials.factorization import Factorization, multiplied
-from exactspline.polynomials.factors import certainly_square_free, factorize_square_free
+from exactspline.polynomials.factors import certainly_square_free, factorize, factorize_square_free
 
 #: Depth at which multiple zeros are first suspected.
 DEPTH = 10
@@ -234,3 +237,51 @@ def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
     part, _ = restrict((c, ONE), c.degree(), low, high)
     signs = [sign_of(x) for x in part.coeffs() if x != 0]
     return signs[0], signs[-1]
+
+
+def rational_roots(c: fmpz_poly) -> list[mpq]:
+    """The rational local parameters strictly inside the segment at which a form that is not zero vanishes.
+
+    >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
+    [mpq(1,2)]
+    """
+    ratios = [ratio(-p[0], p[1]) for p in factorize(c).bases if p.degree() == 1]
+    return sorted(z / (1 + z) for z in ratios if z > 0)
+
+
+def zero_on_segment(c: fmpz_poly, n: int) -> Interval | None:
+    """An interval of [0, 1] with a zero of the form in it, a point where that is rational; None where there is none.
+
+    >>> zero_on_segment(fmpz_poly([1, -2, 3]), 2) is None
+    True
+    >>> zero_on_segment(fmpz_poly([1, -3, 1]), 2)
+    Interval(low=mpq(0,1), high=mpq(1,2))
+    >>> zero_on_segment(fmpz_poly([1, -4, 4]), 2)
+    Interval(low=mpq(1,3), high=mpq(1,3))
+    """
+    if not c:
+        return Interval(mpq(0), mpq(1))
+    for end in (0, 1):
+        if c[n * end] == 0:
+            return Interval.point(mpq(end))
+    inner = isolate(c, n).inner
+    if not inner:
+        return None
+    found = Interval(inner[0].low, inner[0].high)
+    if found.low < found.high:
+        with suppress(ReachError):
+            exact = (t for t in rational_roots(inner[0].factor.polynomial) if found.low < t < found.high)
+            found = next(map(Interval.point, exact), found)
+    return found
+
+
+def is_nonnegative(c: fmpz_poly, n: int) -> bool:
+    """Whether a form of degree n is ≥ 0 on its segment: it is positive next to both ends, and changes no sign inside.
+
+    >>> is_nonnegative(fmpz_poly([1, -2, 1]), 2), is_nonnegative(fmpz_poly([1, -3, 1]), 2)
+    (True, False)
+    """
+    if not c:
+        return True
+    found = isolate(c, n)
+    return found.signs == (1, 1) and all(zero.signs == (1, 1) for zero in found.inner)

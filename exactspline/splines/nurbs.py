@@ -14,7 +14,7 @@ from exactspline.numbers.exact import Number, from_float, is_float, mpq, rationa
 from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.polynomials.bernstein import zero_on_segment
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
@@ -330,7 +330,7 @@ def _check_weight(w: BSpline) -> None:
         a, b = w.breakpoints[i : i + 2]
         witness = zero_on_segment(c, w.degree)
         if witness is not None:
-            low, high = (a + (b - a) * t for t in witness)
+            low, high = Interval(a, b).part(witness)
             place = (
                 f"at the parameter {text(low)}"
                 if low == high

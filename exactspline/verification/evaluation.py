@@ -10,8 +10,9 @@ from typing import Any
 from exactspline.language.argument import Evaluated
 from exactspline.language.arguments import Operands
 from exactspline.language.kinds import PairKind, kind_of
-from exactspline.numbers.exact import mpq, text
-from exactspline.polynomials.bernstein import zero_on_segment
+from exactspline.numbers.exact import text
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -134,11 +135,11 @@ def zero_of(f: BSpline) -> str:
             return segment(f, i)
         a, b = f.breakpoints[i : i + 2]
         if found := zero_on_segment(p, f.degree):
-            return between(a, b, found)
+            return between(Interval(a, b).part(found))
     return ""
 
 
-def between(a: mpq, b: mpq, found: tuple[mpq, mpq]) -> str:
-    """The place of a zero of a segment [a, b], as text."""
-    s, t = (a + (b - a) * x for x in found)
+def between(found: Interval) -> str:
+    """The place of a zero, as text."""
+    s, t = found
     return f"at the parameter {text(s)}" if s == t else f"between the parameters {text(s)} and {text(t)}"

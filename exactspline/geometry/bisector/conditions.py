@@ -22,9 +22,10 @@ from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import ONE, is_nonnegative, value
+from exactspline.polynomials.bernstein import ONE, value
 from exactspline.polynomials.elimination import discriminant, resultant
 from exactspline.polynomials.factors import factorize_square_free
+from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.reals.real import between
 from exactspline.roots.of_polynomials import check_isolation
 from exactspline.roots.root import Root

@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq, text
-from exactspline.polynomials.bernstein import is_nonnegative
 from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.readings.jet import Jet
 from exactspline.splines.bspline import BSpline
 from exactspline.symbolic.assumptions import zero_free
