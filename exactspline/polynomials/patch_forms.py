@@ -318,17 +318,9 @@ def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
     if a == 0 and b == 1:
         return _identity(n)
     m = lcm(a.denominator, b.denominator)
-    ia, ib = int(a * m), int(b * m)
-    at_a, at_b = _binomials(n, int(m) - ia, ia), _binomials(n, int(m) - ib, ib)
-    rows = []
-    for i in range(n + 1):
-        # the blossom at n − i times a and i times b: a product of two polynomials by which control point is chosen
-        row = [0] * (n + 1)
-        for k, x in enumerate(at_a[n - i]):
-            for h, y in enumerate(at_b[i]):
-                row[k + h] += x * y
-        rows.append(row)
-    return fmpz_mat(rows)
+    at_a, at_b = (_powers(fmpz_poly([int(m - x), int(x)]), n) for x in (a * m, b * m))
+    # the blossom at n − i times a and i times b: a product of two polynomials by which control point is chosen
+    return fmpz_mat([_padded(at_a[n - i] * at_b[i], n) for i in range(n + 1)])
 
 
 @lru_cache(maxsize=64)
@@ -336,17 +328,19 @@ def _identity(n: int) -> fmpz_mat:
     return fmpz_mat([[int(i == k) for k in range(n + 1)] for i in range(n + 1)])
 
 
-def _binomials(n: int, first: int, second: int) -> list[list[int]]:
-    """The coefficients of ``(first + second x)^k`` for k to n."""
-    found = [[1]]
+def _powers(p: fmpz_poly, n: int) -> list[fmpz_poly]:
+    found = [fmpz_poly([1])]
     for _ in range(n):
-        last = found[-1]
-        found.append([first * x + second * y for x, y in zip([*last, 0], [0, *last], strict=True)])
+        found.append(found[-1] * p)
     return found
+
+
+def _padded(p: fmpz_poly, n: int) -> list[fmpz]:
+    own: list[fmpz] = p.coeffs()
+    return own + [fmpz(0)] * (n + 1 - len(own))
 
 
 def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:
     """The Bernstein polynomials at x, over a denominator."""
-    bottom = int(x.denominator)
-    own = _binomials(n, bottom - int(x.numerator), int(x.numerator))[n]
-    return fmpz_mat([own]), mpq(bottom**n)
+    top, bottom = int(x.numerator), int(x.denominator)
+    return fmpz_mat([_padded(fmpz_poly([bottom - top, top]) ** n, n)]), mpq(bottom**n)
