@@ -42,8 +42,8 @@ def choice(
 ) -> E:
     """The member of an enumeration that a word names; `also` are further words that the caller accepts.
 
-    >>> choice(Side, "left", "side")
-    <Side.LEFT: 'left'>
+    >>> choice(Counting, "part by part", "way to count")
+    <Counting.PART_BY_PART: 'part by part'>
 
     Raises `raised`, which lists the words, or the nearest of many.
     """

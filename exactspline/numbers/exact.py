@@ -291,7 +291,7 @@ def from_flint(value: flint.fmpq | flint.fmpz) -> mpq:
     return mpq(int(value.p), int(value.q)) if isinstance(value, flint.fmpq) else mpq(int(value))
 
 
-def sign(value: Any) -> int:
+def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
     """1, −1 or 0: the sign of an exact number of whatever library.
 
     >>> sign(mpq(1, 2)), sign(flint.fmpz(-3)), sign(0)

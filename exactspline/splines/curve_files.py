@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from exactspline.atomic_write import write_atomically
@@ -63,8 +64,9 @@ def curve_from_text(text: str, name: str = "") -> Nurbs:
     return curve_from_data(data, name)
 
 
-def curve_from_data(data: dict[str, Any], name: str = "") -> Nurbs:
+def curve_from_data(given: Mapping[str, object], name: str = "") -> Nurbs:
     """The curve in JSON data, numbers as text (`exactspline.splines.json_files.parsed`)."""
+    data: dict[str, Any] = dict(given)
     if "pieces" in data:
         data = _one_piece(data)
     if "kind" in data:

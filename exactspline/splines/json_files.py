@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import os
 import stat
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NoReturn, cast
+from typing import NoReturn, cast
 
 from exactspline.errors import CurveFileError, NumberError, as_text
 from exactspline.numbers.exact import Number, mpq, rational
@@ -54,7 +54,7 @@ def json_object(text: str, remedy: str) -> dict[str, object]:
     return data
 
 
-def check_fields(data: dict[str, Any], what: str) -> None:
+def check_fields(data: Mapping[str, object], what: str) -> None:
     """Raise `CurveFileError` unless these are the fields of a curve or of a surface (`what`)."""
     if what == CURVE and isinstance(data.get("degree"), list):
         raise CurveFileError("is a surface, where a curve is wanted", remedy="`exactspline inspect` reads surfaces")
@@ -104,7 +104,7 @@ def number_of(value: object) -> Number:
     return "null" if value is None else str(value) if isinstance(value, _Decimal) else cast("Number", value)
 
 
-def parsed(text: str) -> Any:
+def parsed(text: str) -> object:
     """The data of a JSON text, every number as the text it shows.
 
     >>> parsed('{"a": [1, 0.1, "x"]}')

@@ -43,7 +43,7 @@ def looks_like(head: bytes) -> bool:
 def read(source: Source) -> Reading:
     """The curves of a file."""
     found = Collector("json", source)
-    data = parsed(source.text)
+    data: Any = parsed(source.text)
     entries = data.get("curves", [data]) if isinstance(data, dict) else data
     if not isinstance(entries, list):
         raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
